@@ -1,0 +1,105 @@
+//! The types of a scenario: the one schema. The reader, the JSON Schema, the TypeScript types and the reference page
+//! come from here. SI units and radians; the unit of a quantity is in its name. No flattened or untagged enums: they
+//! lose the place of an error.
+
+mod bodies;
+mod drives;
+mod forces;
+mod joints;
+mod parameter;
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+
+pub use super::range::{Direction, NonNegative, Positive};
+pub use super::text::{Colour, Name, Version, WORLD};
+pub use bodies::{
+    Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis,
+    RadiiOfGyration, Shape, SphereShape,
+};
+pub use drives::{Drive, History, LinearMotor, LinearServo, Motor, Pulse, Servo};
+pub use forces::{Force, Gravity, ViscousDamping};
+pub use joints::{
+    FixedJoint, FloatingJoint, InitialMotion, Joint, PrescribedRate, PrescribedSpeed,
+    PrismaticJoint, PrismaticMode, RevoluteJoint, RevoluteMode,
+};
+pub use parameter::{Parameter, ParameterKind, ParameterValue};
+
+/// One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Scenario {
+    /// The version of the file format: 1.
+    pub version: Version,
+    /// One line that says what this is.
+    pub title: String,
+    /// What a reader should know: the source, the choices made.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub description: String,
+    /// The knobs of this scenario, in the order in which views show them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parameters: Vec<Parameter>,
+    /// Time stepping and recording.
+    #[serde(default)]
+    pub simulation: SimulationSettings,
+    /// The bodies by name.
+    pub bodies: IndexMap<Name, Body>,
+    /// What acts on the bodies from outside, by name.
+    #[serde(default)]
+    pub forces: IndexMap<Name, Force>,
+    /// What acts between the bodies, in their joints, by name.
+    #[serde(default)]
+    pub drives: IndexMap<Name, Drive>,
+}
+
+/// Time stepping and recording.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+pub struct SimulationSettings {
+    /// The scheme that steps the state.
+    pub integrator: Integrator,
+    /// Fixed time step, s.
+    pub step_s: Positive,
+    /// Length of the run, s.
+    pub duration_s: Positive,
+    /// Interval between recorded rows, s.
+    pub record_every_s: Positive,
+    /// A run diverges when a rate passes this, rad/s or m/s.
+    pub rate_limit: Positive,
+    /// Seed of every random number in the run.
+    pub seed: u64,
+}
+
+impl Default for SimulationSettings {
+    fn default() -> Self {
+        Self {
+            integrator: Integrator::Rk4,
+            step_s: Positive::literal(0.001),
+            duration_s: Positive::literal(10.0),
+            record_every_s: Positive::literal(0.01),
+            rate_limit: Positive::literal(1.0e4),
+            seed: 0,
+        }
+    }
+}
+
+/// The scheme that steps the state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Integrator {
+    /// Explicit Euler with the start-of-step angular velocity in Rodrigues' formula, as in the paper; order 1.
+    ForwardEuler,
+    /// Explicit Euler with the mean of the start-of-step and end-of-step angular velocity in Rodrigues' formula; order 1.
+    MidpointEuler,
+    /// The classical Runge-Kutta scheme in Munthe-Kaas' form; order 4, on rotations too.
+    #[default]
+    Rk4,
+}
+
+/// The default of `enabled`.
+const fn yes() -> bool {
+    true
+}

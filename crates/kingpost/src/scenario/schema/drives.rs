@@ -1,0 +1,136 @@
+//! Drives: what acts between two bodies, in the joint that connects them.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Name, NonNegative, yes};
+
+/// What acts between two bodies, in the joint that connects them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Drive {
+    /// A torque in a revolute joint.
+    Motor(Motor),
+    /// A force in a prismatic joint.
+    LinearMotor(LinearMotor),
+    /// A spring and damper with a torque limit that turns a revolute joint to a target.
+    Servo(Servo),
+    /// A spring and damper with a force limit that moves a prismatic joint to a target.
+    LinearServo(LinearServo),
+}
+
+/// How a drive's strength goes with time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum History {
+    /// Full strength from the start on.
+    #[default]
+    Constant,
+    /// Up, hold, reverse, stop, by the times of `pulse`.
+    Pulse,
+    /// An input in [-1, 1], named as the drive (a prescribed joint's is named as the joint), times the full strength.
+    Lever,
+}
+
+/// Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, from T to -T in twice `rise_s`, -T for
+/// `reverse_s`, back to 0 in `rise_s`, and 0 from then on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Pulse {
+    /// Length of the ramp from 0 to full strength, s; 0 is a jump.
+    pub rise_s: NonNegative,
+    /// Time at full strength, s.
+    pub hold_s: NonNegative,
+    /// Time at full strength the other way, s.
+    pub reverse_s: NonNegative,
+}
+
+/// A torque in a revolute joint; the reaction acts on the parent.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Motor {
+    /// Whether it acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The revolute joint.
+    pub joint: Name,
+    /// Full torque, positive about the joint's axis, N m.
+    #[serde(rename = "torque_N_m")]
+    pub torque_n_m: f64,
+    /// How the torque goes with time.
+    #[serde(default)]
+    pub history: History,
+    /// The times of the history `pulse`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pulse: Option<Pulse>,
+}
+
+/// A force in a prismatic joint; the reaction acts on the parent.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct LinearMotor {
+    /// Whether it acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The prismatic joint.
+    pub joint: Name,
+    /// Full force, positive along the joint's axis, N.
+    #[serde(rename = "force_N")]
+    pub force_n: f64,
+    /// How the force goes with time.
+    #[serde(default)]
+    pub history: History,
+    /// The times of the history `pulse`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pulse: Option<Pulse>,
+}
+
+/// A torque `stiffness (target - angle) - damping rate` in a revolute joint, clipped at the torque limit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Servo {
+    /// Whether it acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The revolute joint.
+    pub joint: Name,
+    /// The angle to hold, rad.
+    pub target_rad: f64,
+    /// Torque per angle, N m/rad.
+    #[serde(rename = "stiffness_N_m_per_rad")]
+    pub stiffness_n_m_per_rad: NonNegative,
+    /// Torque per rate, N m s/rad.
+    #[serde(rename = "damping_N_m_s_per_rad")]
+    pub damping_n_m_s_per_rad: NonNegative,
+    /// Largest torque, N m.
+    #[serde(rename = "torque_limit_N_m")]
+    pub torque_limit_n_m: NonNegative,
+}
+
+/// A force `stiffness (target - extension) - damping speed` in a prismatic joint, clipped at the force limit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct LinearServo {
+    /// Whether it acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The prismatic joint.
+    pub joint: Name,
+    /// The extension to hold, m.
+    pub target_m: f64,
+    /// Force per extension, N/m.
+    #[serde(rename = "stiffness_N_per_m")]
+    pub stiffness_n_per_m: NonNegative,
+    /// Force per speed, N s/m.
+    #[serde(rename = "damping_N_s_per_m")]
+    pub damping_n_s_per_m: NonNegative,
+    /// Largest force, N.
+    #[serde(rename = "force_limit_N")]
+    pub force_limit_n: NonNegative,
+}

@@ -1,0 +1,134 @@
+//! Parameters: the knobs of a scenario, each with the fields that it writes.
+
+use std::fmt;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::Name;
+
+/// What a [`ParameterValue`] allows.
+pub const PARAMETER_VALUE: &str = "true or false, a number, or a text";
+
+/// A knob of a scenario. Command line, Python and the app set the fields that it writes by this name.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Parameter {
+    /// The name by which it is set; no field at the top of the file may have it.
+    pub name: Name,
+    /// What views show; the name when absent.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub label: String,
+    /// Unit, for display.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub unit: String,
+    /// The value written unless another is given; when absent, what stands at the first field.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub default: Option<ParameterValue>,
+    /// Least and largest value of a number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub range: Option<[f64; 2]>,
+    /// The texts allowed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub choices: Option<Vec<String>>,
+    /// Whether it may change during a run; else it takes effect at reset.
+    #[serde(default)]
+    pub live: bool,
+    /// The fields that it writes, as dotted paths: `bodies.ship.mass_kg`.
+    pub writes: Vec<String>,
+}
+
+impl Parameter {
+    /// What views show: the label, or the name where there is none.
+    pub fn shown(&self) -> &str {
+        if self.label.is_empty() { &self.name } else { &self.label }
+    }
+}
+
+/// What kind of control a parameter is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ParameterKind {
+    /// True or false.
+    Boolean,
+    /// A number.
+    Number,
+    /// One of several texts.
+    Choice,
+}
+
+/// A value of a parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ParameterValue {
+    /// True or false.
+    Boolean(bool),
+    /// A number.
+    Number(f64),
+    /// One of the choices.
+    Text(String),
+}
+
+impl ParameterValue {
+    /// The kind of control that sets a value like this.
+    pub fn kind(&self) -> ParameterKind {
+        match self {
+            Self::Boolean(_) => ParameterKind::Boolean,
+            Self::Number(_) => ParameterKind::Number,
+            Self::Text(_) => ParameterKind::Choice,
+        }
+    }
+}
+
+impl Serialize for ParameterValue {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Boolean(value) => serializer.serialize_bool(*value),
+            Self::Number(value) => serializer.serialize_f64(*value),
+            Self::Text(value) => serializer.serialize_str(value),
+        }
+    }
+}
+
+struct ParameterValueVisitor;
+
+impl serde::de::Visitor<'_> for ParameterValueVisitor {
+    type Value = ParameterValue;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(PARAMETER_VALUE)
+    }
+    fn visit_bool<E>(self, value: bool) -> Result<ParameterValue, E> {
+        Ok(ParameterValue::Boolean(value))
+    }
+    fn visit_i64<E>(self, value: i64) -> Result<ParameterValue, E> {
+        Ok(ParameterValue::Number(value as f64))
+    }
+    fn visit_u64<E>(self, value: u64) -> Result<ParameterValue, E> {
+        Ok(ParameterValue::Number(value as f64))
+    }
+    fn visit_f64<E>(self, value: f64) -> Result<ParameterValue, E> {
+        Ok(ParameterValue::Number(value))
+    }
+    fn visit_str<E>(self, value: &str) -> Result<ParameterValue, E> {
+        Ok(ParameterValue::Text(value.to_owned()))
+    }
+}
+
+impl<'de> Deserialize<'de> for ParameterValue {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ParameterValueVisitor)
+    }
+}
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for ParameterValue {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "ParameterValue".into()
+    }
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({"type": ["boolean", "number", "string"]})
+    }
+}

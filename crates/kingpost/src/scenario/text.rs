@@ -1,0 +1,152 @@
+//! Texts with a form: names, colours and the version of the file format.
+
+use std::borrow::Borrow;
+use std::fmt;
+use std::ops::Deref;
+
+use serde::de::{Error, Unexpected};
+use serde::{Deserialize, Deserializer, Serialize};
+
+/// What a [`Name`] allows.
+pub const NAME: &str = "a name of small letters, digits and _ that starts with a letter";
+/// What a [`Colour`] allows.
+pub const COLOUR: &str = "a colour as \"#rrggbb\"";
+/// What a [`Version`] allows.
+pub const VERSION: &str = "1 (the version of the file format)";
+/// The name that stands for the inertial frame; no body may carry it.
+pub const WORLD: &str = "world";
+
+macro_rules! formed_text {
+    ($(#[$doc:meta])* $name:ident, $allowed:expr, $test:ident, $pattern:literal) => {
+        $(#[$doc])*
+        #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+        #[serde(transparent)]
+        pub struct $name(String);
+
+        impl $name {
+            /// `None` where the text has not the form.
+            pub fn new(text: impl Into<String>) -> Option<Self> {
+                let text = text.into();
+                $test(&text).then_some(Self(text))
+            }
+
+            /// The text itself.
+            pub fn as_str(&self) -> &str {
+                &self.0
+            }
+        }
+
+        impl Deref for $name {
+            type Target = str;
+            fn deref(&self) -> &str {
+                &self.0
+            }
+        }
+
+        impl Borrow<str> for $name {
+            fn borrow(&self) -> &str {
+                &self.0
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.0.fmt(f)
+            }
+        }
+
+        impl PartialEq<str> for $name {
+            fn eq(&self, other: &str) -> bool {
+                self.0 == other
+            }
+        }
+
+        impl PartialEq<&str> for $name {
+            fn eq(&self, other: &&str) -> bool {
+                self.0 == *other
+            }
+        }
+
+        impl<'de> Deserialize<'de> for $name {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                let text = String::deserialize(deserializer)?;
+                if $test(&text) {
+                    Ok(Self(text))
+                } else {
+                    Err(D::Error::invalid_value(Unexpected::Str(&text), &$allowed))
+                }
+            }
+        }
+
+        #[cfg(feature = "schema")]
+        impl schemars::JsonSchema for $name {
+            fn inline_schema() -> bool {
+                true
+            }
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($name).into()
+            }
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                schemars::json_schema!({"type": "string", "pattern": $pattern})
+            }
+        }
+    };
+}
+
+fn is_name(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_lowercase())
+        && text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+}
+
+fn is_colour(text: &str) -> bool {
+    text.strip_prefix('#')
+        .is_some_and(|hex| hex.len() == 6 && hex.chars().all(|c| c.is_ascii_hexdigit()))
+}
+
+formed_text!(
+    /// A name of a body, joint, point, force, drive or parameter: `[a-z][a-z0-9_]*`.
+    Name, NAME, is_name, "^[a-z][a-z0-9_]*$"
+);
+formed_text!(
+    /// A colour as `#rrggbb`.
+    Colour, COLOUR, is_colour, "^#[0-9a-fA-F]{6}$"
+);
+
+impl Name {
+    /// The inertial frame.
+    pub fn world() -> Self {
+        Self(WORLD.to_owned())
+    }
+}
+
+/// The version of the file format; 1 is the only one so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Version;
+
+impl Serialize for Version {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_u64(1)
+    }
+}
+
+impl<'de> Deserialize<'de> for Version {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match f64::deserialize(deserializer)? {
+            1.0 => Ok(Self),
+            other => Err(D::Error::invalid_value(Unexpected::Float(other), &VERSION)),
+        }
+    }
+}
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for Version {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Version".into()
+    }
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({"const": 1})
+    }
+}
