@@ -1,0 +1,168 @@
+"""The benchmark programs: how each engine's is built and started, and why one is left out."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import importlib.util
+import os
+import shutil
+import subprocess
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import models
+
+BENCHES = Path(__file__).resolve().parent
+BUILD = models.REPOSITORY / "target" / "bench"
+FLAGS = ("-std=c++17", "-O3", "-DNDEBUG", "-w")
+# as Pinocchio's own CMake target defines them, for its list of joints to fit
+PINOCCHIO_DEFINITIONS = (
+    "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
+    "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
+    "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS",
+    "-DBOOST_FUSION_INVOKE_MAX_ARITY=12",
+)
+WASM_PACKAGE = models.REPOSITORY / "web" / "src" / "engine" / "pkg"
+
+
+class NotHereError(Exception):
+    """An engine cannot be measured on this machine; the message says why."""
+
+
+@dataclass(frozen=True)
+class Engine:
+    """A program that runs ``OPERATION MODE NUMBERS``, and how to read its check values as Kingpost's."""
+
+    name: str
+    command: tuple[str, ...]
+    operations: tuple[str, ...]
+    countable: bool
+    version: str
+    acceleration: Callable[[models.tree.Array], models.tree.Array]
+    state: Callable[[models.tree.Array], models.tree.Array]
+
+
+def same(values: models.tree.Array) -> models.tree.Array:
+    """Values that are in Kingpost's layout already."""
+    return values
+
+
+def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
+    """The engine crate, called from a small Rust program."""
+    del quick
+    cargo = _tool("cargo")
+    _run([cargo, "build", "--release", "--quiet", "--package", "kingpost-bench"])
+    target = Path(os.environ.get("CARGO_TARGET_DIR", models.REPOSITORY / "target"))
+    program = target / "release" / "kingpost-bench"
+    path = models.write_kingpost(case, folder)
+    operations = ("forward", "rk4_step", "rk4_step_ledger")
+    version = importlib.metadata.version("kingpost")
+    return Engine("kingpost", (str(program), str(path)), operations, True, version, same, same)
+
+
+def kingpost_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
+    """The packed WASM module under node: the step as the browser app has it, ledger included."""
+    del quick
+    node = _tool("node")
+    if not (WASM_PACKAGE / "kingpost_wasm_bg.wasm").exists():
+        raise NotHereError("the WASM package is not built")
+    path = models.write_kingpost(case, folder)
+    command = (node, str(BENCHES / "wasm.mjs"), str(WASM_PACKAGE), str(path))
+    version = _output([node, "--version"])
+    return Engine("kingpost-wasm", command, ("rk4_step_ledger",), False, f"node {version}", same, same)
+
+
+def mujoco(case: models.Case, folder: Path, quick: bool) -> Engine:
+    """MuJoCo's C library from its wheel."""
+    del quick
+    root = _package("mujoco")
+    libraries = sorted(root.glob("libmujoco.so*"))
+    if not libraries or not (root / "include").is_dir():
+        raise NotHereError("the wheel has no headers or library")
+    source = BENCHES / "peers" / "mujoco_bench.cpp"
+    options = ("-I", str(root / "include"), str(libraries[0]), f"-Wl,-rpath,{root}")
+    program = _compile("mujoco_bench", source, options, quick=False)
+    path = models.write_mujoco(case, folder)
+    version = importlib.metadata.version("mujoco")
+    operations = ("forward", "rk4_step")
+    return Engine("mujoco", (str(program), str(path)), operations, True, version, same, same)
+
+
+def pinocchio(case: models.Case, folder: Path, quick: bool) -> Engine:
+    """Pinocchio's C++ headers from its wheel."""
+    prefix = _package("pinocchio").parents[3]
+    include = prefix / "include"
+    if not (include / "eigen3").is_dir() or not (include / "boost").is_dir():
+        raise NotHereError("Eigen's or Boost's headers are not installed (cmeel-eigen, cmeel-boost)")
+    source = BENCHES / "peers" / "pinocchio_bench.cpp"
+    options = (*PINOCCHIO_DEFINITIONS, "-I", str(include), "-I", str(include / "eigen3"))
+    program = _compile("pinocchio_bench", source, options, quick=quick)
+    path = models.write_pinocchio(case, folder)
+    return Engine(
+        "pinocchio",
+        (str(program), str(path)),
+        ("forward", "rk4_step"),
+        True,
+        importlib.metadata.version("pin"),
+        lambda values: models.pinocchio_acceleration_as_ours(case, values),
+        lambda values: models.pinocchio_as_ours(case, values),
+    )
+
+
+Builder = Callable[[models.Case, Path, bool], Engine]
+BUILDERS: dict[str, Builder] = {
+    "kingpost": kingpost_native,
+    "kingpost-wasm": kingpost_wasm,
+    "pinocchio": pinocchio,
+    "mujoco": mujoco,
+}
+
+
+def _tool(name: str) -> str:
+    """The path of a program."""
+    found = shutil.which(name)
+    if found is None:
+        raise NotHereError(f"{name} is not installed")
+    return found
+
+
+def _package(name: str) -> Path:
+    """The folder of an installed Python package, without importing it."""
+    found = importlib.util.find_spec(name)
+    if found is None or found.origin is None:
+        raise NotHereError(f"the package {name} is not installed")
+    return Path(found.origin).resolve().parent
+
+
+def _compile(name: str, source: Path, options: Sequence[str], *, quick: bool) -> Path:
+    """Compiles a peer's program, unless it stands from the same command and sources.
+
+    Pinocchio's takes a minute or two; a quick run leaves it out where it does not stand already.
+    """
+    compiler = _tool("g++")
+    program, stamp = BUILD / name, BUILD / f"{name}.stamp"
+    command = [compiler, *FLAGS, str(source), *options, "-o", str(program)]
+    header = source.parent / "bench.hpp"
+    text = "\n".join([*command, source.read_text(), header.read_text()])
+    if program.exists() and stamp.exists() and stamp.read_text() == text:
+        return program
+    if quick:
+        raise NotHereError("its program is not built yet, which a quick run leaves out")
+    BUILD.mkdir(parents=True, exist_ok=True)
+    _run(command)
+    stamp.write_text(text)
+    return program
+
+
+def _run(command: Sequence[str]) -> None:
+    """Runs a build command; its last error line is the reason where it fails."""
+    done = subprocess.run(command, cwd=models.REPOSITORY, capture_output=True, text=True, check=False)
+    if done.returncode:
+        errors = [line for line in done.stderr.splitlines() if "error" in line] or [done.stderr.strip()]
+        raise NotHereError(f"{Path(command[0]).name} failed: {errors[0][:200]}")
+
+
+def _output(command: Sequence[str]) -> str:
+    """What a command prints, in one line."""
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()

@@ -1,0 +1,125 @@
+"""Times, instruction counts and agreement of the benchmark programs."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import statistics
+import subprocess
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from engines import Engine
+from models import tree
+
+# repetitions in a batch: some ten milliseconds each, and one second of motion for a step
+REPETITIONS = {"forward": 20000, "rk4_step": 1000, "rk4_step_ledger": 1000}
+CHECK_STEPS = 1000
+COUNTED = (100, 1100)
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How often to measure: rounds through all engines, batches in each, repetitions cut by a divisor."""
+
+    rounds: int
+    batches: int
+    divisor: int
+
+
+FULL = Effort(rounds=15, batches=7, divisor=1)
+QUICK = Effort(rounds=2, batches=2, divisor=10)
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One operation of one engine: nanoseconds (median and tenth percentile) and instructions, if counted."""
+
+    engine: str
+    operation: str
+    median_ns: float
+    low_ns: float
+    instructions: float | None
+
+
+def times(engines: Sequence[Engine], effort: Effort) -> dict[tuple[str, str], list[float]]:
+    """Nanoseconds per operation of every batch; each round goes once through all engines."""
+    found: dict[tuple[str, str], list[float]] = {}
+    for _ in range(effort.rounds):
+        for engine in engines:
+            for operation in engine.operations:
+                repetitions = REPETITIONS[operation] // effort.divisor
+                arguments = [operation, "time", str(effort.batches), str(repetitions)]
+                numbers = [float(line) for line in _lines(engine, arguments)]
+                found.setdefault((engine.name, operation), []).extend(numbers)
+    return found
+
+
+def instructions(engine: Engine, operation: str) -> float | None:
+    """Instructions of one operation: callgrind's difference between two repetition counts."""
+    if not engine.countable or shutil.which("valgrind") is None:
+        return None
+    few, many = (_collected(engine, operation, count) for count in COUNTED)
+    return None if few is None or many is None else (many - few) / (COUNTED[1] - COUNTED[0])
+
+
+def _collected(engine: Engine, operation: str, count: int) -> int | None:
+    """Instructions of a whole process under callgrind; none where callgrind cannot run it."""
+    tool = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null"]
+    command = [*tool, *engine.command, operation, "count", str(count)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    match = re.search(r"Collected : (\d+)", done.stderr)
+    return int(match[1]) if match and done.returncode == 0 else None
+
+
+def figures(engines: Sequence[Engine], effort: Effort) -> list[Figure]:
+    """Everything that is printed of all engines."""
+    measured = times(engines, effort)
+    result = []
+    for engine in engines:
+        for operation in engine.operations:
+            numbers = measured[engine.name, operation]
+            low = float(np.quantile(numbers, 0.1))
+            counted = instructions(engine, operation)
+            result.append(Figure(engine.name, operation, statistics.median(numbers), low, counted))
+    return result
+
+
+def check_values(engine: Engine, operation: str) -> tree.Array:
+    """The acceleration at the state, or q and v after 1,000 steps, in Kingpost's coordinates."""
+    count = 1 if operation == "forward" else CHECK_STEPS
+    values = np.array([float(line) for line in _lines(engine, [operation, "check", str(count)])])
+    return engine.acceleration(values) if operation == "forward" else engine.state(values)
+
+
+def agreement(engines: Sequence[Engine]) -> list[tuple[str, str, float]]:
+    """Largest difference of every engine from the first, relative to the first's largest entry.
+
+    The accelerations agree to rounding; the steps to what each engine's RK4 does with the rotation.
+    """
+    rows = []
+    for operation in ("forward", "rk4_step"):
+        able = [engine for engine in engines if _matching(engine, operation)]
+        results = [check_values(engine, _matching(engine, operation)) for engine in able]
+        for engine, values in zip(able[1:], results[1:], strict=True):
+            difference = np.abs(values - results[0]).max() / np.abs(results[0]).max()
+            rows.append((f"{engine.name} - {able[0].name}", operation, float(difference)))
+    return rows
+
+
+def _matching(engine: Engine, operation: str) -> str:
+    """The engine's operation that does the same work, or nothing."""
+    if operation in engine.operations:
+        return operation
+    ledger = f"{operation}_ledger"
+    return ledger if ledger in engine.operations else ""
+
+
+def _lines(engine: Engine, arguments: Sequence[str]) -> list[str]:
+    """The lines that a program prints."""
+    command = [*engine.command, *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise RuntimeError(f"{engine.name} {' '.join(arguments)}: {done.stderr.strip()[-300:]}")
+    return done.stdout.split()

@@ -1,0 +1,236 @@
+"""A resolved scenario as plain numbers: bodies in a tree, each with its mass, inertia and joint.
+
+Frames: every body's frame sits at its centre of mass with the axes of its drawing frame. Positions are in
+metres, inertia in kg m^2 about the centre of mass in body axes. The state has Kingpost's layout: for a
+floating joint the world position of the centre of mass (3) and a unit quaternion w x y z in q, the world
+velocity (3) and the angular velocity in body axes (3) in v; for other joints one entry each.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+class UnsupportedByPeersError(ValueError):
+    """The scenario has something that the peer models do not represent."""
+
+
+@dataclass(frozen=True)
+class Joint:
+    """How a body hangs on its parent.
+
+    ``rotation`` (child's axes in the parent's at zero) and ``position`` (from the parent's centre of mass)
+    place the joint in the parent; ``child_position`` places it in the child, from its centre of mass.
+    """
+
+    name: str
+    kind: str
+    rotation: Array = field(default_factory=lambda: np.eye(3))
+    position: Array = field(default_factory=lambda: np.zeros(3))
+    child_position: Array = field(default_factory=lambda: np.zeros(3))
+    axis: Array = field(default_factory=lambda: np.zeros(3))
+    damping: float = 0.0
+    free_translation: bool = True
+    free_rotation: bool = True
+    initial: float = 0.0
+
+    @property
+    def q_size(self) -> int:
+        """Entries of this joint in q."""
+        return {"floating": 7, "fixed": 0}.get(self.kind, 1)
+
+    @property
+    def v_size(self) -> int:
+        """Entries of this joint in v."""
+        return {"floating": 6, "fixed": 0}.get(self.kind, 1)
+
+    def free(self) -> list[bool]:
+        """Which of the joint's entries of v are free."""
+        if self.kind == "floating":
+            return [self.free_translation] * 3 + [self.free_rotation] * 3
+        return [True] * self.v_size
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body: mass in kg, inertia in kg m^2 about its centre of mass in body axes."""
+
+    name: str
+    parent: str | None
+    mass: float
+    inertia: Array
+    joint: Joint
+
+
+@dataclass(frozen=True)
+class Mount:
+    """Where a body sits: pose of its frame in the frame of the moving body that carries it."""
+
+    carrier: str | None
+    rotation: Array
+    position: Array
+
+
+@dataclass(frozen=True)
+class Tree:
+    """Bodies with parents before children, and the scenario's forces and drives as read."""
+
+    bodies: tuple[Body, ...]
+    forces: Mapping[str, Any]
+    drives: Mapping[str, Any]
+
+    def body(self, name: str) -> Body:
+        """The body of that name."""
+        return next(body for body in self.bodies if body.name == name)
+
+    def slots(self) -> Iterator[tuple[Body, slice, slice]]:
+        """Every body that has coordinates, with its part of q and of v."""
+        q, v = 0, 0
+        for body in self.bodies:
+            joint = body.joint
+            if joint.q_size:
+                yield body, slice(q, q + joint.q_size), slice(v, v + joint.v_size)
+            q, v = q + joint.q_size, v + joint.v_size
+
+    @property
+    def q_size(self) -> int:
+        """Length of q."""
+        return sum(body.joint.q_size for body in self.bodies)
+
+    @property
+    def v_size(self) -> int:
+        """Length of v, held coordinates included."""
+        return sum(body.joint.v_size for body in self.bodies)
+
+    def free(self) -> Array:
+        """Mask over v of the free coordinates."""
+        return np.array([free for body in self.bodies for free in body.joint.free()], dtype=bool)
+
+    def mount(self, name: str) -> Mount:
+        """The pose of a body in the moving body that carries it (itself, unless its joint is fixed)."""
+        rotation, position = np.eye(3), np.zeros(3)
+        current: str | None = name
+        while current is not None:
+            body = self.body(current)
+            if body.joint.kind != "fixed":
+                break
+            joint = body.joint
+            position = joint.position + joint.rotation @ (position - joint.child_position)
+            rotation = joint.rotation @ rotation
+            current = body.parent
+        return Mount(current, rotation, position)
+
+    def aboard(self, carrier: str) -> list[Body]:
+        """The moving body and all bodies that are fixed to it."""
+        return [body for body in self.bodies if self.mount(body.name).carrier == carrier]
+
+
+def read(resolved: str | Mapping[str, Any]) -> Tree:
+    """Reads a resolved scenario (JSON text or its object) and leaves out what is disabled."""
+    scenario: Mapping[str, Any] = json.loads(resolved) if isinstance(resolved, str) else resolved
+    entries = _enabled(scenario["bodies"])
+    centres = {name: _vector(entry.get("centre_of_mass_m")) for name, entry in entries.items()}
+    bodies = []
+    for name, entry in entries.items():
+        parent = entry.get("parent")
+        parent = None if parent in (None, "world") else parent
+        offset = centres[parent] if parent else np.zeros(3)
+        joint = _joint(name, entry["joint"], offset, centres[name])
+        bodies.append(Body(name, parent, float(entry["mass_kg"]), _inertia(name, entry), joint))
+    return Tree(tuple(bodies), scenario.get("forces") or {}, scenario.get("drives") or {})
+
+
+def _enabled(entries: Mapping[str, Any]) -> dict[str, Any]:
+    """Enabled bodies that hang, through enabled bodies, on the world; parents first."""
+    kept: dict[str, Any] = {}
+    waiting = {name: entry for name, entry in entries.items() if entry.get("enabled", True) is not False}
+    while True:
+        ready = [n for n, entry in waiting.items() if entry.get("parent") in (None, "world", *kept)]
+        if not ready:
+            return kept
+        kept[ready[0]] = waiting.pop(ready[0])
+
+
+def _vector(value: Any) -> Array:
+    """Three numbers, or zeros where none are given."""
+    return np.zeros(3) if value is None else np.array(value, dtype=np.float64)
+
+
+def rotation_of_angles(angles: Any) -> Array:
+    """Rotation matrix of roll, pitch, yaw in radians, intrinsic z-y-x."""
+    roll, pitch, yaw = _vector(angles)
+    sin, cos = np.sin, np.cos
+    about_x = np.array([[1, 0, 0], [0, cos(roll), -sin(roll)], [0, sin(roll), cos(roll)]])
+    about_y = np.array([[cos(pitch), 0, sin(pitch)], [0, 1, 0], [-sin(pitch), 0, cos(pitch)]])
+    about_z = np.array([[cos(yaw), -sin(yaw), 0], [sin(yaw), cos(yaw), 0], [0, 0, 1]])
+    return np.asarray(about_z @ about_y @ about_x)
+
+
+def _joint(name: str, entry: Mapping[str, Any], parent_centre: Array, child_centre: Array) -> Joint:
+    """The joint of one body from its externally tagged entry."""
+    kind, value = next(iter(entry.items()))
+    value = value or {}
+    label = value.get("name") or name
+    if kind == "floating":
+        initial = value.get("initial") or {}
+        return Joint(
+            label,
+            kind,
+            rotation=rotation_of_angles(initial.get("orientation_rad")),
+            position=_vector(initial.get("position_m")),
+            free_translation=not value.get("hold_translation", False),
+            free_rotation=not value.get("hold_rotation", False),
+        )
+    mode = value.get("mode") or "free"
+    if kind != "fixed" and mode != "free":
+        raise UnsupportedByPeersError(f"joint {label}: the peer models have free joints, found {mode!r}")
+    axis = _vector(value.get("axis"))
+    length = float(np.linalg.norm(axis))
+    return Joint(
+        label,
+        kind,
+        rotation=rotation_of_angles(value.get("orientation_rad")),
+        position=_vector(value.get("position_m")) - parent_centre,
+        child_position=_vector(value.get("child_position_m")) - child_centre,
+        axis=axis / length if length > 0.0 else axis,
+        damping=float(value.get("damping_N_m_s", value.get("damping_N_s_m", 0.0)) or 0.0),
+        initial=float(value.get("initial_angle_rad", value.get("initial_extension_m", 0.0)) or 0.0),
+    )
+
+
+def _inertia(name: str, entry: Mapping[str, Any]) -> Array:
+    """Inertia about the centre of mass in body axes: given, or that of the solid shape."""
+    mass = float(entry["mass_kg"])
+    given = entry.get("inertia")
+    if given:
+        kind, value = next(iter(given.items()))
+        if kind == "tensor":
+            tensor = np.diag(_vector(value["moments_kg_m2"]))
+            xy, xz, yz = _vector(value.get("products_kg_m2"))
+            return np.asarray(tensor + np.array([[0, xy, xz], [xy, 0, yz], [xz, yz, 0]]))
+        if kind == "radii_of_gyration":
+            return np.diag(mass * _vector(value["radii_m"]) ** 2)
+        raise UnsupportedByPeersError(f"body {name}: inertia {kind!r}")
+    shape, size = next(iter(entry["shape"].items()))
+    if shape == "point":
+        return np.zeros((3, 3))
+    if shape == "sphere":
+        return np.eye(3) * (0.4 * mass * size["radius_m"] ** 2)
+    if shape == "box":
+        squares = np.array([size["length_m"], size["width_m"], size["height_m"]]) ** 2
+        return np.diag(mass / 12.0 * (squares.sum() - squares))
+    if shape == "cylinder":
+        along = "xyz".index(size.get("axis") or "z")
+        radius, length = size["radius_m"], size["length_m"]
+        moments = np.full(3, mass * (3.0 * radius**2 + length**2) / 12.0)
+        moments[along] = mass * radius**2 / 2.0
+        return np.diag(moments)
+    raise UnsupportedByPeersError(f"body {name}: shape {shape!r}")
