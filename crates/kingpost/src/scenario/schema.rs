@@ -60,6 +60,8 @@ pub struct Scenario {
 pub struct SimulationSettings {
     /// The scheme that steps the state.
     pub integrator: Integrator,
+    /// The form in which the equations of motion are solved.
+    pub form: EquationForm,
     /// Fixed time step, s.
     pub step_s: Positive,
     /// Length of the run, s.
@@ -76,6 +78,7 @@ impl Default for SimulationSettings {
     fn default() -> Self {
         Self {
             integrator: Integrator::Rk4,
+            form: EquationForm::Recursive,
             step_s: Positive::literal(0.001),
             duration_s: Positive::literal(10.0),
             record_every_s: Positive::literal(0.01),
@@ -97,6 +100,20 @@ pub enum Integrator {
     /// The classical Runge-Kutta scheme in Munthe-Kaas' form; order 4, on rotations too.
     #[default]
     Rk4,
+}
+
+/// The form in which the equations of motion are solved. The first two give the same motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum EquationForm {
+    /// The recursion: fast.
+    #[default]
+    Recursive,
+    /// The matrices of the moving frame method, as the paper writes them.
+    MovingFrame,
+    /// The same with D set to zero: wrong on purpose, to show what the restricted variation is for.
+    MovingFrameWithoutD,
 }
 
 /// The default of `enabled`.

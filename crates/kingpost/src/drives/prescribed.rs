@@ -1,0 +1,28 @@
+//! A prescribed motion: the joint's rate is given, the force follows.
+
+use super::{Clock, Profile};
+use crate::dynamics::Loads;
+
+/// The rate of one coordinate over time. The profile must be continuous: a jump would take an
+/// infinite force.
+#[derive(Clone, Debug)]
+pub struct PrescribedMotion {
+    /// Index in v.
+    pub coordinate: usize,
+    /// Rate at full, rad/s or m/s.
+    pub rate: f64,
+    /// Over time, from -1 to 1.
+    pub profile: Profile,
+}
+
+impl PrescribedMotion {
+    /// Hands over the acceleration; its work is counted once the joint force is known.
+    pub fn apply(&self, clock: Clock, loads: &mut Loads) {
+        loads.acceleration[self.coordinate] = self.rate * self.profile.slope_per_s(clock);
+    }
+
+    /// The rate with which a run begins, rad/s or m/s.
+    pub fn initial_rate(&self) -> f64 {
+        self.rate * self.profile.value(Clock { time_s: 0.0, middle_s: 0.0 })
+    }
+}

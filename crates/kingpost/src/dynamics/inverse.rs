@@ -1,0 +1,81 @@
+//! Inverse dynamics: the wrench that every joint carries, from given accelerations.
+//!
+//! The recursive Newton-Euler algorithm (Featherstone 2008, ch. 5) over the bodies, none fused, so
+//! that the reaction of a lashed load is there as well.
+
+use super::{Kinematics, Loads};
+use crate::model::{JointKind, Model};
+use crate::scalar::Scalar;
+use crate::spatial::{Twist, Vector3, Wrench};
+
+/// Accelerations and joint wrenches of all bodies.
+#[derive(Clone, Debug)]
+pub struct InverseDynamics<S = f64> {
+    /// Rate of each body's twist, component by component, in body axes.
+    pub acceleration: Vec<Twist<S>>,
+    /// What each body's joint carries to it, in body axes about its centre of mass.
+    pub joint_wrench: Vec<Wrench<S>>,
+}
+
+impl<S: Scalar> InverseDynamics<S> {
+    /// Room for a model.
+    pub fn new(model: &Model<S>) -> Self {
+        let n = model.bodies.len();
+        Self { acceleration: vec![Twist::zero(); n], joint_wrench: vec![Wrench::zero(); n] }
+    }
+
+    /// Computes both from the accelerations `v_dot` of all coordinates; `bodies` is the kinematics
+    /// of `model.tree`. `loads.force` is not needed: it is what comes out, with the reactions.
+    pub fn update(&mut self, model: &Model<S>, bodies: &Kinematics<S>, v: &[S], v_dot: &[S], loads: &Loads<S>) {
+        for (i, node) in model.tree.nodes.iter().enumerate() {
+            let twist = &bodies.twist[i];
+            let carried =
+                node.parent.map_or(Twist::zero(), |p| bodies.relative[i].twist_to_child(&self.acceleration[p]));
+            let at = node.velocities;
+            let own = match &node.kind {
+                JointKind::Floating(_) => {
+                    let rotation = &bodies.world[i].rotation;
+                    let body = |w: &[S]| rotation.transpose_times(Vector3::from_slice(w));
+                    let turning = twist.angular.cross(body(&v[at..]));
+                    Twist { angular: Vector3::from_slice(&v_dot[at + 3..]), linear: body(&v_dot[at..]) - turning }
+                }
+                kind => kind.axis_twist().map_or(Twist::zero(), |axis| {
+                    *axis * v_dot[at] + twist.cross(&bodies.joint_twist[i])
+                }),
+            };
+            self.acceleration[i] = carried + own;
+            self.joint_wrench[i] = node.inertia.times(&self.acceleration[i])
+                + twist.cross_momentum(&node.inertia.times(twist))
+                - loads.wrench[i];
+        }
+        for (body, added) in &loads.added_inertia {
+            let twist = &bodies.twist[*body];
+            self.joint_wrench[*body] +=
+                added.times(&self.acceleration[*body]) + twist.cross_momentum(&added.times(twist));
+        }
+        for i in (0..model.tree.nodes.len()).rev() {
+            if let Some(parent) = model.tree.nodes[i].parent {
+                let carried = bodies.relative[i].wrench_to_parent(&self.joint_wrench[i]);
+                self.joint_wrench[parent] += carried;
+            }
+        }
+    }
+
+    /// The generalized force along each coordinate of v: the joint wrenches on the joints' axes.
+    pub fn generalized_force(&self, model: &Model<S>, bodies: &Kinematics<S>, out: &mut [S]) {
+        for (i, node) in model.tree.nodes.iter().enumerate() {
+            let (wrench, at) = (&self.joint_wrench[i], node.velocities);
+            match &node.kind {
+                JointKind::Floating(_) => {
+                    (bodies.world[i].rotation * wrench.force).write_to(&mut out[at..]);
+                    wrench.moment.write_to(&mut out[at + 3..]);
+                }
+                kind => {
+                    if let Some(axis) = kind.axis_twist() {
+                        out[at] = wrench.dot(axis);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! What forces, drives and the water hand to the dynamics.
+
+use crate::model::Model;
+use crate::scalar::Scalar;
+use crate::spatial::{SpatialInertia, Wrench};
+
+/// The paper's {F} (eq. 59), the motors, and what moves with the water.
+#[derive(Clone, Debug)]
+pub struct Loads<S = f64> {
+    /// From outside on each body, in body axes about its centre of mass.
+    pub wrench: Vec<Wrench<S>>,
+    /// Along each coordinate of v, N or N m, with its reaction on the parent.
+    pub force: Vec<S>,
+    /// Of each prescribed coordinate, m/s^2 or rad/s^2; ignored for others.
+    pub acceleration: Vec<S>,
+    /// Inertia added to a body, in body axes about its centre of mass.
+    pub added_inertia: Vec<(usize, SpatialInertia<S>)>,
+    /// Who does the work.
+    pub power: Power<S>,
+}
+
+/// Power by who does it, W. Conservative loads are not here: they have potential energy.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Power<S = f64> {
+    /// Motors, servos and prescribed motions.
+    pub drives: S,
+    /// Everything outside the model.
+    pub outside: S,
+    /// Turned into heat; never negative.
+    pub dissipated: S,
+}
+
+impl<S: Scalar> Loads<S> {
+    /// No loads on a model.
+    pub fn new(model: &Model<S>) -> Self {
+        Self {
+            wrench: vec![Wrench::zero(); model.bodies.len()],
+            force: vec![S::ZERO; model.velocity_count],
+            acceleration: vec![S::ZERO; model.velocity_count],
+            added_inertia: Vec::with_capacity(model.bodies.len()),
+            power: Power::default(),
+        }
+    }
+
+    /// Takes all loads off.
+    pub fn clear(&mut self) {
+        self.wrench.fill(Wrench::zero());
+        self.force.fill(S::ZERO);
+        self.acceleration.fill(S::ZERO);
+        self.added_inertia.clear();
+        self.power = Power::default();
+    }
+}

@@ -1,0 +1,17 @@
+//! The equations of motion, M* q'' + N* q' = F*, twice on purpose.
+//!
+//! [`moving_frame`] builds E, B, B', M, D, M*, N* and F* block by block as the paper does: for
+//! teaching, for printing, and as the oracle. [`forward`] computes the same accelerations by
+//! recursion, in time linear in the number of bodies. Tests hold them equal.
+//!
+//! Nothing here knows where loads come from: they arrive as one struct, [`Loads`].
+
+pub mod energy;
+pub mod forward;
+pub mod inverse;
+mod kinematics;
+mod loads;
+pub mod moving_frame;
+
+pub use kinematics::Kinematics;
+pub use loads::{Loads, Power};

@@ -1,0 +1,127 @@
+//! The moving frame method as the paper writes it, block by block.
+//!
+//! | here | paper |
+//! | --- | --- |
+//! | `frames`, `relative` | E, absolute (eq. 20) and relative (eq. 24) |
+//! | `b` | B (eqs. 45-46): the rates of all bodies from the generalized velocity |
+//! | `b_dot` | B', by the product rule |
+//! | `x_dot` | the Cartesian rates (eq. 44a): by body, x' in the world, omega in body axes |
+//! | `m` | M (eq. 48); a body with a full 6x6 inertia fills its block |
+//! | `d` | D (eq. 57), what the restricted variation of omega adds (eqs. 55, 58) |
+//! | `f` | {F} (eq. 59, there {Q}), motors as couples on the child and back on the parent |
+//! | `m_star`, `n_star`, `f_star` | M*, N*, F* (eqs. 60a-60c) |
+//!
+//! For a full 6x6 inertia the block of M turns with the body, so M' enters beside B', and D gets
+//! the term of Kirchhoff's equations that moves momentum: both vanish for the paper's bodies.
+
+mod blocks;
+mod labels;
+
+pub use labels::NamedMatrix;
+
+use super::Loads;
+use crate::model::{Mode, Model};
+use crate::spatial::{Frame, Vector3};
+use nalgebra::{DMatrix, DVector};
+
+/// Which variation of the angular velocity enters Hamilton's principle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variation {
+    /// `delta omega = d/dt delta pi + omega x delta pi` (eq. 55): the right one.
+    Restricted,
+    /// `delta omega = d/dt delta pi`, that is D = 0: wrong in space, kept to show what breaks.
+    Naive,
+}
+
+/// Every matrix of the method at one state.
+#[derive(Clone, Debug)]
+pub struct MovingFrame {
+    /// E of each body.
+    pub frames: Vec<Frame>,
+    /// E(child/parent) of each body.
+    pub relative: Vec<Frame>,
+    /// B, 6 n_bodies x n_coordinates.
+    pub b: DMatrix<f64>,
+    /// B', the same shape.
+    pub b_dot: DMatrix<f64>,
+    /// Cartesian rates, 6 n_bodies.
+    pub x_dot: DVector<f64>,
+    /// M, 6 n_bodies square.
+    pub m: DMatrix<f64>,
+    /// M', zero for bodies with a rigid body's inertia.
+    pub m_dot: DMatrix<f64>,
+    /// D, 6 n_bodies square.
+    pub d: DMatrix<f64>,
+    /// {F}, 6 n_bodies.
+    pub f: DVector<f64>,
+    /// M* over the free coordinates.
+    pub m_star: DMatrix<f64>,
+    /// N* over the free coordinates. Only N* q' is unique, not N* itself.
+    pub n_star: DMatrix<f64>,
+    /// F* over the free coordinates, with what prescribed motions add on the right-hand side.
+    pub f_star: DVector<f64>,
+    /// Generalized velocity of the free coordinates.
+    pub free_velocity: DVector<f64>,
+    /// Their indices in v.
+    pub free: Vec<usize>,
+}
+
+impl MovingFrame {
+    /// Builds all of it from q, v and the loads.
+    pub fn assemble(model: &Model, q: &[f64], v: &[f64], loads: &Loads, variation: Variation) -> Self {
+        let nodes = &model.tree.nodes;
+        let relative: Vec<Frame> = nodes.iter().map(|node| node.kind.relative(&q[node.positions..])).collect();
+        let mut frames: Vec<Frame> = Vec::with_capacity(nodes.len());
+        for (node, relative) in nodes.iter().zip(&relative) {
+            frames.push(node.parent.map_or(*relative, |p: usize| frames[p].times(relative)));
+        }
+        let velocity = DVector::from_column_slice(v);
+        let b = blocks::b_matrix(&model.tree, &frames);
+        let x_dot = &b * &velocity;
+        let b_dot = blocks::b_dot_matrix(&model.tree, &frames, &x_dot);
+        let (m, m_dot) = blocks::mass_matrices(model, &frames, &x_dot, loads);
+        let d = match variation {
+            Variation::Restricted => blocks::d_matrix(model, &frames, &x_dot, loads),
+            Variation::Naive => DMatrix::zeros(m.nrows(), m.ncols()),
+        };
+        let f = blocks::force_list(model, &frames, loads);
+
+        let free = model.free_coordinates();
+        let (b_free, b_dot_free) = (b.select_columns(&free), b_dot.select_columns(&free));
+        let momentum_rate = &m_dot + &d * &m;
+        let m_star = b_free.transpose() * &m * &b_free;
+        let n_star = b_free.transpose() * (&m * &b_dot_free + &momentum_rate * &b_free);
+        let (given_velocity, given_acceleration) = prescribed(model, v, loads);
+        let given = &m * (&b * given_acceleration + &b_dot * &given_velocity) + momentum_rate * (&b * given_velocity);
+        let f_star = b_free.transpose() * (&f - given);
+        let free_velocity = DVector::from_iterator(free.len(), free.iter().map(|&i| v[i]));
+        Self { frames, relative, b, b_dot, x_dot, m, m_dot, d, f, m_star, n_star, f_star, free_velocity, free }
+    }
+
+    /// The velocity terms N* q' (N, N m).
+    pub fn bias_force(&self) -> DVector<f64> {
+        &self.n_star * &self.free_velocity
+    }
+
+    /// q'' of the free coordinates from M* q'' = F* - N* q' (eq. 61); `None` where M* is singular.
+    pub fn acceleration(&self) -> Option<DVector<f64>> {
+        let right = &self.f_star - self.bias_force();
+        self.m_star.clone().cholesky().map(|factor| factor.solve(&right))
+    }
+
+    /// Omega (eq. 29) of a body: angular velocity in body axes and R^T x'.
+    pub fn omega(&self, body: usize) -> (Vector3, Vector3) {
+        let x_dot = blocks::x_dot_of(&self.x_dot, body);
+        let angular = blocks::omega_of(&self.x_dot, body);
+        (angular, self.frames[body].rotation.transpose_times(x_dot))
+    }
+}
+
+/// Velocity and acceleration of the prescribed coordinates, zero elsewhere.
+fn prescribed(model: &Model, v: &[f64], loads: &Loads) -> (DVector<f64>, DVector<f64>) {
+    let given = |values: &[f64]| {
+        let pick = |(mode, value): (&Mode, &f64)| if *mode == Mode::Prescribed { *value } else { 0.0 };
+        DVector::from_iterator(values.len(), model.modes.iter().zip(values).map(pick))
+    };
+    (given(v), given(&loads.acceleration))
+}

@@ -1,0 +1,23 @@
+//! Viscous friction in a joint with one degree of freedom.
+
+use crate::dynamics::Loads;
+use crate::scalar::Scalar;
+
+/// `tau = -c v` along one coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct JointDamping<S = f64> {
+    /// Index in v.
+    pub coordinate: usize,
+    /// c, N m s or N s/m.
+    pub damping: S,
+}
+
+impl<S: Scalar> JointDamping<S> {
+    /// Adds the friction and the heat that it makes.
+    pub fn apply(&self, v: &[S], loads: &mut Loads<S>) {
+        let rate = v[self.coordinate];
+        let friction = self.damping * rate;
+        loads.force[self.coordinate] -= friction;
+        loads.power.dissipated += friction * rate;
+    }
+}

@@ -1,0 +1,45 @@
+//! Loads on the bodies, one file each.
+//!
+//! A new force is one new file and one arm in each `match` of [`Force`].
+
+mod gravity;
+mod joint_damping;
+mod viscous_damping;
+
+pub use gravity::Gravity;
+pub use joint_damping::JointDamping;
+pub use viscous_damping::ViscousDamping;
+
+use crate::dynamics::{Kinematics, Loads};
+use crate::model::Model;
+use crate::scalar::Scalar;
+
+/// The kinds of force.
+#[derive(Clone, Debug)]
+pub enum Force<S = f64> {
+    /// Weight of every body.
+    Gravity(Gravity<S>),
+    /// Viscous moment and force on one body's own rates.
+    ViscousDamping(ViscousDamping<S>),
+    /// Viscous friction in a joint.
+    JointDamping(JointDamping<S>),
+}
+
+impl<S: Scalar> Force<S> {
+    /// Adds this force to the loads; `links` is the kinematics of `model.links`.
+    pub fn apply(&self, model: &Model<S>, links: &Kinematics<S>, v: &[S], loads: &mut Loads<S>) {
+        match self {
+            Force::Gravity(gravity) => gravity.apply(model, links, loads),
+            Force::ViscousDamping(damping) => damping.apply(model, links, loads),
+            Force::JointDamping(damping) => damping.apply(v, loads),
+        }
+    }
+
+    /// Potential energy, J; zero for forces that have none.
+    pub fn potential_energy(&self, model: &Model<S>, links: &Kinematics<S>) -> S {
+        match self {
+            Force::Gravity(gravity) => gravity.potential_energy(model, links),
+            Force::ViscousDamping(_) | Force::JointDamping(_) => S::ZERO,
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Forward Euler with the midpoint rate in Rodrigues' formula: the paper's next step for the
+//! rotation update.
+
+use super::{Interval, Sizes, Stage, System, accumulate};
+use crate::state::State;
+
+/// `v1 = v0 + h v0'`, joints `q1 = q0 + h v0`, ship
+/// `R1 = R0 exp(h hat((omega0 + omega1) / 2))`. Order 1, with a smaller error on the rotation.
+#[derive(Clone, Debug)]
+pub struct MidpointEuler {
+    v_dot: Vec<f64>,
+    s_dot: Vec<f64>,
+    v: Vec<f64>,
+    xi: Vec<f64>,
+    q: Vec<f64>,
+}
+
+impl MidpointEuler {
+    /// A scheme for arrays of these sizes.
+    pub fn new(sizes: Sizes) -> Self {
+        let velocities = || vec![0.0; sizes.velocities];
+        Self {
+            v_dot: velocities(),
+            s_dot: vec![0.0; sizes.extras],
+            v: velocities(),
+            xi: velocities(),
+            q: vec![0.0; sizes.positions],
+        }
+    }
+
+    /// Moves the state over the interval.
+    pub fn step<Y: System>(&mut self, system: &mut Y, interval: Interval, state: &mut State) {
+        let h = interval.end_s - interval.start_s;
+        let State { q, v, s, d, .. } = &*state;
+        let stage = Stage { time_s: interval.start_s, interval, q, v, s, d };
+        system.rates(stage, &mut self.v_dot, &mut self.s_dot);
+        self.v.copy_from_slice(v);
+        accumulate(&mut self.v, h, &self.v_dot);
+        for (i, xi) in self.xi.iter_mut().enumerate() {
+            *xi = h * if system.is_rotation_rate(i) { 0.5 * (v[i] + self.v[i]) } else { v[i] };
+        }
+        system.retract(q, &self.xi, &mut self.q);
+        accumulate(&mut state.s, h, &self.s_dot);
+        state.q.copy_from_slice(&self.q);
+        state.v.copy_from_slice(&self.v);
+    }
+}

@@ -1,0 +1,34 @@
+//! Ship-and-crane dynamics at sea by the moving frame method.
+//!
+//! The modules are listed in reading order, which is the order of dependency: each uses only those
+//! before it. Data flows one way:
+//!
+//! ```text
+//! scenario -> model -> dynamics (+ loads from forces, drives) -> integrator -> results -> views
+//! ```
+//!
+//! The engine has no input or output, clock, printing or unseeded randomness.
+
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+pub mod scalar;
+pub mod spatial;
+
+pub mod model;
+pub mod state;
+
+pub mod dynamics;
+pub mod forces;
+pub mod drives;
+
+pub mod integrate;
+pub mod ledger;
+pub mod plant;
+pub mod results;
+pub mod simulation;
+
+pub mod scenario;
+
+pub use scenario::Scenario;
+pub use simulation::Simulation;

@@ -1,0 +1,58 @@
+//! A body free against the world: the ship (eqs. 3, 14).
+
+use super::Mode;
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Quaternion, Twist, Vector3, dexp_inverse_body};
+
+/// q: position of the centre of mass (world, m), unit quaternion (w, x, y, z).
+/// v: velocity of the centre of mass (world, m/s), angular velocity (body axes, rad/s).
+/// Either half can be held.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Floating {
+    /// The centre of mass stands still (the paper's first pass).
+    pub hold_translation: bool,
+    /// The body does not turn.
+    pub hold_rotation: bool,
+}
+
+impl Floating {
+    /// Names of the six coordinates of v. The last three are body rates: no angle's derivative.
+    pub const LABELS: [&'static str; 6] = ["x", "y", "z", "roll", "pitch", "yaw"];
+
+    /// Mode of each of the six coordinates.
+    pub fn modes(&self) -> [Mode; 6] {
+        let mode = |held| if held { Mode::Held } else { Mode::Free };
+        core::array::from_fn(|i| mode(if i < 3 { self.hold_translation } else { self.hold_rotation }))
+    }
+
+    /// Absolute frame connection matrix (eq. 20).
+    #[inline]
+    pub fn relative<S: Scalar>(q: &[S]) -> Frame<S> {
+        Frame { rotation: Quaternion::from_slice(&q[3..7]).to_matrix(), position: Vector3::from_slice(q) }
+    }
+
+    /// The twist in body components of the velocity `v`.
+    #[inline]
+    pub fn twist<S: Scalar>(frame: &Frame<S>, v: &[S]) -> Twist<S> {
+        Twist {
+            angular: Vector3::from_slice(&v[3..6]),
+            linear: frame.rotation.transpose_times(Vector3::from_slice(v)),
+        }
+    }
+
+    /// Position adds; rotation is multiplied by the exponential of the local rotation vector.
+    #[inline]
+    pub fn retract<S: Scalar>(q: &[S], xi: &[S], out: &mut [S]) {
+        (Vector3::from_slice(q) + Vector3::from_slice(xi)).write_to(out);
+        let turn = Quaternion::exp(Vector3::from_slice(&xi[3..6]));
+        let turned = Quaternion::from_slice(&q[3..7]).times(turn).normalized();
+        out[3..7].copy_from_slice(&turned.0);
+    }
+
+    /// Rate of the local coordinates.
+    #[inline]
+    pub fn dexp_inverse<S: Scalar>(xi: &[S], v: &[S], out: &mut [S]) {
+        out[..3].copy_from_slice(&v[..3]);
+        dexp_inverse_body(Vector3::from_slice(&xi[3..6]), Vector3::from_slice(&v[3..6])).write_to(&mut out[3..6]);
+    }
+}

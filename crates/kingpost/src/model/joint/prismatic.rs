@@ -1,0 +1,50 @@
+//! Translation along one axis: a telescope.
+
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Twist, Vector3};
+
+/// A slide.
+#[derive(Clone, Copy, Debug)]
+pub struct Prismatic<S = f64> {
+    /// The joint's frame in the parent's: child axes, origin at zero extension.
+    placement: Frame<S>,
+    /// From the slide's origin on the child to its centre of mass, child axes, m.
+    to_child: Vector3<S>,
+    /// Child's twist per unit rate.
+    twist: Twist<S>,
+}
+
+impl<S: Scalar> Prismatic<S> {
+    /// A slide along the unit vector `axis` (child axes).
+    pub fn new(placement: Frame<S>, axis: Vector3<S>, to_child: Vector3<S>) -> Self {
+        Self { placement, to_child, twist: Twist { angular: Vector3::zero(), linear: axis } }
+    }
+
+    /// The same slide on another parent frame.
+    pub fn seen_from(&self, parent: &Frame<S>) -> Self {
+        Self { placement: parent.times(&self.placement), ..*self }
+    }
+
+    /// E(child/parent) at an extension in m.
+    #[inline]
+    pub fn relative(&self, extension: S) -> Frame<S> {
+        let position = self.placement.point(self.twist.linear * extension + self.to_child);
+        Frame { rotation: self.placement.rotation, position }
+    }
+
+    /// Child's twist per unit rate.
+    #[inline]
+    pub fn axis_twist(&self) -> &Twist<S> {
+        &self.twist
+    }
+
+    /// Unit axis, child axes.
+    pub fn axis(&self) -> Vector3<S> {
+        self.twist.linear
+    }
+
+    /// From the slide's origin on the child to the child's centre of mass, child axes, m.
+    pub fn to_child(&self) -> Vector3<S> {
+        self.to_child
+    }
+}

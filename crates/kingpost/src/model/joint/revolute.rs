@@ -1,0 +1,65 @@
+//! Rotation about one axis: the tower's slew (eq. 34) and the arm's luff (eq. 40).
+
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Matrix3, Twist, Vector3, hat};
+
+/// A hinge. Its relative frame connection matrix is
+/// `[I, s_J][R(axis, angle), 0][I, s_C]` (before eq. 36).
+#[derive(Clone, Copy, Debug)]
+pub struct Revolute<S = f64> {
+    /// The joint's frame in the parent's: child axes at zero angle, origin at the hinge.
+    placement: Frame<S>,
+    /// From the hinge to the child's centre of mass, child axes, m: the paper's s_C.
+    to_child: Vector3<S>,
+    /// Child's twist per unit rate.
+    twist: Twist<S>,
+    /// R = constant + sin(angle) * sine + cos(angle) * cosine, from Rodrigues' formula.
+    constant: Matrix3<S>,
+    sine: Matrix3<S>,
+    cosine: Matrix3<S>,
+}
+
+impl<S: Scalar> Revolute<S> {
+    /// A hinge about the unit vector `axis` (child axes).
+    pub fn new(placement: Frame<S>, axis: Vector3<S>, to_child: Vector3<S>) -> Self {
+        let along = Matrix3::outer(axis, axis);
+        Self {
+            placement,
+            to_child,
+            twist: Twist { angular: axis, linear: axis.cross(to_child) },
+            constant: placement.rotation * along,
+            sine: placement.rotation * hat(axis),
+            cosine: placement.rotation * (Matrix3::identity() - along),
+        }
+    }
+
+    /// The same hinge on another parent frame.
+    pub fn seen_from(&self, parent: &Frame<S>) -> Self {
+        Self::new(parent.times(&self.placement), self.twist.angular, self.to_child)
+    }
+
+    /// E(child/parent) at an angle in rad.
+    #[inline]
+    pub fn relative(&self, angle: S) -> Frame<S> {
+        let (sin, cos) = angle.sin_cos();
+        let entry = |i: usize, j: usize| self.constant.0[i][j] + self.sine.0[i][j] * sin + self.cosine.0[i][j] * cos;
+        let rotation = Matrix3::from_fn(entry);
+        Frame { rotation, position: self.placement.position + rotation * self.to_child }
+    }
+
+    /// Child's twist per unit rate.
+    #[inline]
+    pub fn axis_twist(&self) -> &Twist<S> {
+        &self.twist
+    }
+
+    /// Unit axis, child axes.
+    pub fn axis(&self) -> Vector3<S> {
+        self.twist.angular
+    }
+
+    /// From the hinge to the child's centre of mass, child axes, m.
+    pub fn to_child(&self) -> Vector3<S> {
+        self.to_child
+    }
+}

@@ -1,0 +1,132 @@
+//! What is simulated: bodies in a tree, their joints, inertia, shapes and named points.
+//!
+//! A [`Model`] is immutable once built. Each body's frame sits at its centre of mass. Positions q
+//! and velocities v are flat arrays; every joint owns a range of both.
+
+pub mod joint;
+mod shape;
+mod tree;
+
+pub use joint::{Joint, JointKind, Mode};
+pub use shape::{Axis, Shape};
+pub use tree::{Node, Tree};
+
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, SpatialInertia, Vector3};
+
+/// A body as it is handed to [`Model::new`].
+#[derive(Clone, Debug)]
+pub struct BodyDescription<S = f64> {
+    /// Unique name.
+    pub name: String,
+    /// Index of the parent among the bodies before it; `None` is the world.
+    pub parent: Option<usize>,
+    /// How it is joined to its parent.
+    pub joint: Joint<S>,
+    /// Mass, kg.
+    pub mass: S,
+    /// 6x6 inertia in body axes about the centre of mass.
+    pub inertia: SpatialInertia<S>,
+    /// Named points in body axes from the centre of mass, m.
+    pub points: Vec<(String, Vector3<S>)>,
+}
+
+/// A body of a built model.
+#[derive(Clone, Debug)]
+pub struct Body<S = f64> {
+    /// Unique name.
+    pub name: String,
+    /// Mass, kg.
+    pub mass: S,
+    /// The link that carries it; `None` where it is fixed to the world.
+    pub link: Option<usize>,
+    /// Its frame in the link's frame, or in the world where there is no link.
+    pub in_link: Frame<S>,
+    /// Named points in body axes from the centre of mass, m.
+    pub points: Vec<(String, Vector3<S>)>,
+}
+
+/// The immutable mechanical model.
+///
+/// It holds the tree twice. In `tree`, node i is body i: the form that the moving frame method,
+/// the results and the joint reactions use. In `links`, bodies that are fixed to one another are
+/// fused into one node: the form that the recursive dynamics uses.
+#[derive(Clone, Debug)]
+pub struct Model<S = f64> {
+    /// The bodies, parents first.
+    pub bodies: Vec<Body<S>>,
+    /// The joint of each body, in the same order.
+    pub joints: Vec<Joint<S>>,
+    /// One node a body.
+    pub tree: Tree<S>,
+    /// One node a link.
+    pub links: Tree<S>,
+    /// Length of q.
+    pub position_count: usize,
+    /// Length of v.
+    pub velocity_count: usize,
+    /// Mode of each coordinate of v.
+    pub modes: Vec<Mode>,
+}
+
+impl<S: Scalar> Model<S> {
+    /// Lays out the coordinates and fuses fixed joints.
+    ///
+    /// # Panics
+    /// When a parent does not come before its child: the caller orders the bodies.
+    pub fn new(descriptions: Vec<BodyDescription<S>>) -> Self {
+        let (mut tree, mut links) = (Tree::default(), Tree::default());
+        let (mut bodies, mut joints) = (Vec::<Body<S>>::new(), Vec::new());
+        let (mut positions, mut velocities, mut modes) = (0, 0, Vec::new());
+        for (index, description) in descriptions.into_iter().enumerate() {
+            assert!(description.parent.is_none_or(|p| p < index), "parents come before their children");
+            let BodyDescription { name, parent, joint, mass, inertia, points } = description;
+            let node = Node { parent, kind: joint.kind, mode: joint.mode, positions, velocities, inertia };
+            positions += joint.kind.position_count();
+            velocities += joint.kind.velocity_count();
+            modes.extend(joint.coordinate_modes());
+            let (carrier, in_carrier) =
+                parent.map_or((None, Frame::identity()), |p| (bodies[p].link, bodies[p].in_link));
+            let (link, in_link) = match joint.kind {
+                JointKind::Fixed(fixed) => (carrier, in_carrier.times(&fixed.relative())),
+                _ => {
+                    let kind = joint.kind.seen_from(&in_carrier);
+                    links.nodes.push(Node { parent: carrier, kind, inertia: SpatialInertia::default(), ..node });
+                    (Some(links.nodes.len() - 1), Frame::identity())
+                }
+            };
+            if let Some(link) = link {
+                links.nodes[link].inertia += inertia.to_parent(&in_link);
+            }
+            tree.nodes.push(node);
+            joints.push(joint);
+            bodies.push(Body { name, mass, link, in_link, points });
+        }
+        Self { bodies, joints, tree, links, position_count: positions, velocity_count: velocities, modes }
+    }
+
+    /// Index of the body of this name.
+    pub fn body(&self, name: &str) -> Option<usize> {
+        self.bodies.iter().position(|b| b.name == name)
+    }
+
+    /// Index of the joint, and so of its body, of this name.
+    pub fn joint(&self, name: &str) -> Option<usize> {
+        self.joints.iter().position(|j| j.name == name)
+    }
+
+    /// Names of all coordinates of v, in order: `ship.x`, ..., `slew`.
+    pub fn coordinate_names(&self) -> Vec<String> {
+        self.joints.iter().flat_map(Joint::coordinate_names).collect()
+    }
+
+    /// Indices into v of the free coordinates: the rows of M*, N* and F*.
+    pub fn free_coordinates(&self) -> Vec<usize> {
+        (0..self.velocity_count).filter(|&i| self.modes[i] == Mode::Free).collect()
+    }
+
+    /// Mass of everything, kg.
+    pub fn total_mass(&self) -> S {
+        self.bodies.iter().fold(S::ZERO, |sum, body| sum + body.mass)
+    }
+}

@@ -1,0 +1,276 @@
+//! The registry of result channels: names, units, frames and dimensions, in one table.
+
+use crate::ledger;
+use crate::model::{JointKind, Model};
+use crate::plant::Observation;
+use crate::spatial::{Frame, Quaternion, Vector3, Wrench, roll_pitch_yaw};
+use serde::Serialize;
+
+/// A dimension of a channel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Dimension {
+    /// Bodies by name.
+    Body,
+    /// x, y, z.
+    Axis,
+    /// w, x, y, z.
+    Quaternion,
+    /// Coordinates of joints with one degree of freedom.
+    Coordinate,
+    /// Joints by name.
+    Joint,
+    /// Force and moment, x, y, z each.
+    Component,
+    /// Named points as `body.point`.
+    Point,
+}
+
+/// The frame of a vector's components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Components {
+    /// World axes.
+    World,
+    /// The body's own axes.
+    Body,
+    /// The joint's axes on the child's side.
+    Joint,
+    /// Not a vector.
+    None,
+}
+
+/// One result variable of a model, with its place in a row.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Channel {
+    /// Name in a data set.
+    pub variable: &'static str,
+    /// What it is.
+    pub long_name: &'static str,
+    /// SI unit.
+    pub unit: &'static str,
+    /// Frame of the components.
+    pub frame: Components,
+    /// Dimensions, slowest first.
+    pub dims: Vec<Dimension>,
+    /// Labels along each dimension.
+    pub labels: Vec<Vec<String>>,
+    /// First entry in a row.
+    pub offset: usize,
+    /// Number of entries.
+    pub len: usize,
+}
+
+/// Everything that a row is computed from.
+pub struct Sample<'a> {
+    /// Time, s.
+    pub time_s: f64,
+    /// Positions.
+    pub q: &'a [f64],
+    /// Velocities.
+    pub v: &'a [f64],
+    /// The ledger's entries.
+    pub s: &'a [f64],
+    /// Bodies, reactions and loads.
+    pub observed: Observation<'a>,
+    /// Kinetic energy, J.
+    pub kinetic_energy: f64,
+    /// Potential energy, J.
+    pub potential_energy: f64,
+    /// Linear momentum, kg m/s, world.
+    pub linear_momentum: Vector3,
+    /// Angular momentum, N m s, world.
+    pub angular_momentum: Vector3,
+}
+
+struct Entry {
+    variable: &'static str,
+    long_name: &'static str,
+    unit: Unit,
+    frame: Components,
+    dims: &'static [Dimension],
+    write: fn(&Sample<'_>, &mut Vec<f64>),
+}
+
+enum Unit {
+    Plain(&'static str),
+    /// By what the coordinates are: all rotations, all translations, or both.
+    Coordinate([&'static str; 3]),
+}
+
+use Components::{Body as InBody, Joint as InJoint, None as Scalar, World};
+use Dimension::{Axis, Body, Component, Coordinate, Joint, Point, Quaternion as QuaternionDim};
+use Unit::{Coordinate as By, Plain};
+
+/// Every channel: the single source of names, units and frames.
+#[rustfmt::skip]
+static TABLE: [Entry; 26] = [
+    Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Scalar, dims: &[], write: |x, out| out.push(x.time_s) },
+    Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
+        write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
+    Entry { variable: "orientation", long_name: "unit quaternion from body to world axes", unit: Plain("1"), frame: World, dims: &[Body, QuaternionDim],
+        write: |x, out| each_frame(x, out, |frame, out| out.extend(Quaternion::from_matrix(&frame.rotation).0)) },
+    Entry { variable: "roll", long_name: "roll angle, positive port side up", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 0) },
+    Entry { variable: "pitch", long_name: "pitch angle, positive bow down", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 1) },
+    Entry { variable: "yaw", long_name: "yaw angle, positive bow to port", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 2) },
+    Entry { variable: "velocity", long_name: "velocity of the centre of mass", unit: Plain("m/s"), frame: World, dims: &[Body, Axis], write: velocity },
+    Entry { variable: "angular_velocity", long_name: "angular velocity: roll, pitch and yaw rate", unit: Plain("rad/s"), frame: InBody, dims: &[Body, Axis],
+        write: |x, out| out.extend(x.observed.bodies.twist.iter().flat_map(|twist| twist.angular.0)) },
+    Entry { variable: "acceleration", long_name: "acceleration of the centre of mass", unit: Plain("m/s^2"), frame: World, dims: &[Body, Axis], write: acceleration },
+    Entry { variable: "joint_position", long_name: "joint angle or extension", unit: By(["rad", "m", "rad or m"]), frame: Scalar, dims: &[Coordinate],
+        write: |x, out| each_coordinate(x, out, |x, i| x.q[x.observed.model.tree.nodes[i].positions]) },
+    Entry { variable: "joint_velocity", long_name: "joint rate", unit: By(["rad/s", "m/s", "rad/s or m/s"]), frame: Scalar, dims: &[Coordinate],
+        write: |x, out| each_coordinate(x, out, |x, i| x.v[x.observed.model.tree.nodes[i].velocities]) },
+    Entry { variable: "joint_force", long_name: "force or moment that the joint carries along its coordinate: drive, friction, hold", unit: By(["N m", "N", "N m or N"]), frame: Scalar,
+        dims: &[Coordinate], write: |x, out| each_coordinate(x, out, joint_force) },
+    Entry { variable: "joint_reaction", long_name: "wrench of the joint on the child, at the joint, in the child's axes, drive included", unit: Plain("N, N m"), frame: InJoint,
+        dims: &[Joint, Component], write: joint_reaction },
+    Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
+        write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
+    Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
+        write: |x, out| each_point(x, out, |frame, twist, p| frame.rotation * (twist.linear + twist.angular.cross(p))) },
+    Entry { variable: "kinetic_energy", long_name: "kinetic energy", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.kinetic_energy) },
+    Entry { variable: "potential_energy", long_name: "potential energy", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.potential_energy) },
+    Entry { variable: "work_done", long_name: "work by drives and by everything outside", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(work_done(x)) },
+    Entry { variable: "work_by_drives", long_name: "work by motors, servos and prescribed motions", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
+    Entry { variable: "work_by_outside", long_name: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
+    Entry { variable: "energy_dissipated", long_name: "energy turned into heat", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
+    Entry { variable: "linear_momentum", long_name: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], write: |x, out| out.extend(x.linear_momentum.0) },
+    Entry { variable: "angular_momentum", long_name: "angular momentum about the world's origin, or the held centre", unit: Plain("N m s"), frame: World, dims: &[Axis],
+        write: |x, out| out.extend(x.angular_momentum.0) },
+    Entry { variable: "energy_error", long_name: "energy less what work and heat leave of it", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(energy_error(x)) },
+    Entry { variable: "momentum_error", long_name: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Scalar, dims: &[], write: |x, out| out.push(momentum_error(x)) },
+    Entry { variable: "linear_momentum_error", long_name: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Scalar, dims: &[],
+        write: |x, out| out.push((x.linear_momentum - Vector3::from_slice(&x.s[ledger::LINEAR_MOMENTUM..])).norm()) },
+];
+
+/// The channels of a model, in the order of a row.
+pub fn channels(model: &Model) -> Vec<Channel> {
+    let mut offset = 0;
+    let place = |entry: &Entry| {
+        let labels: Vec<Vec<String>> = entry.dims.iter().map(|dimension| dimension.labels(model)).collect();
+        let len = labels.iter().map(Vec::len).product();
+        let channel = Channel {
+            variable: entry.variable,
+            long_name: entry.long_name,
+            unit: entry.unit.of(model),
+            frame: entry.frame,
+            dims: entry.dims.to_vec(),
+            labels,
+            offset,
+            len,
+        };
+        offset += len;
+        channel
+    };
+    TABLE.iter().map(place).collect()
+}
+
+/// Appends one row.
+pub fn write_row(sample: &Sample<'_>, out: &mut Vec<f64>) {
+    for entry in &TABLE {
+        (entry.write)(sample, out);
+    }
+}
+
+impl Dimension {
+    fn labels(self, model: &Model) -> Vec<String> {
+        let fixed = |labels: &[&str]| labels.iter().map(|s| (*s).to_owned()).collect();
+        match self {
+            Body => model.bodies.iter().map(|body| body.name.clone()).collect(),
+            Axis => fixed(&["x", "y", "z"]),
+            QuaternionDim => fixed(&["w", "x", "y", "z"]),
+            Coordinate => axis_joints(model).map(|i| model.joints[i].name.clone()).collect(),
+            Joint => model.joints.iter().map(|joint| joint.name.clone()).collect(),
+            Component => fixed(&["force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"]),
+            Point => {
+                let names = |body: &crate::model::Body| {
+                    body.points.iter().map(|(point, _)| format!("{}.{point}", body.name)).collect::<Vec<_>>()
+                };
+                model.bodies.iter().flat_map(names).collect()
+            }
+        }
+    }
+}
+
+impl Unit {
+    fn of(&self, model: &Model) -> &'static str {
+        match self {
+            Plain(unit) => unit,
+            By([rotation, translation, both]) => {
+                let turns = |i: usize| matches!(model.joints[i].kind, JointKind::Revolute(_));
+                match (axis_joints(model).any(turns), axis_joints(model).any(|i| !turns(i))) {
+                    (true, true) => both,
+                    (false, true) => translation,
+                    _ => rotation,
+                }
+            }
+        }
+    }
+}
+
+/// Joints with one degree of freedom.
+fn axis_joints(model: &Model) -> impl Iterator<Item = usize> + '_ {
+    (0..model.joints.len()).filter(|&i| model.joints[i].kind.axis_twist().is_some())
+}
+
+fn each_frame(x: &Sample<'_>, out: &mut Vec<f64>, write: impl Fn(&Frame, &mut Vec<f64>)) {
+    x.observed.bodies.world.iter().for_each(|frame| write(frame, out));
+}
+
+fn angle(x: &Sample<'_>, out: &mut Vec<f64>, which: usize) {
+    each_frame(x, out, |frame, out| out.push(roll_pitch_yaw(&frame.rotation)[which]));
+}
+
+fn each_coordinate(x: &Sample<'_>, out: &mut Vec<f64>, value: impl Fn(&Sample<'_>, usize) -> f64) {
+    out.extend(axis_joints(x.observed.model).map(|i| value(x, i)));
+}
+
+fn each_point(x: &Sample<'_>, out: &mut Vec<f64>, value: impl Fn(&Frame, &crate::spatial::Twist, Vector3) -> Vector3) {
+    let bodies = x.observed.bodies;
+    for (i, body) in x.observed.model.bodies.iter().enumerate() {
+        for (_, point) in &body.points {
+            out.extend(value(&bodies.world[i], &bodies.twist[i], *point).0);
+        }
+    }
+}
+
+fn velocity(x: &Sample<'_>, out: &mut Vec<f64>) {
+    let bodies = x.observed.bodies;
+    out.extend(bodies.world.iter().zip(&bodies.twist).flat_map(|(frame, twist)| (frame.rotation * twist.linear).0));
+}
+
+fn acceleration(x: &Sample<'_>, out: &mut Vec<f64>) {
+    let Observation { bodies, inverse, .. } = &x.observed;
+    for (i, frame) in bodies.world.iter().enumerate() {
+        let twist = &bodies.twist[i];
+        let body = inverse.acceleration[i].linear + twist.angular.cross(twist.linear);
+        out.extend((frame.rotation * body).0);
+    }
+}
+
+fn joint_force(x: &Sample<'_>, joint: usize) -> f64 {
+    let axis = x.observed.model.joints[joint].kind.axis_twist();
+    axis.map_or(0.0, |axis| x.observed.inverse.joint_wrench[joint].dot(axis))
+}
+
+fn joint_reaction(x: &Sample<'_>, out: &mut Vec<f64>) {
+    for (joint, Wrench { moment, force }) in x.observed.model.joints.iter().zip(&x.observed.inverse.joint_wrench) {
+        let from_joint_to_centre = joint.kind.to_child();
+        out.extend(force.0);
+        out.extend((*moment + from_joint_to_centre.cross(*force)).0);
+    }
+}
+
+fn work_done(x: &Sample<'_>) -> f64 {
+    x.s[ledger::WORK_BY_DRIVES] + x.s[ledger::WORK_BY_OUTSIDE]
+}
+
+fn energy_error(x: &Sample<'_>) -> f64 {
+    let expected = x.s[ledger::INITIAL_ENERGY] + work_done(x) - x.s[ledger::ENERGY_DISSIPATED];
+    x.kinetic_energy + x.potential_energy - expected
+}
+
+fn momentum_error(x: &Sample<'_>) -> f64 {
+    (x.angular_momentum - Vector3::from_slice(&x.s[ledger::ANGULAR_MOMENTUM..])).norm()
+}

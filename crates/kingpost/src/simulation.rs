@@ -1,0 +1,455 @@
+//! A run: the plant, an integrator and the state, stepped in time and recorded.
+
+use crate::drives::Drive;
+use crate::dynamics::moving_frame::MovingFrame;
+use crate::forces::Force;
+use crate::integrate::{Interval, Scheme, Sizes, System};
+use crate::ledger;
+use crate::model::Model;
+use crate::plant::{Form, Plant, instant};
+use crate::results::{self, Channel, Sample};
+use crate::spatial::Quaternion;
+use crate::state::{SnapshotError, State};
+use serde::Serialize;
+use thiserror::Error;
+
+/// The integration schemes by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SchemeName {
+    /// See [`Scheme::forward_euler`].
+    ForwardEuler,
+    /// See [`Scheme::midpoint_euler`].
+    MidpointEuler,
+    /// See [`Scheme::runge_kutta_4`].
+    RungeKutta4,
+}
+
+/// Time stepping and recording.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The scheme.
+    pub scheme: SchemeName,
+    /// Step, s.
+    pub step_s: f64,
+    /// Length of a run, s.
+    pub duration_s: f64,
+    /// Interval between recorded rows, s.
+    pub record_every_s: f64,
+    /// A rate beyond this ends a run as diverged, rad/s or m/s.
+    pub rate_limit: f64,
+    /// The form of the equations of motion.
+    pub form: Form,
+}
+
+/// A value that a hand or a controller sets from outside, held over each step.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Input {
+    /// Name: that of the drive that it works on.
+    pub name: String,
+    /// Unit of the value.
+    pub unit: &'static str,
+    /// Smallest value.
+    pub lower: f64,
+    /// Largest value.
+    pub upper: f64,
+    /// The value now.
+    pub value: f64,
+}
+
+/// Everything that a simulation is made of.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// The mechanical model.
+    pub model: Model,
+    /// Loads on bodies.
+    pub forces: Vec<Force>,
+    /// What moves the joints.
+    pub drives: Vec<Drive>,
+    /// The table of inputs with their first values.
+    pub inputs: Vec<Input>,
+    /// Time stepping and recording.
+    pub settings: Settings,
+    /// Initial positions.
+    pub q: Vec<f64>,
+    /// Initial velocities.
+    pub v: Vec<f64>,
+}
+
+/// Why a run stopped early.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum RunError {
+    /// A rate is not finite, or passes the limit.
+    #[error("diverged at {time_s} s: {coordinate} of body {body} moves at {value}, allowed: at most {limit} rad/s or m/s")]
+    Diverged {
+        /// End of the step that failed, s.
+        time_s: f64,
+        /// The body whose joint runs away.
+        body: String,
+        /// The coordinate.
+        coordinate: String,
+        /// Its rate.
+        value: f64,
+        /// `rate_limit`.
+        limit: f64,
+    },
+}
+
+/// A value from outside that a simulation cannot take.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum InputError {
+    /// No input of this name.
+    #[error("input {found}: no such input, allowed: {allowed}")]
+    Unknown {
+        /// What was asked for.
+        found: String,
+        /// The names that there are.
+        allowed: String,
+    },
+    /// Outside its limits, or not a number.
+    #[error("input {name}: found {found}, allowed: {lower} to {upper}")]
+    Range {
+        /// The input.
+        name: String,
+        /// The value.
+        found: f64,
+        /// Smallest value.
+        lower: f64,
+        /// Largest value.
+        upper: f64,
+    },
+    /// An array of the wrong length.
+    #[error("{name}: found {found} numbers, allowed: {allowed}")]
+    Length {
+        /// The array.
+        name: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length that it must have.
+        allowed: usize,
+    },
+    /// An entry that is not finite, or an orientation that is no quaternion.
+    #[error("{name}[{index}]: found {found}, allowed: {allowed}")]
+    Entry {
+        /// The array.
+        name: &'static str,
+        /// Index of the entry.
+        index: usize,
+        /// The entry.
+        found: f64,
+        /// What it may be.
+        allowed: &'static str,
+    },
+}
+
+/// Recorded rows, and how the run ended.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Rows one after another; the columns are those of [`Simulation::channels`].
+    pub rows: Vec<f64>,
+    /// Entries in a row.
+    pub columns: usize,
+    /// An error leaves the rows that came before it.
+    pub status: Result<(), RunError>,
+}
+
+/// A simulation that can be stepped, watched, rewound and steered.
+///
+/// ```
+/// let text = include_str!("../../../scenarios/paper.yaml");
+/// let scenario = kingpost::scenario::read(text, "paper.yaml", &[])?;
+/// let mut simulation = kingpost::Simulation::new(scenario.setup()?);
+/// simulation.step(10).expect("ten steps do not diverge");
+/// assert_eq!(simulation.time_s(), 0.01);
+/// # Ok::<(), kingpost::scenario::ScenarioError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Simulation {
+    plant: Plant,
+    scheme: Scheme,
+    settings: Settings,
+    inputs: Vec<Input>,
+    channels: Vec<Channel>,
+    state: State,
+    initial: State,
+    /// The state before the step under way: what is kept when that step diverges.
+    last_good: State,
+    v_dot: Vec<f64>,
+    /// Times at which steps end, s, in order.
+    edges: Vec<f64>,
+}
+
+impl Simulation {
+    /// Puts a simulation together at time 0.
+    pub fn new(setup: Setup) -> Self {
+        let Setup { model, forces, drives, inputs, settings, q, v } = setup;
+        let mut edges: Vec<f64> = drives.iter().flat_map(|drive| drive.edges()).copied().collect();
+        edges.sort_by(f64::total_cmp);
+        edges.dedup();
+        let channels = results::channels(&model);
+        let mut plant = Plant::new(model, forces, drives, &q);
+        plant.form = settings.form;
+        let d = inputs.iter().map(|input| input.value).collect();
+        let s = plant.open_ledger(&q, &v);
+        let v_dot = vec![0.0; v.len()];
+        let state = State { steps: 0, q, v, s, d, memory: Vec::new() };
+        let scheme = settings.scheme.scheme(plant.sizes());
+        let (initial, last_good) = (state.clone(), state.clone());
+        Self { plant, scheme, settings, inputs, channels, state, initial, last_good, v_dot, edges }
+    }
+
+    /// Time, s.
+    pub fn time_s(&self) -> f64 {
+        self.state.steps as f64 * self.settings.step_s
+    }
+
+    /// Time stepping and recording.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The mechanical model.
+    pub fn model(&self) -> &Model {
+        &self.plant.model
+    }
+
+    /// The complete state.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Back to time 0.
+    pub fn reset(&mut self) {
+        self.state.clone_from(&self.initial);
+    }
+
+    /// Takes `n` steps; allocates nothing. On an error the state stays at the last good step.
+    pub fn step(&mut self, n: usize) -> Result<(), RunError> {
+        for _ in 0..n {
+            self.last_good.clone_from(&self.state);
+            let start = self.time_s();
+            self.state.steps += 1;
+            let end = self.time_s();
+            self.advance(start, end);
+            if let Err(error) = self.check(end) {
+                self.state.clone_from(&self.last_good);
+                return Err(error);
+            }
+        }
+        Ok(())
+    }
+
+    /// One step, cut where a law changes its form.
+    fn advance(&mut self, start: f64, end: f64) {
+        let slack = 1e-9 * self.settings.step_s;
+        let mut from = start;
+        let first = self.edges.partition_point(|&edge| edge <= start + slack);
+        for edge in self.edges[first..].iter().copied().take_while(|&edge| edge < end - slack) {
+            self.scheme.step(&mut self.plant, Interval { start_s: from, end_s: edge }, &mut self.state);
+            from = edge;
+        }
+        self.scheme.step(&mut self.plant, Interval { start_s: from, end_s: end }, &mut self.state);
+    }
+
+    /// Where a number stops being one, or a rate passes the limit.
+    fn check(&self, time_s: f64) -> Result<(), RunError> {
+        let limit = self.settings.rate_limit;
+        for (body, node) in self.plant.model.tree.nodes.iter().enumerate() {
+            let rates = &self.state.v[node.velocities..][..node.kind.velocity_count()];
+            let positions = &self.state.q[node.positions..][..node.kind.position_count()];
+            let fast = rates.iter().position(|rate| !(rate.abs() <= limit));
+            let lost = positions.iter().any(|x| !x.is_finite()).then_some(0);
+            if let Some(i) = fast.or(lost) {
+                return Err(RunError::Diverged {
+                    time_s,
+                    body: self.plant.model.bodies[body].name.clone(),
+                    coordinate: self.plant.model.joints[body].coordinate_names().swap_remove(i),
+                    value: rates[i],
+                    limit,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Steps to the end of the run, recording a row now, then at each recording time, and at the
+    /// end. `progress` hears the time after each row and may stop the run by returning false.
+    pub fn run(&mut self, mut progress: impl FnMut(f64) -> bool) -> Run {
+        let Settings { step_s, duration_s, record_every_s, .. } = self.settings;
+        let last = libm::ceil(duration_s / step_s - 1e-9) as u64;
+        let columns = self.columns();
+        let mut rows = Vec::new();
+        self.write_row(&mut rows);
+        let mut recorded = libm::floor(self.time_s() / record_every_s + 1e-9);
+        while self.state.steps < last {
+            let due = libm::ceil((recorded + 1.0) * record_every_s / step_s - 1e-9) as u64;
+            let target = due.clamp(self.state.steps + 1, last);
+            let status = self.step((target - self.state.steps) as usize);
+            if status.is_err() {
+                if rows[rows.len() - columns] < self.time_s() {
+                    self.write_row(&mut rows);
+                }
+                return Run { rows, columns, status };
+            }
+            self.write_row(&mut rows);
+            recorded = libm::floor(self.time_s() / record_every_s + 1e-9).max(recorded + 1.0);
+            if !progress(self.time_s()) {
+                break;
+            }
+        }
+        Run { rows, columns, status: Ok(()) }
+    }
+
+    /// The channels of a row.
+    pub fn channels(&self) -> &[Channel] {
+        &self.channels
+    }
+
+    /// Entries in a row.
+    pub fn columns(&self) -> usize {
+        self.channels.last().map_or(0, |channel| channel.offset + channel.len)
+    }
+
+    /// Appends the values of all channels now.
+    pub fn write_row(&mut self, out: &mut Vec<f64>) {
+        let time_s = self.time_s();
+        let State { q, v, s, d, .. } = &self.state;
+        let (kinetic_energy, potential_energy) = self.plant.energy(q, v);
+        let (linear_momentum, angular_momentum) = self.plant.momentum(q, v);
+        let at = instant(time_s, self.settings.step_s, q, v, d);
+        let observed = self.plant.observe(at, &mut self.v_dot);
+        let sample =
+            Sample { time_s, q, v, s, observed, kinetic_energy, potential_energy, linear_momentum, angular_momentum };
+        results::write_row(&sample, out);
+    }
+
+    /// Position (m) and unit quaternion (w, x, y, z) of every body, world; seven numbers a body.
+    pub fn poses(&mut self) -> Vec<f64> {
+        let State { q, v, d, .. } = &self.state;
+        let at = instant(self.state.steps as f64 * self.settings.step_s, self.settings.step_s, q, v, d);
+        let observed = self.plant.observe(at, &mut self.v_dot);
+        let pose = |frame: &crate::spatial::Frame| {
+            let [x, y, z] = frame.position.0;
+            let [w, a, b, c] = Quaternion::from_matrix(&frame.rotation).0;
+            [x, y, z, w, a, b, c]
+        };
+        observed.bodies.world.iter().flat_map(pose).collect()
+    }
+
+    /// Replaces q, v and, where given, s. Without s the ledger begins anew here.
+    pub fn set_state(&mut self, q: &[f64], v: &[f64], s: Option<&[f64]>) -> Result<(), InputError> {
+        check_array("q", q, self.state.q.len())?;
+        check_array("v", v, self.state.v.len())?;
+        if let Some(s) = s {
+            check_array("s", s, self.state.s.len())?;
+        }
+        let mut unit = q.to_vec();
+        for node in self.plant.model.tree.nodes.iter().filter(|node| node.kind.position_count() == 7) {
+            let quaternion = &mut unit[node.positions + 3..node.positions + 7];
+            let norm = quaternion.iter().map(|x| x * x).sum::<f64>();
+            if (norm - 1.0).abs() > 1e-6 {
+                let allowed = "the first entry of a unit quaternion";
+                return Err(InputError::Entry { name: "q", index: node.positions + 3, found: quaternion[0], allowed });
+            }
+            let scaled = Quaternion::from_slice(quaternion).normalized();
+            quaternion.copy_from_slice(&scaled.0);
+        }
+        self.state.s = s.map_or_else(|| self.plant.open_ledger(&unit, v), <[f64]>::to_vec);
+        self.state.q = unit;
+        self.state.v.copy_from_slice(v);
+        Ok(())
+    }
+
+    /// The state as bytes.
+    pub fn snapshot(&self) -> Vec<u8> {
+        self.state.snapshot()
+    }
+
+    /// Continues from a snapshot, to the same bits.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
+        self.state.restore(bytes)
+    }
+
+    /// The table of inputs with their values now.
+    pub fn inputs(&self) -> Vec<Input> {
+        let now = |(input, value): (&Input, &f64)| Input { value: *value, ..input.clone() };
+        self.inputs.iter().zip(&self.state.d).map(now).collect()
+    }
+
+    /// Sets an input from the next step on.
+    pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), InputError> {
+        let Some(i) = self.inputs.iter().position(|input| input.name == name) else {
+            let names: Vec<&str> = self.inputs.iter().map(|input| input.name.as_str()).collect();
+            let allowed = if names.is_empty() { "none: no drive has a lever".to_owned() } else { names.join(", ") };
+            return Err(InputError::Unknown { found: name.to_owned(), allowed });
+        };
+        let Input { lower, upper, .. } = self.inputs[i];
+        if !(lower..=upper).contains(&value) {
+            return Err(InputError::Range { name: name.to_owned(), found: value, lower, upper });
+        }
+        self.state.d[i] = value;
+        Ok(())
+    }
+
+    /// Names of the free coordinates: the rows of M*, N* and F*.
+    pub fn coordinates(&self) -> Vec<String> {
+        let names = self.plant.model.coordinate_names();
+        self.plant.model.free_coordinates().into_iter().map(|i| names[i].clone()).collect()
+    }
+
+    /// Accelerations of the free coordinates now, with `tau` (N or N m by free coordinate) added.
+    pub fn acceleration(&mut self, tau: Option<&[f64]>) -> Result<Vec<f64>, InputError> {
+        let free = self.plant.model.free_coordinates();
+        let mut everywhere = vec![0.0; self.state.v.len()];
+        if let Some(tau) = tau {
+            check_array("tau", tau, free.len())?;
+            free.iter().zip(tau).for_each(|(&i, tau)| everywhere[i] = *tau);
+        }
+        let State { q, v, d, .. } = &self.state;
+        let at = instant(self.state.steps as f64 * self.settings.step_s, self.settings.step_s, q, v, d);
+        self.plant.acceleration(at, Some(&everywhere), &mut self.v_dot);
+        Ok(free.iter().map(|&i| self.v_dot[i]).collect())
+    }
+
+    /// Every matrix of the moving frame method now.
+    pub fn moving_frame(&mut self) -> MovingFrame {
+        let State { q, v, d, .. } = &self.state;
+        let at = instant(self.state.steps as f64 * self.settings.step_s, self.settings.step_s, q, v, d);
+        self.plant.matrices(at)
+    }
+
+    /// M* by rows (kg, kg m, kg m^2).
+    pub fn mass_matrix(&mut self) -> Vec<f64> {
+        self.moving_frame().m_star.as_slice().to_vec()
+    }
+
+    /// N* q': the velocity terms (N, N m).
+    pub fn bias_force(&mut self) -> Vec<f64> {
+        self.moving_frame().bias_force().as_slice().to_vec()
+    }
+
+    /// Energy at the start of the ledger, J.
+    pub fn initial_energy(&self) -> f64 {
+        self.state.s[ledger::INITIAL_ENERGY]
+    }
+}
+
+impl SchemeName {
+    /// The scheme with its working memory.
+    pub fn scheme(self, sizes: Sizes) -> Scheme {
+        match self {
+            Self::ForwardEuler => Scheme::forward_euler(sizes),
+            Self::MidpointEuler => Scheme::midpoint_euler(sizes),
+            Self::RungeKutta4 => Scheme::runge_kutta_4(sizes),
+        }
+    }
+}
+
+fn check_array(name: &'static str, values: &[f64], allowed: usize) -> Result<(), InputError> {
+    if values.len() != allowed {
+        return Err(InputError::Length { name, found: values.len(), allowed });
+    }
+    match values.iter().position(|x| !x.is_finite()) {
+        Some(index) => Err(InputError::Entry { name, index, found: values[index], allowed: "a finite number" }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,236 @@
+//! 3x3 matrices, general and symmetric.
+
+use super::Vector3;
+use crate::scalar::Scalar;
+use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+
+/// A 3x3 matrix by rows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Matrix3<S = f64>(pub [[S; 3]; 3]);
+
+impl<S: Scalar> Matrix3<S> {
+    /// The zero matrix.
+    #[inline]
+    pub const fn zero() -> Self {
+        Self([[S::ZERO; 3]; 3])
+    }
+
+    /// The identity.
+    #[inline]
+    pub const fn identity() -> Self {
+        let (o, l) = (S::ZERO, S::ONE);
+        Self([[l, o, o], [o, l, o], [o, o, l]])
+    }
+
+    /// The matrix whose entry in row i and column j is `f(i, j)`.
+    #[inline]
+    pub fn from_fn(mut f: impl FnMut(usize, usize) -> S) -> Self {
+        let mut m = Self::zero();
+        for i in 0..3 {
+            for j in 0..3 {
+                m.0[i][j] = f(i, j);
+            }
+        }
+        m
+    }
+
+    /// Row `i` as a column.
+    #[inline]
+    pub fn row(&self, i: usize) -> Vector3<S> {
+        Vector3(self.0[i])
+    }
+
+    /// Column `j`.
+    #[inline]
+    pub fn column(&self, j: usize) -> Vector3<S> {
+        Vector3([self.0[0][j], self.0[1][j], self.0[2][j]])
+    }
+
+    /// The transpose; for a rotation matrix, its inverse.
+    #[inline]
+    pub fn transpose(&self) -> Self {
+        let m = &self.0;
+        Self([[m[0][0], m[1][0], m[2][0]], [m[0][1], m[1][1], m[2][1]], [m[0][2], m[1][2], m[2][2]]])
+    }
+
+    /// `transpose(self) * v` without forming the transpose.
+    #[inline]
+    pub fn transpose_times(&self, v: Vector3<S>) -> Vector3<S> {
+        let (m, v) = (&self.0, v.0);
+        Vector3([
+            m[0][0] * v[0] + m[1][0] * v[1] + m[2][0] * v[2],
+            m[0][1] * v[0] + m[1][1] * v[1] + m[2][1] * v[2],
+            m[0][2] * v[0] + m[1][2] * v[1] + m[2][2] * v[2],
+        ])
+    }
+
+    /// The matrix times a scalar.
+    #[inline]
+    pub fn scaled(&self, k: S) -> Self {
+        Self(self.0.map(|row| row.map(|x| x * k)))
+    }
+
+    /// Outer product `a b^T`.
+    #[inline]
+    pub fn outer(a: Vector3<S>, b: Vector3<S>) -> Self {
+        Self(a.0.map(|x| b.0.map(|y| x * y)))
+    }
+
+    /// Determinant.
+    #[inline]
+    pub fn determinant(&self) -> S {
+        self.row(0).dot(self.row(1).cross(self.row(2)))
+    }
+}
+
+impl<S: Scalar> Mul<Vector3<S>> for Matrix3<S> {
+    type Output = Vector3<S>;
+    #[inline]
+    fn mul(self, v: Vector3<S>) -> Vector3<S> {
+        Vector3([self.row(0).dot(v), self.row(1).dot(v), self.row(2).dot(v)])
+    }
+}
+
+impl<S: Scalar> Mul for Matrix3<S> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, b: Self) -> Self {
+        Self(self.0.map(|row| b.transpose_times(Vector3(row)).0))
+    }
+}
+
+impl<S: Scalar> Add for Matrix3<S> {
+    type Output = Self;
+    #[inline]
+    fn add(self, b: Self) -> Self {
+        Self::from_fn(|i, j| self.0[i][j] + b.0[i][j])
+    }
+}
+
+impl<S: Scalar> Sub for Matrix3<S> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, b: Self) -> Self {
+        Self::from_fn(|i, j| self.0[i][j] - b.0[i][j])
+    }
+}
+
+impl<S: Scalar> Neg for Matrix3<S> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self(self.0.map(|row| row.map(|x| -x)))
+    }
+}
+
+/// A symmetric 3x3 matrix: the entries xx, xy, xz, yy, yz, zz.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Symmetric3<S = f64> {
+    /// Entry (x, x).
+    pub xx: S,
+    /// Entries (x, y) and (y, x).
+    pub xy: S,
+    /// Entries (x, z) and (z, x).
+    pub xz: S,
+    /// Entry (y, y).
+    pub yy: S,
+    /// Entries (y, z) and (z, y).
+    pub yz: S,
+    /// Entry (z, z).
+    pub zz: S,
+}
+
+impl<S: Scalar> Symmetric3<S> {
+    /// The diagonal matrix of `d`.
+    #[inline]
+    pub fn diagonal(d: [S; 3]) -> Self {
+        Self { xx: d[0], yy: d[1], zz: d[2], ..Self::default() }
+    }
+
+    /// The symmetric part of a matrix that is symmetric up to rounding: its upper triangle.
+    #[inline]
+    pub fn from_upper(m: &Matrix3<S>) -> Self {
+        let m = &m.0;
+        Self { xx: m[0][0], xy: m[0][1], xz: m[0][2], yy: m[1][1], yz: m[1][2], zz: m[2][2] }
+    }
+
+    /// The same matrix in full.
+    #[inline]
+    pub fn to_matrix(self) -> Matrix3<S> {
+        Matrix3([[self.xx, self.xy, self.xz], [self.xy, self.yy, self.yz], [self.xz, self.yz, self.zz]])
+    }
+
+    /// Congruence `R S R^T`: the same tensor in a frame turned by R.
+    #[inline]
+    pub fn rotated(self, r: &Matrix3<S>) -> Self {
+        let rs = *r * self.to_matrix();
+        let entry = |i: usize, j: usize| rs.row(i).dot(r.row(j));
+        Self { xx: entry(0, 0), xy: entry(0, 1), xz: entry(0, 2), yy: entry(1, 1), yz: entry(1, 2), zz: entry(2, 2) }
+    }
+
+    /// `self - u u^T k`, the rank-one downdate of the articulated inertia.
+    #[inline]
+    pub fn minus_outer(self, u: Vector3<S>, k: S) -> Self {
+        let [a, b, c] = u.0;
+        let (ka, kb, kc) = (a * k, b * k, c * k);
+        Self {
+            xx: self.xx - ka * a,
+            xy: self.xy - ka * b,
+            xz: self.xz - ka * c,
+            yy: self.yy - kb * b,
+            yz: self.yz - kb * c,
+            zz: self.zz - kc * c,
+        }
+    }
+
+    /// The inverse, by cofactors; entries are not finite for a singular matrix.
+    #[inline]
+    pub fn inverse(self) -> Self {
+        let Self { xx, xy, xz, yy, yz, zz } = self;
+        let (cxx, cxy, cxz) = (yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy);
+        let k = S::ONE / (xx * cxx + xy * cxy + xz * cxz);
+        Self {
+            xx: cxx * k,
+            xy: cxy * k,
+            xz: cxz * k,
+            yy: (xx * zz - xz * xz) * k,
+            yz: (xy * xz - xx * yz) * k,
+            zz: (xx * yy - xy * xy) * k,
+        }
+    }
+}
+
+impl<S: Scalar> Mul<Vector3<S>> for Symmetric3<S> {
+    type Output = Vector3<S>;
+    #[inline]
+    fn mul(self, v: Vector3<S>) -> Vector3<S> {
+        let [x, y, z] = v.0;
+        Vector3([
+            self.xx * x + self.xy * y + self.xz * z,
+            self.xy * x + self.yy * y + self.yz * z,
+            self.xz * x + self.yz * y + self.zz * z,
+        ])
+    }
+}
+
+impl<S: Scalar> Add for Symmetric3<S> {
+    type Output = Self;
+    #[inline]
+    fn add(self, b: Self) -> Self {
+        Self {
+            xx: self.xx + b.xx,
+            xy: self.xy + b.xy,
+            xz: self.xz + b.xz,
+            yy: self.yy + b.yy,
+            yz: self.yz + b.yz,
+            zz: self.zz + b.zz,
+        }
+    }
+}
+
+impl<S: Scalar> AddAssign for Symmetric3<S> {
+    #[inline]
+    fn add_assign(&mut self, b: Self) {
+        *self = *self + b;
+    }
+}

@@ -1,0 +1,106 @@
+//! Unit quaternions (w, x, y, z): how a state stores a rotation.
+
+use super::{Matrix3, Vector3};
+use crate::scalar::Scalar;
+
+/// A unit quaternion, scalar part first; it turns body components into the parent's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quaternion<S = f64>(pub [S; 4]);
+
+impl<S: Scalar> Quaternion<S> {
+    /// No rotation.
+    pub const fn identity() -> Self {
+        Self([S::ONE, S::ZERO, S::ZERO, S::ZERO])
+    }
+
+    /// Reads (w, x, y, z).
+    ///
+    /// # Panics
+    /// When the slice has fewer than four entries.
+    #[inline]
+    pub fn from_slice(q: &[S]) -> Self {
+        Self([q[0], q[1], q[2], q[3]])
+    }
+
+    /// The quaternion of a rotation vector in radians, `exp(a / 2)`.
+    pub fn exp(a: Vector3<S>) -> Self {
+        let c = S::constant;
+        let quarter = a.norm_squared() * c(0.25);
+        let safe = quarter.select_below(1e-3, S::ONE, quarter);
+        let half_angle = safe.sqrt();
+        let (sin, cos) = half_angle.sin_cos();
+        let x = quarter;
+        let cosine = c(1.0) - x * (c(0.5) - x * (c(1.0 / 24.0) - x * (c(1.0 / 720.0) - x * c(1.0 / 40320.0))));
+        let sine = c(1.0) - x * (c(1.0 / 6.0) - x * (c(1.0 / 120.0) - x * (c(1.0 / 5040.0))));
+        let w = quarter.select_below(1e-3, cosine, cos);
+        let k = quarter.select_below(1e-3, sine, sin / half_angle) * c(0.5);
+        Self([w, a[0] * k, a[1] * k, a[2] * k])
+    }
+
+    /// Quaternion product: first turn by `b`, then by `self`.
+    #[inline]
+    pub fn times(self, b: Self) -> Self {
+        let ([p, x, y, z], [q, u, v, w]) = (self.0, b.0);
+        Self([
+            p * q - x * u - y * v - z * w,
+            p * u + x * q + y * w - z * v,
+            p * v - x * w + y * q + z * u,
+            p * w + x * v - y * u + z * q,
+        ])
+    }
+
+    /// Scaled to unit length.
+    #[inline]
+    pub fn normalized(self) -> Self {
+        let [w, x, y, z] = self.0;
+        let k = S::ONE / (w * w + x * x + y * y + z * z).sqrt();
+        Self(self.0.map(|c| c * k))
+    }
+
+    /// The rotation matrix of a unit quaternion.
+    #[inline]
+    pub fn to_matrix(self) -> Matrix3<S> {
+        let [w, x, y, z] = self.0;
+        let (x2, y2, z2) = (x + x, y + y, z + z);
+        let (xx, xy, xz) = (x * x2, x * y2, x * z2);
+        let (yy, yz, zz) = (y * y2, y * z2, z * z2);
+        let (wx, wy, wz) = (w * x2, w * y2, w * z2);
+        Matrix3([
+            [S::ONE - (yy + zz), xy - wz, xz + wy],
+            [xy + wz, S::ONE - (xx + zz), yz - wx],
+            [xz - wy, yz + wx, S::ONE - (xx + yy)],
+        ])
+    }
+}
+
+impl Quaternion<f64> {
+    /// The unit quaternion of a rotation matrix, with w >= 0.
+    pub fn from_matrix(r: &Matrix3<f64>) -> Self {
+        Self::exp(super::log(r)).normalized()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spatial::exp;
+
+    #[test]
+    fn quaternion_and_matrix_exponentials_agree() {
+        for v in [[0.3, -0.2, 0.5], [1e-3, 0.0, 2e-3], [0.05, 0.03, -0.02], [2.0, 1.0, -1.5]] {
+            let (q, r) = (Quaternion::exp(Vector3(v)), exp(Vector3(v)));
+            let difference = q.to_matrix() - r;
+            assert!(difference.0.iter().flatten().all(|x: &f64| x.abs() < 1e-15));
+            let back = Quaternion::from_matrix(&r);
+            assert!((0..4).all(|i| (back.0[i] - q.0[i]).abs() < 1e-14));
+        }
+    }
+
+    #[test]
+    fn product_of_quaternions_is_product_of_matrices() {
+        let (a, b) = (Vector3::new(0.3, 0.9, -0.4), Vector3::new(-1.0, 0.2, 0.1));
+        let both = Quaternion::exp(a).times(Quaternion::exp(b)).to_matrix();
+        let difference = both - exp(a) * exp(b);
+        assert!(difference.0.iter().flatten().all(|x: &f64| x.abs() < 1e-15));
+    }
+}
