@@ -1,1 +1,101 @@
+//! The engine for a browser: conversions and thrown objects, nothing else.
+//!
+//! Arrays cross as typed arrays, structured text as JSON.
 
+mod thrown;
+
+use js_sys::JsString;
+use kingpost::scenario::{self, Scenario};
+use serde_json::{Map, Value};
+use wasm_bindgen::prelude::*;
+
+/// A simulation of one scenario, at time 0 when it is made.
+#[wasm_bindgen]
+pub struct Simulation {
+    scenario: Scenario,
+    inner: kingpost::Simulation,
+}
+
+#[wasm_bindgen]
+impl Simulation {
+    /// Reads a scenario's text; `file` is its name in errors, `overrides_json` an object of values
+    /// by parameter name or field path.
+    #[wasm_bindgen(constructor)]
+    pub fn new(text: &str, file: &str, overrides_json: &str) -> Result<Simulation, JsValue> {
+        let overrides: Map<String, Value> =
+            serde_json::from_str(overrides_json).map_err(thrown::input)?;
+        let overrides: Vec<(String, Value)> = overrides.into_iter().collect();
+        let scenario = scenario::read(text, file, &overrides).map_err(thrown::scenario)?;
+        let inner = kingpost::Simulation::new(&scenario).map_err(thrown::scenario)?;
+        Ok(Self { scenario, inner })
+    }
+
+    /// Takes `n` steps. When one diverges it is thrown, and the state stays before it.
+    pub fn step(&mut self, n: u32) -> Result<(), JsValue> {
+        self.inner.step(n as usize).map_err(thrown::run)
+    }
+
+    /// Goes back to time 0.
+    pub fn reset(&mut self) {
+        self.inner.reset();
+    }
+
+    /// Time, s.
+    pub fn time_s(&self) -> f64 {
+        self.inner.time_s()
+    }
+
+    /// Step, s.
+    pub fn step_s(&self) -> f64 {
+        self.inner.step_s()
+    }
+
+    /// What a row holds: a list of channels, each with variable, unit, labels, offset and len.
+    pub fn channels_json(&self) -> Result<JsString, JsValue> {
+        json(self.inner.channels())
+    }
+
+    /// The values of all channels now.
+    pub fn row(&mut self) -> Box<[f64]> {
+        self.inner.row().into()
+    }
+
+    /// Position (m) and unit quaternion (w, x, y, z) of every body, world: seven numbers a body.
+    pub fn poses(&mut self) -> Box<[f64]> {
+        self.inner.poses().into()
+    }
+
+    /// The complete state as bytes.
+    pub fn snapshot(&self) -> Box<[u8]> {
+        self.inner.snapshot().into()
+    }
+
+    /// Continues from a snapshot, to the same bits.
+    pub fn restore(&mut self, snapshot: &[u8]) -> Result<(), JsValue> {
+        self.inner.restore(snapshot).map_err(thrown::input)
+    }
+
+    /// The inputs: name, unit, limits and value of each.
+    pub fn inputs_json(&self) -> Result<JsString, JsValue> {
+        json(&self.inner.inputs())
+    }
+
+    /// Sets an input from the next step on.
+    pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), JsValue> {
+        self.inner.set_input(name, value).map_err(thrown::input)
+    }
+
+    /// What the model is: title, bodies with their shapes, joints, parameters, settings.
+    pub fn model_json(&self) -> JsString {
+        self.scenario.model_json().into()
+    }
+
+    /// The scenario with defaults, parameters and overrides in place; it reads back to the same.
+    pub fn resolved_json(&self) -> JsString {
+        self.scenario.to_json().into()
+    }
+}
+
+fn json<T: serde::Serialize + ?Sized>(value: &T) -> Result<JsString, JsValue> {
+    serde_json::to_string(value).map(JsString::from).map_err(thrown::input)
+}

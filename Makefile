@@ -1,0 +1,106 @@
+# From a fresh clone: rustup, a C linker, Python >= 3.11, Node >= 20.19 and make. The rest comes by
+# itself, the Python side into .venv.
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+
+export PYTHON ?= $(shell sh tools/need.sh which-python)
+export UV_PYTHON ?= $(PYTHON)
+export UV_PYTHON_DOWNLOADS ?= never
+BIN := .venv/bin
+DONE := target/make
+
+# What is built, and from what.
+WASM := web/src/engine/pkg/kingpost_wasm_bg.wasm
+APP := web/dist/index.html
+NODE_MODULES := web/node_modules/.package-lock.json
+SCHEMA := schema/scenario.schema.json
+TYPES := web/src/generated/scenario.d.ts
+GALLERY := $(wildcard scenarios/*.yaml)
+sources = $(shell find $(1) -type f -not -path '*/pkg/*' -not -path '*/__pycache__/*' 2>/dev/null)
+ENGINE := Cargo.toml Cargo.lock $(call sources,crates/kingpost/src crates/kingpost/Cargo.toml)
+
+# uv: the one at hand, else from PyPI.
+UV := $(shell uv --version >/dev/null 2>&1 && echo uv || echo $(DONE)/uv/bin/uv)
+UV_FILE := $(filter-out uv,$(UV))
+PYTHON_SIDE := pyproject.toml uv.lock $(ENGINE) $(call sources,crates/kingpost-py) $(UV_FILE)
+
+.PHONY: help demo test bench wasm web wheel develop schema lint format clean
+.PHONY: test-rust test-web test-browser test-python need-rust need-node need-python need-lint
+
+help: ## list what there is
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+demo: $(APP) $(DONE)/run ## run the paper's crane ship, then serve the app
+	$(BIN)/kingpost paper
+	$(BIN)/kingpost serve $(if $(filter true 1,$(CI)),--check)
+
+test: need-rust need-node need-python need-lint ## every test of every part, and a summary
+	@$(PYTHON) tools/test.py
+
+test-rust: need-rust ## the engine's tests
+	cargo test --locked --workspace --exclude kingpost-py --all-features --no-fail-fast
+
+test-web: $(NODE_MODULES) $(WASM) ## the app's tests without a browser
+	cd web && npm test
+
+test-browser: $(APP) ## the app's tests in Chromium; skipped where there is none
+	cd web && npm run test:browser
+
+test-python: $(DONE)/develop $(APP) ## the Python package's tests
+	$(BIN)/pytest
+
+bench: $(DONE)/develop $(WASM) ## compare speed with other engines
+	$(BIN)/python benches/run.py
+
+wasm: $(WASM) ## the engine for the browser
+
+web: $(APP) ## the browser app, in web/dist
+
+wheel: $(APP) $(UV_FILE) | need-python need-rust ## a Python wheel with the app and the gallery, in dist/
+	$(PYTHON) tools/wheel.py $(UV) build --quiet --wheel --out-dir dist
+	@ls -1 dist/*.whl
+
+develop: $(DONE)/develop ## .venv with the package as it stands here, and what its tests want
+
+schema: $(TYPES) ## the scenario's JSON schema and TypeScript types, from the Rust types
+
+lint: $(NODE_MODULES) $(WASM) $(DONE)/develop | need-lint ## formats, clippy, ruff, TypeScript
+	tools/lint.sh
+
+format: $(DONE)/develop ## format the Rust and the Python
+	cargo fmt --all
+	$(BIN)/ruff format
+
+clean: ## remove what was built
+	rm -rf target .venv dist web/dist web/node_modules $(dir $(WASM)) paper-results
+
+need-rust need-node need-python need-lint: need-%:
+	@sh tools/need.sh $*
+
+$(DONE)/uv/bin/uv: | need-python
+	$(PYTHON) -m venv $(DONE)/uv
+	$(DONE)/uv/bin/pip install --quiet --disable-pip-version-check uv
+
+# What a run wants.
+$(DONE)/run: $(PYTHON_SIDE) | need-python need-rust
+	$(UV) sync --locked --inexact --no-default-groups
+	@mkdir -p $(DONE) && touch $@
+
+# What the tests want besides.
+$(DONE)/develop: $(PYTHON_SIDE) | need-python need-rust
+	$(UV) sync --locked
+	@mkdir -p $(DONE) && touch $@ $(DONE)/run
+
+$(NODE_MODULES): web/package.json web/package-lock.json | need-node
+	cd web && npm ci --no-audit --no-fund
+	@touch $@
+
+$(WASM): $(ENGINE) $(call sources,crates/kingpost-wasm xtask) | need-rust
+	cargo xtask wasm
+
+$(APP): $(NODE_MODULES) $(WASM) $(GALLERY) $(call sources,web/src web/public web/vite) \
+    $(wildcard web/*.html web/*.json web/*.ts)
+	cd web && npm run build
+	@touch $@

@@ -1,0 +1,45 @@
+//! The engine's typed errors as plain objects: `kind` and `message`, and what else is known.
+
+use kingpost::scenario::ScenarioError;
+use kingpost::simulation::RunError;
+use serde_json::{Value, json};
+use wasm_bindgen::JsValue;
+
+/// A scenario that cannot be read, with the place of the error.
+pub fn scenario(error: ScenarioError) -> JsValue {
+    object(&json!({
+        "kind": "scenario",
+        "message": error.to_string(),
+        "file": error.file,
+        "line": error.line,
+        "column": error.column,
+        "field": error.field,
+        "found": error.found,
+        "allowed": error.allowed,
+    }))
+}
+
+/// A run that cannot go on.
+pub fn run(error: RunError) -> JsValue {
+    let message = error.to_string();
+    match error {
+        RunError::Diverged { time_s, body, coordinate, value, limit } => object(&json!({
+            "kind": "diverged",
+            "message": message,
+            "time_s": time_s,
+            "body": body,
+            "coordinate": coordinate,
+            "value": value,
+            "limit": limit,
+        })),
+    }
+}
+
+/// An argument that the engine refuses.
+pub fn input(error: impl ToString) -> JsValue {
+    object(&json!({ "kind": "input", "message": error.to_string() }))
+}
+
+fn object(value: &Value) -> JsValue {
+    js_sys::JSON::parse(&value.to_string()).unwrap_or_else(|thrown| thrown)
+}

@@ -1,0 +1,13 @@
+#!/bin/sh
+# Formats, clippy, ruff and TypeScript; all of them run, and any that complains fails.
+failed=0
+check() {
+  echo "lint: $*"
+  "$@" || failed=1
+}
+check cargo fmt --all --check
+check cargo clippy --quiet --locked --workspace --all-targets --all-features -- -D warnings
+check .venv/bin/ruff check
+check .venv/bin/ruff format --check
+check npm --prefix web exec --no -- tsc --noEmit --project web
+exit $failed
