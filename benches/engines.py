@@ -49,12 +49,13 @@ def same(values: models.tree.Array) -> models.tree.Array:
 
 
 def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
-    """The engine crate, called from a small Rust program."""
-    del quick
-    cargo = _tool("cargo")
-    _run([cargo, "build", "--release", "--quiet", "--package", "kingpost-bench"])
+    """The engine crate, called from a small Rust program; a quick run builds it as tests are built."""
+    profile = "dev" if quick else "release"
+    _run(
+        [_tool("cargo"), "build", "--quiet", "--locked", "--package", "kingpost-bench", "--profile", profile]
+    )
     target = Path(os.environ.get("CARGO_TARGET_DIR", models.REPOSITORY / "target"))
-    program = target / "release" / "kingpost-bench"
+    program = target / ("debug" if quick else "release") / "kingpost-bench"
     path = models.write_kingpost(case, folder)
     operations = ("forward", "rk4_step", "rk4_step_ledger")
     version = importlib.metadata.version("kingpost")
