@@ -29,7 +29,7 @@ pub fn build(scenario: &Scenario) -> Result<Bodies, FieldError> {
             parent.map_or(Vector3::zero(), |parent| Vector3(scenario.bodies[parent].centre_of_mass_m));
         let joint = joint(name, body, parent_centre)?;
         if descriptions.iter().any(|d| d.joint.name == joint.name) {
-            let field = format!("bodies.{name}.joint.{}.name", kind_name(&body.joint));
+            let field = format!("bodies.{name}.joint.{}.name", body.joint.kind());
             return Err(FieldError::new(field, &joint.name, "a name that no other joint has"));
         }
         if let Some(damping) = damping(&body.joint) {
@@ -90,15 +90,6 @@ fn chain<'a>(scenario: &'a Scenario, name: &'a str) -> Result<Vec<&'a str>, Fiel
     Ok(chain)
 }
 
-fn kind_name(joint: &schema::Joint) -> &'static str {
-    match joint {
-        schema::Joint::Floating(_) => "floating",
-        schema::Joint::Revolute(_) => "revolute",
-        schema::Joint::Prismatic(_) => "prismatic",
-        schema::Joint::Fixed(_) => "fixed",
-    }
-}
-
 /// The joint with its geometry moved from the drawing frames to the centres of mass.
 fn joint(name: &str, body: &schema::Body, parent_centre: Vector3) -> Result<Joint, FieldError> {
     let placement = |position: [f64; 3], orientation: [f64; 3]| Frame {
@@ -155,7 +146,7 @@ fn damping(joint: &schema::Joint) -> Option<f64> {
 
 /// Appends the joint's entries of q and v. Prescribed rates are set by their drive.
 fn initial(name: &str, body: &schema::Body, q: &mut Vec<f64>, v: &mut Vec<f64>) -> Result<(), FieldError> {
-    let field = |rest: &str| format!("bodies.{name}.joint.{}.{rest}", kind_name(&body.joint));
+    let field = |rest: &str| format!("bodies.{name}.joint.{}.{rest}", body.joint.kind());
     let at_rest = |rest: &str, rate: f64, free: bool| {
         if free || rate == 0.0 {
             return Ok(rate);

@@ -20,6 +20,16 @@ pub enum Joint {
 }
 
 impl Joint {
+    /// `floating`, `revolute`, `prismatic` or `fixed`: the key under which it stands.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Floating(_) => "floating",
+            Self::Revolute(_) => "revolute",
+            Self::Prismatic(_) => "prismatic",
+            Self::Fixed(_) => "fixed",
+        }
+    }
+
     /// The name written in the file; a joint without one is named as its body.
     pub fn name(&self) -> Option<&Name> {
         match self {

@@ -1,0 +1,136 @@
+//! What a view needs to draw a scenario and to offer its parameters.
+
+use super::schema::{self, Parameter, ParameterKind, Scenario};
+use serde::Serialize;
+use serde_json::Value;
+
+/// A scenario as a view shows it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Description {
+    /// One line.
+    pub title: String,
+    /// The text of the scenario.
+    pub description: String,
+    /// Length of the run, s.
+    pub duration_s: f64,
+    /// Time step, s.
+    pub step_s: f64,
+    /// Interval between recorded rows, s.
+    pub record_every_s: f64,
+    /// Name of the integrator.
+    pub integrator: schema::Integrator,
+    /// The bodies in the order of results.
+    pub bodies: Vec<BodyDescription>,
+    /// Their joints, in the same order.
+    pub joints: Vec<JointDescription>,
+    /// The knobs with their values.
+    pub parameters: Vec<ParameterDescription>,
+}
+
+/// A body to draw.
+#[derive(Clone, Debug, Serialize)]
+pub struct BodyDescription {
+    /// Name.
+    pub name: String,
+    /// Parent, or `world`.
+    pub parent: String,
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// As in the scenario; absent where only an inertia is given.
+    pub shape: Option<schema::Shape>,
+    /// As `#rrggbb`.
+    pub colour: Option<schema::Colour>,
+}
+
+/// A joint to name.
+#[derive(Clone, Debug, Serialize)]
+pub struct JointDescription {
+    /// Name.
+    pub name: String,
+    /// The child body.
+    pub body: String,
+    /// `floating`, `revolute`, `prismatic` or `fixed`.
+    pub kind: &'static str,
+    /// Names of its coordinates that move freely.
+    pub free_coordinates: Vec<String>,
+}
+
+/// A knob.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParameterDescription {
+    /// Name, as `--set` takes it.
+    pub name: String,
+    /// For people.
+    pub label: String,
+    /// Unit.
+    pub unit: String,
+    /// What kind of control fits.
+    pub kind: ParameterKind,
+    /// The value in this scenario.
+    pub value: Value,
+    /// Smallest and largest number.
+    pub range: Option<[f64; 2]>,
+    /// The texts to choose from.
+    pub choices: Option<Vec<String>>,
+    /// Whether it may change during a run.
+    pub live: bool,
+}
+
+impl Scenario {
+    /// Describes a scenario that builds; bodies that are not enabled are left out.
+    pub fn describe(&self) -> Result<Description, super::ScenarioError> {
+        let model = self.setup()?.model;
+        let modes = model.coordinate_names().into_iter().zip(&model.modes);
+        let free: Vec<String> =
+            modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
+        let body = |body: &crate::model::Body| {
+            let given = &self.bodies[body.name.as_str()];
+            BodyDescription {
+                name: body.name.clone(),
+                parent: given.parent.to_string(),
+                mass_kg: body.mass,
+                shape: given.shape.clone(),
+                colour: given.colour.clone(),
+            }
+        };
+        let joint = |(joint, body): (&crate::model::Joint, &crate::model::Body)| JointDescription {
+            name: joint.name.clone(),
+            body: body.name.clone(),
+            kind: self.bodies[body.name.as_str()].joint.kind(),
+            free_coordinates: joint.coordinate_names().into_iter().filter(|name| free.contains(name)).collect(),
+        };
+        let tree = serde_json::to_value(self).unwrap_or_default();
+        Ok(Description {
+            title: self.title.clone(),
+            description: self.description.clone(),
+            duration_s: self.simulation.duration_s.get(),
+            step_s: self.simulation.step_s.get(),
+            record_every_s: self.simulation.record_every_s.get(),
+            integrator: self.simulation.integrator,
+            bodies: model.bodies.iter().map(body).collect(),
+            joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
+            parameters: self.parameters.iter().map(|parameter| describe_parameter(parameter, &tree)).collect(),
+        })
+    }
+}
+
+/// The value of a parameter is what stands at the first path that it writes.
+fn describe_parameter(parameter: &Parameter, tree: &Value) -> ParameterDescription {
+    let pointer = parameter.writes.first().map_or(String::new(), |path| format!("/{}", path.replace('.', "/")));
+    let value = tree.pointer(&pointer).cloned().unwrap_or_default();
+    let kind = match value {
+        Value::Bool(_) => ParameterKind::Boolean,
+        Value::Number(_) => ParameterKind::Number,
+        _ => ParameterKind::Choice,
+    };
+    ParameterDescription {
+        name: parameter.name.to_string(),
+        label: parameter.shown().to_owned(),
+        unit: parameter.unit.clone(),
+        kind,
+        value,
+        range: parameter.range,
+        choices: parameter.choices.clone(),
+        live: parameter.live,
+    }
+}

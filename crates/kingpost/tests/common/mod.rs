@@ -1,0 +1,151 @@
+//! What the tests share: random models and states, and the paper's scenario.
+#![allow(dead_code)] // each test binary uses its own part
+
+use kingpost::dynamics::Loads;
+use kingpost::model::joint::{Fixed, Floating, Prismatic, Revolute};
+use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
+use kingpost::simulation::{Setup, Simulation};
+use kingpost::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, Wrench, exp};
+use rand::rngs::StdRng;
+use rand::{Rng, SeedableRng};
+use serde_json::Value;
+
+/// The gallery's scenario of the paper, with parameters or fields set.
+pub fn paper_setup(overrides: &[(&str, Value)]) -> Setup {
+    let text = include_str!("../../../../scenarios/paper.yaml");
+    let overrides: Vec<(String, Value)> =
+        overrides.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
+    let scenario = kingpost::scenario::read(text, "paper.yaml", &overrides).expect("the gallery reads");
+    scenario.setup().expect("the gallery builds")
+}
+
+/// The same, ready to step.
+pub fn paper(overrides: &[(&str, Value)]) -> Simulation {
+    Simulation::new(paper_setup(overrides))
+}
+
+/// A source of random models; the seed makes a failure repeatable.
+pub struct Random(StdRng);
+
+impl Random {
+    pub fn new(seed: u64) -> Self {
+        Self(StdRng::seed_from_u64(seed))
+    }
+
+    pub fn uniform(&mut self, lower: f64, upper: f64) -> f64 {
+        self.0.random_range(lower..upper)
+    }
+
+    pub fn chance(&mut self, probability: f64) -> bool {
+        self.0.random_bool(probability)
+    }
+
+    pub fn below(&mut self, n: usize) -> usize {
+        self.0.random_range(0..n)
+    }
+
+    pub fn vector(&mut self, scale: f64) -> Vector3 {
+        Vector3(core::array::from_fn(|_| self.uniform(-scale, scale)))
+    }
+
+    pub fn unit(&mut self) -> Vector3 {
+        let v = self.vector(1.0);
+        if v.norm() < 0.1 { self.unit() } else { v * (1.0 / v.norm()) }
+    }
+
+    pub fn frame(&mut self) -> Frame {
+        Frame { rotation: exp(self.vector(2.0)), position: self.vector(2.0) }
+    }
+
+    pub fn rigid(&mut self) -> (f64, SpatialInertia) {
+        let mass = self.uniform(0.5, 5.0);
+        let edges: [f64; 3] = core::array::from_fn(|_| self.uniform(0.3, 2.0));
+        let box_inertia = kingpost::model::Shape::Box { edges_m: edges }.inertia(mass);
+        let turned: Symmetric3 = box_inertia.rotated(&exp(self.vector(1.0)));
+        (mass, SpatialInertia::rigid(mass, turned))
+    }
+
+    /// A full symmetric positive definite 6x6.
+    pub fn full_inertia(&mut self) -> SpatialInertia {
+        let a: [[f64; 6]; 6] = core::array::from_fn(|_| core::array::from_fn(|_| self.uniform(-1.0, 1.0)));
+        SpatialInertia::from_rows(&core::array::from_fn(|i| {
+            core::array::from_fn(|j| {
+                let square: f64 = (0..6).map(|k| a[i][k] * a[j][k]).sum();
+                square + if i == j { 1.0 } else { 0.0 }
+            })
+        }))
+    }
+
+    fn joint(&mut self, i: usize) -> (JointKind, Mode) {
+        let mode = match self.below(6) {
+            0 => Mode::Held,
+            1 => Mode::Prescribed,
+            _ => Mode::Free,
+        };
+        let (placement, axis, to_child) = (self.frame(), self.unit(), self.vector(1.5));
+        match self.below(if i == 0 { 8 } else { 5 }) {
+            0 | 1 => (JointKind::Revolute(Revolute::new(placement, axis, to_child)), mode),
+            2 | 3 => (JointKind::Prismatic(Prismatic::new(placement, axis, to_child)), mode),
+            4 => (JointKind::Fixed(Fixed::new(placement, to_child)), Mode::Free),
+            _ => {
+                let floating = Floating { hold_translation: self.chance(0.3), hold_rotation: self.chance(0.2) };
+                (JointKind::Floating(floating), Mode::Free)
+            }
+        }
+    }
+
+    /// A tree of 1 to 12 bodies with at least one free coordinate.
+    pub fn model(&mut self) -> Model {
+        let n = 1 + self.below(12);
+        let describe = |i: usize| {
+            let (kind, mode) = self.joint(i);
+            let (mass, rigid) = self.rigid();
+            let inertia = if self.chance(0.3) { self.full_inertia() } else { rigid };
+            let parent = (i > 0 && self.chance(0.95)).then(|| self.below(i));
+            let joint = Joint { name: format!("joint_{i}"), kind, mode };
+            BodyDescription { name: format!("body_{i}"), parent, joint, mass, inertia, points: Vec::new() }
+        };
+        let model = Model::new((0..n).map(describe).collect());
+        if model.free_coordinates().is_empty() { self.model() } else { model }
+    }
+
+    /// Positions and velocities; held coordinates stand still.
+    pub fn state(&mut self, model: &Model) -> (Vec<f64>, Vec<f64>) {
+        let mut q: Vec<f64> = (0..model.position_count).map(|_| self.uniform(-2.0, 2.0)).collect();
+        for node in model.tree.nodes.iter().filter(|node| node.kind.position_count() == 7) {
+            let turn = Quaternion::exp(self.vector(2.0));
+            q[node.positions + 3..node.positions + 7].copy_from_slice(&turn.0);
+        }
+        let v = model.modes.iter().map(|mode| if *mode == Mode::Held { 0.0 } else { self.uniform(-2.0, 2.0) });
+        let v = v.collect();
+        (q, v)
+    }
+
+    /// Loads of every kind that the dynamics takes.
+    pub fn loads(&mut self, model: &Model) -> Loads {
+        let mut loads = Loads::new(model);
+        loads.wrench.iter_mut().for_each(|w| *w = Wrench { moment: self.vector(5.0), force: self.vector(5.0) });
+        loads.force.iter_mut().for_each(|f| *f = self.uniform(-5.0, 5.0));
+        loads.acceleration.iter_mut().for_each(|a| *a = self.uniform(-3.0, 3.0));
+        for body in 0..model.bodies.len() {
+            if self.chance(0.2) {
+                loads.added_inertia.push((body, self.full_inertia()));
+            }
+        }
+        loads
+    }
+}
+
+/// Largest difference over the largest entry of the first.
+pub fn relative_difference<'a>(
+    a: impl IntoIterator<Item = &'a f64>,
+    b: impl IntoIterator<Item = &'a f64>,
+) -> f64 {
+    let (mut largest, mut difference) = (f64::MIN_POSITIVE, 0.0_f64);
+    for (a, b) in a.into_iter().zip(b) {
+        largest = largest.max(a.abs()).max(b.abs());
+        difference = difference.max((a - b).abs());
+        assert!(a.is_finite() && b.is_finite());
+    }
+    difference / largest
+}

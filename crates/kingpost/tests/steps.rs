@@ -1,0 +1,148 @@
+//! Stepping: the same bits after a snapshot, nothing allocated, divergence seen.
+
+mod common;
+
+use common::paper;
+use kingpost::simulation::{InputError, RunError};
+use serde_json::json;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+/// Counts what this thread allocates.
+struct Counting;
+
+// SAFETY: every call is handed to the system allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        let _ = ALLOCATIONS.try_with(|count| count.set(count.get() + 1));
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+#[test]
+fn a_step_allocates_nothing() {
+    for integrator in ["forward_euler", "midpoint_euler", "rk4"] {
+        let mut simulation = paper(&[
+            ("hold_centre", json!(false)),
+            ("load", json!(true)),
+            ("gravity", json!(true)),
+            ("damping", json!(true)),
+            ("motor_2", json!(true)),
+            ("torque_history", json!("pulse")),
+            ("simulation.integrator", json!(integrator)),
+            // Off the grid of the pulse's edges, so that steps are cut too.
+            ("simulation.step_s", json!(0.0013)),
+        ]);
+        let before = ALLOCATIONS.with(Cell::get);
+        simulation.step(1000).unwrap();
+        assert_eq!(ALLOCATIONS.with(Cell::get), before, "{integrator}");
+    }
+}
+
+#[test]
+fn a_snapshot_taken_anywhere_resumes_to_the_same_bits() {
+    for integrator in ["forward_euler", "midpoint_euler", "rk4"] {
+        let build = || {
+            paper(&[
+                ("torque_history", json!("pulse")),
+                ("motor_2", json!(true)),
+                ("simulation.integrator", json!(integrator)),
+            ])
+        };
+        let mut whole = build();
+        for _ in 0..8 {
+            whole.step(37).unwrap();
+            let mut resumed = build();
+            resumed.restore(&whole.snapshot()).unwrap();
+            let mut onward = whole.clone();
+            onward.step(101).unwrap();
+            resumed.step(101).unwrap();
+            assert_eq!(onward.snapshot(), resumed.snapshot(), "{integrator}");
+        }
+    }
+}
+
+#[test]
+fn reset_gives_the_same_run_again() {
+    let mut simulation = paper(&[]);
+    let first = simulation.clone().run(|_| true);
+    simulation.step(17).unwrap();
+    simulation.reset();
+    assert_eq!(simulation.run(|_| true).rows, first.rows);
+}
+
+#[test]
+fn a_run_records_at_its_interval_and_at_its_end() {
+    let mut simulation = paper(&[("simulation.duration_s", json!(0.095)), ("simulation.step_s", json!(0.002))]);
+    let run = simulation.run(|_| true);
+    let times: Vec<f64> = run.rows.chunks(run.columns).map(|row| row[0]).collect();
+    let expected = [0.0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09, 0.096];
+    assert_eq!(times.len(), expected.len());
+    assert!(times.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{times:?}");
+}
+
+#[test]
+fn euler_with_a_large_step_diverges_and_keeps_what_it_computed() {
+    for corner in [true, false] {
+        let mut overrides = vec![
+            ("motor_2", json!(true)),
+            ("simulation.integrator", json!("forward_euler")),
+            ("simulation.step_s", json!(0.05)),
+        ];
+        if !corner {
+            overrides.extend([("crane_x_m", json!(0.0)), ("crane_y_m", json!(0.0))]);
+        }
+        let mut simulation = paper(&overrides);
+        let run = simulation.run(|_| true);
+        let Err(RunError::Diverged { time_s, value, limit, .. }) = run.status else { panic!("it must diverge") };
+        assert!(time_s > 0.5 && time_s < 3.0 && !(value.abs() <= limit), "{time_s} {value}");
+        assert!(run.rows.len() / run.columns > 10);
+        assert!(run.rows.iter().all(|x| x.is_finite()));
+        // The state is the last good one: the same step fails in the same way again.
+        let again = simulation.step(1);
+        assert!(matches!(again, Err(RunError::Diverged { time_s: t, .. }) if t == time_s));
+    }
+}
+
+#[test]
+fn states_that_cannot_be_are_refused_and_change_nothing() {
+    let mut simulation = paper(&[]);
+    let before = simulation.snapshot();
+    let (q, v) = (simulation.state().q.clone(), simulation.state().v.clone());
+    let mut broken = q.clone();
+    broken[7] = f64::NAN;
+    assert!(matches!(simulation.set_state(&broken, &v, None), Err(InputError::Entry { name: "q", index: 7, .. })));
+    broken = q.clone();
+    broken[3] = 2.0;
+    assert!(matches!(simulation.set_state(&broken, &v, None), Err(InputError::Entry { index: 3, .. })));
+    assert!(matches!(simulation.set_state(&q, &v[1..], None), Err(InputError::Length { name: "v", .. })));
+    assert!(matches!(simulation.set_input("lever", 0.1), Err(InputError::Unknown { .. })));
+    assert_eq!(simulation.snapshot(), before);
+}
+
+#[test]
+fn a_lever_scales_its_motor_from_the_next_step_on() {
+    let mut simulation = paper(&[("drives.motor_1.motor.history", json!("lever"))]);
+    simulation.step(10).unwrap();
+    assert!(simulation.state().v.iter().all(|rate| *rate == 0.0));
+    assert!(matches!(simulation.set_input("motor_1", 1.5), Err(InputError::Range { .. })));
+    simulation.set_input("motor_1", 0.5).unwrap();
+    simulation.step(10).unwrap();
+    let half = simulation.state().v[6];
+    simulation.reset();
+    simulation.set_input("motor_1", 1.0).unwrap();
+    simulation.step(10).unwrap();
+    let full = simulation.state().v[6];
+    assert!(half > 0.0 && (full / half - 2.0).abs() < 1e-3, "{half} {full}");
+}

@@ -1,0 +1,174 @@
+//! The moving frame form against the recursive form: two ways to the same equations of motion.
+
+mod common;
+
+use common::{Random, relative_difference};
+use kingpost::dynamics::moving_frame::{MovingFrame, Variation};
+use kingpost::dynamics::{Kinematics, Loads, energy, forward, inverse::InverseDynamics};
+use kingpost::model::{Mode, Model};
+
+const STATES: u64 = 1000;
+
+/// Generalized forces that the accelerations `v_dot` take, by the recursive Newton-Euler algorithm.
+fn inverse_dynamics(model: &Model, q: &[f64], v: &[f64], v_dot: &[f64], loads: &Loads) -> Vec<f64> {
+    let (mut bodies, mut inverse) = (Kinematics::new(&model.tree), InverseDynamics::new(model));
+    let mut force = vec![0.0; v.len()];
+    bodies.update(&model.tree, q, v);
+    inverse.update(model, &bodies, v, v_dot, loads);
+    inverse.generalized_force(model, &bodies, &mut force);
+    force
+}
+
+fn free_part(model: &Model, all: &[f64]) -> Vec<f64> {
+    model.free_coordinates().into_iter().map(|i| all[i]).collect()
+}
+
+/// The same model and loads without outside wrenches, forces or prescribed accelerations; the
+/// added inertia stays.
+fn only_inertia(model: &Model, loads: &Loads) -> Loads {
+    Loads { added_inertia: loads.added_inertia.clone(), ..Loads::new(model) }
+}
+
+#[test]
+fn accelerations_agree_over_random_trees_and_states() {
+    for seed in 0..STATES {
+        let mut random = Random::new(seed);
+        let model = random.model();
+        let ((q, v), loads) = (random.state(&model), random.loads(&model));
+        let matrices = MovingFrame::assemble(&model, &q, &v, &loads, Variation::Restricted);
+        let expected = matrices.acceleration().expect("M* is positive definite");
+
+        let mut links = Kinematics::new(&model.links);
+        links.update(&model.links, &q, &v);
+        let (mut work, mut v_dot) = (forward::Workspace::new(&model), vec![0.0; v.len()]);
+        forward::forward_dynamics(&model, &links, &v, &loads, &mut work, &mut v_dot);
+        let difference = relative_difference(&free_part(&model, &v_dot), expected.as_slice());
+        assert!(difference < 1e-9, "seed {seed}: {difference:e}");
+    }
+}
+
+#[test]
+fn mass_matrix_bias_and_generalized_force_agree_with_inverse_dynamics() {
+    for seed in 0..STATES {
+        let mut random = Random::new(seed);
+        let model = random.model();
+        let ((q, v), loads) = (random.state(&model), random.loads(&model));
+        let still = vec![0.0; v.len()];
+        let inertia = only_inertia(&model, &loads);
+        let free = model.free_coordinates();
+        let matrices = MovingFrame::assemble(&model, &q, &v, &loads, Variation::Restricted);
+
+        for (column, &i) in free.iter().enumerate() {
+            let mut unit = still.clone();
+            unit[i] = 1.0;
+            let force = free_part(&model, &inverse_dynamics(&model, &q, &still, &unit, &inertia));
+            let expected: Vec<f64> = matrices.m_star.column(column).iter().copied().collect();
+            let scale = matrices.m_star.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+            let worst = force.iter().zip(&expected).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(worst < 1e-10 * scale, "M*, seed {seed}, column {column}: {worst:e} of {scale:e}");
+        }
+
+        // What the free velocities alone ask for, then what the loads and prescribed motions add.
+        let rates = |wanted: Mode, values: &[f64]| -> Vec<f64> {
+            values.iter().zip(&model.modes).map(|(x, mode)| if *mode == wanted { *x } else { 0.0 }).collect()
+        };
+        if !model.modes.contains(&Mode::Prescribed) {
+            let bias = free_part(&model, &inverse_dynamics(&model, &q, &v, &still, &inertia));
+            let expected = matrices.bias_force();
+            // A bias that cancels to nothing is measured against a thousandth of inertia times rate
+            // squared, which is what its terms are made of.
+            let largest = bias.iter().chain(expected.iter()).fold(0.0_f64, |m, x| m.max(x.abs()));
+            let terms = matrices.m_star.amax() * matrices.free_velocity.amax().powi(2);
+            let scale = largest.max(1e-3 * terms);
+            let worst = bias.iter().zip(expected.iter()).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(worst < 1e-10 * scale, "N* q', seed {seed}: {worst:e} of {scale:e}");
+        }
+        let given = rates(Mode::Prescribed, &loads.acceleration);
+        let needed = free_part(&model, &inverse_dynamics(&model, &q, &v, &given, &loads));
+        let expected: Vec<f64> = free_part(&model, &loads.force)
+            .iter()
+            .zip(&needed)
+            .zip(matrices.bias_force().iter())
+            .map(|((force, needed), bias)| force - needed + bias)
+            .collect();
+        let scale = needed.iter().chain(matrices.f_star.iter()).fold(0.0_f64, |m, x| m.max(x.abs()));
+        let worst = expected.iter().zip(matrices.f_star.iter()).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+        assert!(worst < 1e-10 * scale, "F*, seed {seed}: {worst:e} of {scale:e}");
+    }
+}
+
+#[test]
+fn mass_matrix_gives_the_kinetic_energy() {
+    for seed in 0..200 {
+        let mut random = Random::new(seed);
+        let model = random.model();
+        let (q, v) = random.state(&model);
+        let v: Vec<f64> = v.iter().zip(&model.modes).map(|(x, m)| if *m == Mode::Free { *x } else { 0.0 }).collect();
+        let matrices = MovingFrame::assemble(&model, &q, &v, &Loads::new(&model), Variation::Restricted);
+        let from_matrix = 0.5 * (matrices.free_velocity.transpose() * &matrices.m_star * &matrices.free_velocity)[0];
+        for tree in [&model.tree, &model.links] {
+            let mut kinematics = Kinematics::new(tree);
+            kinematics.update(tree, &q, &v);
+            let energy = energy::kinetic_energy(tree, &kinematics);
+            // Bodies fixed to the world are in the tree only, and do not move.
+            assert!((energy - from_matrix).abs() <= 1e-12 * energy, "seed {seed}: {energy} {from_matrix}");
+        }
+    }
+}
+
+#[test]
+fn b_matrix_gives_the_rates_of_the_recursive_kinematics() {
+    for seed in 0..200 {
+        let mut random = Random::new(seed);
+        let model = random.model();
+        let (q, v) = random.state(&model);
+        let matrices = MovingFrame::assemble(&model, &q, &v, &Loads::new(&model), Variation::Restricted);
+        let mut bodies = Kinematics::new(&model.tree);
+        bodies.update(&model.tree, &q, &v);
+        for (i, twist) in bodies.twist.iter().enumerate() {
+            let (angular, linear) = matrices.omega(i);
+            let difference = (angular - twist.angular).norm() + (linear - twist.linear).norm();
+            assert!(difference < 1e-11, "seed {seed}, body {i}: {difference:e}");
+        }
+    }
+}
+
+#[test]
+fn rate_of_b_agrees_with_central_differences_of_b() {
+    let step = 1e-5;
+    for seed in 0..200 {
+        let mut random = Random::new(seed);
+        let model = random.model();
+        let ((q, v), loads) = (random.state(&model), Loads::new(&model));
+        let b_at = |sign: f64| {
+            let xi: Vec<f64> = v.iter().map(|rate| sign * step * rate).collect();
+            let mut moved = vec![0.0; q.len()];
+            model.tree.retract(&q, &xi, &mut moved);
+            MovingFrame::assemble(&model, &moved, &v, &loads, Variation::Restricted).b
+        };
+        let measured = (b_at(1.0) - b_at(-1.0)) / (2.0 * step);
+        let exact = MovingFrame::assemble(&model, &q, &v, &loads, Variation::Restricted).b_dot;
+        let scale = exact.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
+        let worst = (measured - exact).iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        // Second order in the step: |B'''| step^2 / 6, with rates up to some 10 rad/s.
+        assert!(worst < 1e-6 * scale, "seed {seed}: {worst:e} of {scale:e}");
+    }
+}
+
+#[test]
+fn fused_links_and_separate_bodies_have_the_same_momentum() {
+    for seed in 0..200 {
+        let mut random = Random::new(seed);
+        let model = random.model();
+        let (q, v) = random.state(&model);
+        let centre = random.vector(3.0);
+        let of = |tree| {
+            let mut kinematics = Kinematics::new(tree);
+            kinematics.update(tree, &q, &v);
+            energy::momentum(tree, &kinematics, centre)
+        };
+        let ((p, l), (linked_p, linked_l)) = (of(&model.tree), of(&model.links));
+        assert!((p - linked_p).norm() < 1e-11 * (1.0 + p.norm()), "seed {seed}");
+        assert!((l - linked_l).norm() < 1e-11 * (1.0 + l.norm()), "seed {seed}");
+    }
+}
