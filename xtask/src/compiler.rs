@@ -30,8 +30,7 @@ impl Compiler {
         if has_target(&sysroot) || (add_with_rustup() && has_target(&sysroot)) {
             return Ok(Self::Installed);
         }
-        debian(&sysroot)
-            .context(format!("no Rust target {TARGET}; run: rustup target add {TARGET}"))
+        debian(&sysroot).context(format!("no Rust target {TARGET}; run: rustup target add {TARGET}"))
     }
 
     /// Returns a cargo command that builds for [`TARGET`].

@@ -22,8 +22,7 @@ impl Simulation {
     /// by parameter name or field path.
     #[wasm_bindgen(constructor)]
     pub fn new(text: &str, file: &str, overrides_json: &str) -> Result<Simulation, JsValue> {
-        let overrides: Map<String, Value> =
-            serde_json::from_str(overrides_json).map_err(thrown::input)?;
+        let overrides: Map<String, Value> = serde_json::from_str(overrides_json).map_err(thrown::input)?;
         let overrides: Vec<(String, Value)> = overrides.into_iter().collect();
         let scenario = scenario::read(text, file, &overrides).map_err(thrown::scenario)?;
         let inner = kingpost::Simulation::new(&scenario).map_err(thrown::scenario)?;
