@@ -32,7 +32,7 @@ PYTHON_SIDE := pyproject.toml uv.lock $(ENGINE) $(call sources,crates/kingpost-p
 help: ## list what there is
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-demo: $(APP) $(DONE)/run ## run the paper's crane ship, then serve the app
+demo: need-rust need-node need-python $(APP) $(DONE)/run ## run the paper's crane ship, then serve the app
 	$(BIN)/kingpost paper
 	$(BIN)/kingpost serve $(if $(filter true 1,$(CI)),--check)
 
@@ -51,7 +51,7 @@ test-browser: $(APP) ## the app's tests in Chromium; skipped where there is none
 test-python: $(DONE)/develop $(APP) ## the Python package's tests
 	$(BIN)/pytest
 
-bench: $(DONE)/develop $(WASM) ## compare speed with other engines
+bench: need-rust need-node need-python $(DONE)/develop $(WASM) ## compare speed with other engines
 	$(BIN)/python benches/run.py
 
 wasm: $(WASM) ## the engine for the browser
@@ -77,7 +77,7 @@ clean: ## remove what was built
 	rm -rf target .venv dist web/dist web/node_modules $(dir $(WASM)) paper-results
 
 need-rust need-node need-python need-lint: need-%:
-	@sh tools/need.sh $*
+	$(eval lacks := $(shell sh tools/need.sh $*))$(if $(lacks),$(error $(lacks)))@:
 
 $(DONE)/uv/bin/uv: | need-python
 	$(PYTHON) -m venv $(DONE)/uv

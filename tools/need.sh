@@ -3,7 +3,7 @@
 # `tools/need.sh which-python` prints the first Python that is new enough, or python3.
 
 missing() {
-  echo "error: $1" >&2
+  echo "$1"
   exit 1
 }
 
@@ -34,7 +34,7 @@ need_node() {
 }
 
 python_is_new() {
-  "$1" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null
+  "$1" -c 'import sys; sys.exit(sys.version_info < (3, 11))' >/dev/null 2>&1
 }
 
 which_python() {
