@@ -79,7 +79,9 @@ fn the_engine_has_no_clock_no_output_and_no_input() {
     for path in files_below(&source, ".rs") {
         let code = read(&path);
         for line in code.lines().filter(|line| !line.trim_start().starts_with("//")) {
-            for forbidden in ["std::time", "std::fs", "std::io", "std::thread", "std::env", "println!", "eprintln!", "dbg!"] {
+            for forbidden in
+                ["std::time", "std::fs", "std::io", "std::thread", "std::env", "println!", "eprintln!", "dbg!"]
+            {
                 assert!(!line.contains(forbidden), "{}: {forbidden}", path.display());
             }
         }

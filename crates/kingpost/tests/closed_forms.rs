@@ -63,7 +63,8 @@ fn a_thrown_body_flies_on_a_parabola_and_precesses_as_euler_says() {
     let moments = [2.0, 2.0, 3.0];
     let start = (vec![0.0, 0.0, 10.0, 1.0, 0.0, 0.0, 0.0], vec![3.0, -1.0, 20.0, 0.4, 0.0, 5.0]);
     let gravity = Force::Gravity(Gravity { acceleration: GRAVITY });
-    let mut simulation = simulation(vec![body("top", None, floating(), 4.0, moments)], vec![gravity], vec![], 0.005, start);
+    let mut simulation =
+        simulation(vec![body("top", None, floating(), 4.0, moments)], vec![gravity], vec![], 0.005, start);
     simulation.step(400).unwrap();
     let (t, state) = (2.0, simulation.state());
     let expected = [3.0 * t, -t, 10.0 + 20.0 * t - 0.5 * GRAVITY * t * t];
@@ -134,9 +135,8 @@ fn a_slide_under_a_constant_force_with_friction_reaches_its_terminal_speed() {
 fn a_servo_holds_an_arm_up_with_the_droop_of_its_stiffness() {
     // Horizontal arm: k (target - q) = m g l cos(q) at rest; positive about y lowers an arm along x.
     let (mass, length, stiffness) = (10.0, 2.0, 5e4);
-    let servo = |limit: f64| {
-        Drive::Servo(Servo { position: 0, coordinate: 0, target: 0.0, stiffness, damping: 4e3, limit })
-    };
+    let servo =
+        |limit: f64| Drive::Servo(Servo { position: 0, coordinate: 0, target: 0.0, stiffness, damping: 4e3, limit });
     let arm = || vec![body("arm", None, hinge([0.0, 1.0, 0.0], [length, 0.0, 0.0]), mass, [1.0; 3])];
     let gravity = || vec![Force::Gravity(Gravity { acceleration: GRAVITY })];
     let mut held = simulation(arm(), gravity(), vec![servo(1e4)], 0.002, (vec![0.0], vec![0.0]));
@@ -159,7 +159,8 @@ fn a_prescribed_joint_follows_its_rate_and_its_drive_does_the_work() {
     let mut arm = body("arm", Some(0), hinge([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), 3.0, [0.5; 3]);
     arm.joint.mode = Mode::Prescribed;
     let bodies = vec![body("cart", None, slide([0.0, 1.0, 0.0]), 5.0, [1.0; 3]), arm];
-    let mut simulation = simulation(bodies, vec![], vec![Drive::Prescribed(motion)], 0.005, (vec![0.0; 2], vec![0.0; 2]));
+    let mut simulation =
+        simulation(bodies, vec![], vec![Drive::Prescribed(motion)], 0.005, (vec![0.0; 2], vec![0.0; 2]));
     simulation.step(80).unwrap();
     assert!((simulation.state().v[1] - 2.0).abs() < 1e-12);
     assert!((simulation.state().q[1] - (0.2 + 0.4)).abs() < 1e-12);

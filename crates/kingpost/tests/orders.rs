@@ -96,10 +96,7 @@ fn energy_of_forward_euler_drifts_as_measured_by_others() {
 fn torque_edges_off_the_step_grid_do_not_cost_the_order() {
     // The pulse's edges at 0.25, 0.75, ... s fall inside steps of 0.04 s; they end steps all the same.
     let at = |step_s: f64| {
-        let mut simulation = paper(&[
-            ("torque_history", json!("pulse")),
-            ("simulation.step_s", json!(step_s)),
-        ]);
+        let mut simulation = paper(&[("torque_history", json!("pulse")), ("simulation.step_s", json!(step_s))]);
         simulation.step((0.96 / step_s).round() as usize).unwrap();
         simulation.state().q[7..].to_vec()
     };

@@ -45,8 +45,13 @@ impl Profile {
     /// A pulse from time 0.
     pub fn pulse(pulse: Pulse) -> Self {
         let Pulse { rise_s, hold_s, reverse_s } = pulse;
-        let stretches =
-            [(rise_s, 0.0, 1.0), (hold_s, 1.0, 1.0), (2.0 * rise_s, 1.0, -1.0), (reverse_s, -1.0, -1.0), (rise_s, -1.0, 0.0)];
+        let stretches = [
+            (rise_s, 0.0, 1.0),
+            (hold_s, 1.0, 1.0),
+            (2.0 * rise_s, 1.0, -1.0),
+            (reverse_s, -1.0, -1.0),
+            (rise_s, -1.0, 0.0),
+        ];
         let (mut pieces, mut time) = (Vec::new(), 0.0);
         for (length_s, start, end) in stretches {
             if length_s > 0.0 {
@@ -100,8 +105,17 @@ mod tests {
     #[test]
     fn a_pulse_rises_holds_reverses_and_rests() {
         let profile = Profile::pulse(Pulse { rise_s: 0.25, hold_s: 0.5, reverse_s: 0.5 });
-        let points =
-            [(0.0, 0.0), (0.125, 0.5), (0.25, 1.0), (0.7, 1.0), (1.0, 0.0), (1.25, -1.0), (1.6, -1.0), (1.875, -0.5), (3.0, 0.0)];
+        let points = [
+            (0.0, 0.0),
+            (0.125, 0.5),
+            (0.25, 1.0),
+            (0.7, 1.0),
+            (1.0, 0.0),
+            (1.25, -1.0),
+            (1.6, -1.0),
+            (1.875, -0.5),
+            (3.0, 0.0),
+        ];
         for (time, value) in points {
             assert!((profile.value(at(time)) - value).abs() < 1e-12, "at {time} s");
         }

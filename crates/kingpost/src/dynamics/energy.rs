@@ -16,11 +16,7 @@ pub fn kinetic_energy<S: Scalar>(tree: &Tree<S>, kinematics: &Kinematics<S>) -> 
 }
 
 /// Linear momentum (kg m/s) and angular momentum about `centre` (N m s), world components.
-pub fn momentum<S: Scalar>(
-    tree: &Tree<S>,
-    kinematics: &Kinematics<S>,
-    centre: Vector3<S>,
-) -> (Vector3<S>, Vector3<S>) {
+pub fn momentum<S: Scalar>(tree: &Tree<S>, kinematics: &Kinematics<S>, centre: Vector3<S>) -> (Vector3<S>, Vector3<S>) {
     let (mut linear, mut angular) = (Vector3::zero(), Vector3::zero());
     for (i, node) in tree.nodes.iter().enumerate() {
         let frame = &kinematics.world[i];

@@ -39,9 +39,9 @@ impl<S: Scalar> InverseDynamics<S> {
                     let turning = twist.angular.cross(body(&v[at..]));
                     Twist { angular: Vector3::from_slice(&v_dot[at + 3..]), linear: body(&v_dot[at..]) - turning }
                 }
-                kind => kind.axis_twist().map_or(Twist::zero(), |axis| {
-                    *axis * v_dot[at] + twist.cross(&bodies.joint_twist[i])
-                }),
+                kind => kind
+                    .axis_twist()
+                    .map_or(Twist::zero(), |axis| *axis * v_dot[at] + twist.cross(&bodies.joint_twist[i])),
             };
             self.acceleration[i] = carried + own;
             self.joint_wrench[i] = node.inertia.times(&self.acceleration[i])

@@ -27,10 +27,6 @@ impl<S: Scalar> Gravity<S> {
     /// `sum m g z`, J, with z measured from the world's origin.
     pub fn potential_energy(&self, model: &Model<S>, links: &Kinematics<S>) -> S {
         let height = |body: usize| links.body_frame(model, body).position[2];
-        model
-            .bodies
-            .iter()
-            .enumerate()
-            .fold(S::ZERO, |sum, (i, body)| sum + body.mass * self.acceleration * height(i))
+        model.bodies.iter().enumerate().fold(S::ZERO, |sum, (i, body)| sum + body.mass * self.acceleration * height(i))
     }
 }

@@ -3,8 +3,6 @@
 use super::{Interval, Sizes, Stage, System, accumulate};
 use crate::state::State;
 
-const MAX_STAGES: usize = 4;
-
 /// Butcher's tableau of an explicit scheme with at most four stages.
 #[derive(Debug)]
 pub struct Tableau {
@@ -38,7 +36,7 @@ struct Rates {
 #[derive(Clone, Debug)]
 pub struct ExplicitRungeKutta {
     tableau: &'static Tableau,
-    rates: [Rates; MAX_STAGES],
+    rates: Vec<Rates>,
     /// Local coordinates, and q, v, s of a stage.
     xi: Vec<f64>,
     q: Vec<f64>,
@@ -53,7 +51,7 @@ impl ExplicitRungeKutta {
         let rates = || Rates { xi: vec![0.0; velocities], v: vec![0.0; velocities], s: vec![0.0; extras] };
         Self {
             tableau,
-            rates: core::array::from_fn(|_| rates()),
+            rates: (0..tableau.stages).map(|_| rates()).collect(),
             xi: vec![0.0; velocities],
             q: vec![0.0; positions],
             v: vec![0.0; velocities],

@@ -3,6 +3,7 @@
 mod bodies;
 mod drives;
 
+pub use super::error::FieldError;
 use super::schema::{EquationForm, Force as ForceSchema, Integrator, Scenario};
 use crate::dynamics::moving_frame::Variation;
 use crate::forces::{Force, Gravity, JointDamping, ViscousDamping};
@@ -14,31 +15,14 @@ use crate::spatial::Vector3;
 /// Rows that one run may record: more would not fit in the memory of an ordinary machine.
 const MOST_ROWS: f64 = 1e7;
 
-/// A field that does not fit the rest of the scenario.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FieldError {
-    /// Dotted path.
-    pub field: String,
-    /// What stands there.
-    pub found: String,
-    /// What may stand there.
-    pub allowed: String,
-}
-
-impl FieldError {
-    fn new(field: impl Into<String>, found: impl ToString, allowed: impl Into<String>) -> Self {
-        Self { field: field.into(), found: found.to_string(), allowed: allowed.into() }
-    }
-}
-
 /// Builds the model, forces, drives, settings and initial state.
 pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     let settings = settings(scenario)?;
     let bodies::Bodies { model, q, mut v, dampings } = bodies::build(scenario)?;
     let mut forces = forces(scenario, &model)?;
-    forces.extend(dampings.into_iter().map(|(coordinate, damping)| {
-        Force::JointDamping(JointDamping { coordinate, damping })
-    }));
+    forces.extend(
+        dampings.into_iter().map(|(coordinate, damping)| Force::JointDamping(JointDamping { coordinate, damping })),
+    );
     let drives::Drives { drives, inputs } = drives::build(scenario, &model, &mut v)?;
     let setup = Setup { model, forces, drives, inputs, settings, q, v };
     check_mass_matrix(scenario, &setup)?;
@@ -118,7 +102,8 @@ fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldErro
     let refuse = |i: usize| {
         let body = model.joints.iter().position(|joint| joint.coordinate_names().contains(&names[free[i]]));
         let body = body.map_or_else(String::new, |body| model.bodies[body].name.clone());
-        let inertia = if scenario.bodies.get(body.as_str()).is_some_and(|b| b.inertia.is_some()) { "inertia" } else { "shape" };
+        let inertia =
+            if scenario.bodies.get(body.as_str()).is_some_and(|b| b.inertia.is_some()) { "inertia" } else { "shape" };
         let found = format!("no inertia along {}", names[free[i]]);
         FieldError::new(format!("bodies.{body}.{inertia}"), found, allowed)
     };
@@ -133,7 +118,7 @@ fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldErro
         for j in 0..=i {
             let sum: f64 = (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum();
             let rest = m_star[(i, j)] / (scale[i] * scale[j]) - sum;
-            if i == j && !(rest > 1e-13) {
+            if i == j && (rest.is_nan() || rest <= 1e-13) {
                 return Err(refuse(i));
             }
             l[i * n + j] = if i == j { libm::sqrt(rest) } else { rest / l[j * n + j] };

@@ -3,9 +3,22 @@
 //! [`read`] parses YAML (JSON is its subset), renames unit aliases, applies parameters and overrides, types the tree and
 //! builds the model once to validate it.
 
+mod assignment;
 pub mod build;
+pub mod describe;
+mod error;
+mod parameters;
+mod parse;
 pub mod range;
+mod read;
 pub mod schema;
 pub mod text;
+mod tree;
+mod units;
+pub mod wording;
 
+pub use assignment::parse_assignment;
+pub use error::{FieldError, ScenarioError};
+pub use read::read;
 pub use schema::Scenario;
+pub use units::{UNIT_ALIASES, UnitAlias};

@@ -6,12 +6,7 @@ use std::ops::Deref;
 use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 
-/// What a [`Positive`] allows.
-pub const POSITIVE: &str = "a number greater than 0";
-/// What a [`NonNegative`] allows.
-pub const NON_NEGATIVE: &str = "a number not less than 0";
-/// What a [`Direction`] allows.
-pub const DIRECTION: &str = "three numbers, not all 0";
+use super::wording::{DIRECTION, NON_NEGATIVE, POSITIVE};
 
 macro_rules! ranged_number {
     ($(#[$doc:meta])* $name:ident, $allowed:expr, $test:expr, $bound:literal) => {

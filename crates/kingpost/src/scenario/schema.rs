@@ -14,14 +14,14 @@ use serde::{Deserialize, Serialize};
 pub use super::range::{Direction, NonNegative, Positive};
 pub use super::text::{Colour, Name, Version, WORLD};
 pub use bodies::{
-    Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis,
-    RadiiOfGyration, Shape, SphereShape,
+    Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
+    SphereShape,
 };
 pub use drives::{Drive, History, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use forces::{Force, Gravity, ViscousDamping};
 pub use joints::{
-    FixedJoint, FloatingJoint, InitialMotion, Joint, PrescribedRate, PrescribedSpeed,
-    PrismaticJoint, PrismaticMode, RevoluteJoint, RevoluteMode,
+    FixedJoint, FloatingJoint, InitialMotion, Joint, PrescribedRate, PrescribedSpeed, PrismaticJoint, PrismaticMode,
+    RevoluteJoint, RevoluteMode,
 };
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 
@@ -35,7 +35,7 @@ pub struct Scenario {
     /// One line that says what this is.
     pub title: String,
     /// What a reader should know: the source, the choices made.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[serde(default)]
     pub description: String,
     /// The knobs of this scenario, in the order in which views show them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

@@ -7,12 +7,8 @@ use std::ops::Deref;
 use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 
-/// What a [`Name`] allows.
-pub const NAME: &str = "a name of small letters, digits and _ that starts with a letter";
-/// What a [`Colour`] allows.
-pub const COLOUR: &str = "a colour as \"#rrggbb\"";
-/// What a [`Version`] allows.
-pub const VERSION: &str = "1 (the version of the file format)";
+use super::wording::{COLOUR, NAME, VERSION};
+
 /// The name that stands for the inertial frame; no body may carry it.
 pub const WORLD: &str = "world";
 
@@ -99,8 +95,7 @@ fn is_name(text: &str) -> bool {
 }
 
 fn is_colour(text: &str) -> bool {
-    text.strip_prefix('#')
-        .is_some_and(|hex| hex.len() == 6 && hex.chars().all(|c| c.is_ascii_hexdigit()))
+    text.strip_prefix('#').is_some_and(|hex| hex.len() == 6 && hex.chars().all(|c| c.is_ascii_hexdigit()))
 }
 
 formed_text!(

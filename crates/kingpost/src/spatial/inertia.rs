@@ -102,11 +102,7 @@ impl<S: Scalar> Add for SpatialInertia<S> {
     type Output = Self;
     #[inline]
     fn add(self, b: Self) -> Self {
-        Self {
-            angular: self.angular + b.angular,
-            coupling: self.coupling + b.coupling,
-            linear: self.linear + b.linear,
-        }
+        Self { angular: self.angular + b.angular, coupling: self.coupling + b.coupling, linear: self.linear + b.linear }
     }
 }
 
@@ -171,9 +167,7 @@ mod tests {
     fn some_inertia() -> SpatialInertia {
         let a: [[f64; 6]; 6] = core::array::from_fn(|i| core::array::from_fn(|j| ((i * 7 + j * 3) as f64 * 0.9).sin()));
         let rows = core::array::from_fn(|i| {
-            core::array::from_fn(|j| {
-                (0..6).map(|k| a[i][k] * a[j][k]).sum::<f64>() + if i == j { 3.0 } else { 0.0 }
-            })
+            core::array::from_fn(|j| (0..6).map(|k| a[i][k] * a[j][k]).sum::<f64>() + if i == j { 3.0 } else { 0.0 })
         });
         SpatialInertia::from_rows(&rows)
     }
@@ -183,8 +177,7 @@ mod tests {
         let e = Frame { rotation: exp(Vector3::new(0.4, -0.7, 1.1)), position: Vector3::new(1.0, 2.0, -0.5) };
         let parent = Twist { angular: Vector3::new(0.2, 0.5, -0.3), linear: Vector3::new(1.0, -2.0, 0.7) };
         let i = some_inertia();
-        let (child, moved): (f64, f64) =
-            (i.quadratic(&e.twist_to_child(&parent)), i.to_parent(&e).quadratic(&parent));
+        let (child, moved): (f64, f64) = (i.quadratic(&e.twist_to_child(&parent)), i.to_parent(&e).quadratic(&parent));
         assert!((child - moved).abs() < 1e-12 * child);
     }
 

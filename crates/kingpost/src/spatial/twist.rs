@@ -41,10 +41,7 @@ impl<S: Scalar> Twist<S> {
     /// For `p = I v` it is the velocity term of Kirchhoff's equations.
     #[inline]
     pub fn cross_momentum(&self, p: &Wrench<S>) -> Wrench<S> {
-        Wrench {
-            moment: self.angular.cross(p.moment) + self.linear.cross(p.force),
-            force: self.angular.cross(p.force),
-        }
+        Wrench { moment: self.angular.cross(p.moment) + self.linear.cross(p.force), force: self.angular.cross(p.force) }
     }
 }
 

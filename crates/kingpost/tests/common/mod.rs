@@ -137,10 +137,7 @@ impl Random {
 }
 
 /// Largest difference over the largest entry of the first.
-pub fn relative_difference<'a>(
-    a: impl IntoIterator<Item = &'a f64>,
-    b: impl IntoIterator<Item = &'a f64>,
-) -> f64 {
+pub fn relative_difference<'a>(a: impl IntoIterator<Item = &'a f64>, b: impl IntoIterator<Item = &'a f64>) -> f64 {
     let (mut largest, mut difference) = (f64::MIN_POSITIVE, 0.0_f64);
     for (a, b) in a.into_iter().zip(b) {
         largest = largest.max(a.abs()).max(b.abs());

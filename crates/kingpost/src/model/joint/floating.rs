@@ -34,10 +34,7 @@ impl Floating {
     /// The twist in body components of the velocity `v`.
     #[inline]
     pub fn twist<S: Scalar>(frame: &Frame<S>, v: &[S]) -> Twist<S> {
-        Twist {
-            angular: Vector3::from_slice(&v[3..6]),
-            linear: frame.rotation.transpose_times(Vector3::from_slice(v)),
-        }
+        Twist { angular: Vector3::from_slice(&v[3..6]), linear: frame.rotation.transpose_times(Vector3::from_slice(v)) }
     }
 
     /// Position adds; rotation is multiplied by the exponential of the local rotation vector.

@@ -25,8 +25,7 @@ pub fn build(scenario: &Scenario) -> Result<Bodies, FieldError> {
         let body = &scenario.bodies[name];
         let parent = body.parent_body().map(|parent| parent.as_str());
         let parent_index = parent.and_then(|parent| descriptions.iter().position(|d| d.name == parent));
-        let parent_centre =
-            parent.map_or(Vector3::zero(), |parent| Vector3(scenario.bodies[parent].centre_of_mass_m));
+        let parent_centre = parent.map_or(Vector3::zero(), |parent| Vector3(scenario.bodies[parent].centre_of_mass_m));
         let joint = joint(name, body, parent_centre)?;
         if descriptions.iter().any(|d| d.joint.name == joint.name) {
             let field = format!("bodies.{name}.joint.{}.name", body.joint.kind());
@@ -37,9 +36,8 @@ pub fn build(scenario: &Scenario) -> Result<Bodies, FieldError> {
         }
         initial(name, body, &mut q, &mut v)?;
         let centre = Vector3(body.centre_of_mass_m);
-        let point = |(name, point): (&schema::Name, &schema::Point)| {
-            (name.to_string(), Vector3(point.position_m) - centre)
-        };
+        let point =
+            |(name, point): (&schema::Name, &schema::Point)| (name.to_string(), Vector3(point.position_m) - centre);
         descriptions.push(BodyDescription {
             name: name.to_owned(),
             parent: parent_index,
@@ -83,7 +81,11 @@ fn chain<'a>(scenario: &'a Scenario, name: &'a str) -> Result<Vec<&'a str>, Fiel
     while let Some(parent) = scenario.bodies[chain[chain.len() - 1]].parent_body() {
         if chain.contains(&parent.as_str()) {
             let found = chain.iter().copied().chain([parent.as_str()]).collect::<Vec<_>>().join(" -> ");
-            return Err(FieldError::new(format!("bodies.{name}.parent"), found, "a chain of parents that ends at the world"));
+            return Err(FieldError::new(
+                format!("bodies.{name}.parent"),
+                found,
+                "a chain of parents that ends at the world",
+            ));
         }
         chain.push(parent);
     }

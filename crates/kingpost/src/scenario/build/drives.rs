@@ -94,12 +94,7 @@ impl<'a> Parts<'a> {
                 joint: &d.joint,
                 rotary: false,
                 history: None,
-                numbers: [
-                    d.target_m,
-                    d.stiffness_n_per_m.get(),
-                    d.damping_n_s_per_m.get(),
-                    d.force_limit_n.get(),
-                ],
+                numbers: [d.target_m, d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get(), d.force_limit_n.get()],
             },
         }
     }
@@ -148,7 +143,11 @@ fn prescribed(scenario: &Scenario, model: &Model) -> Result<Vec<PrescribedMotion
         let kind = if matches!(model.joints[i].kind, JointKind::Revolute(_)) { "revolute" } else { "prismatic" };
         let field = format!("bodies.{}.joint.{kind}.mode.prescribed", body.name);
         if history == History::Lever {
-            return Err(FieldError::new(format!("{field}.history"), "lever", "constant or pulse, for a prescribed motion"));
+            return Err(FieldError::new(
+                format!("{field}.history"),
+                "lever",
+                "constant or pulse, for a prescribed motion",
+            ));
         }
         let profile = profile(&field, history, pulse)?;
         if !profile.is_continuous() || (history == History::Pulse && pulse.is_some_and(|p| p.rise_s.get() == 0.0)) {

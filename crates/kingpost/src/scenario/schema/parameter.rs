@@ -5,9 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::Name;
-
-/// What a [`ParameterValue`] allows.
-pub const PARAMETER_VALUE: &str = "true or false, a number, or a text";
+use crate::scenario::wording::PARAMETER_VALUE;
 
 /// A knob of a scenario. Command line, Python and the app set the fields that it writes by this name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

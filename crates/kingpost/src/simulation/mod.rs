@@ -1,145 +1,19 @@
 //! A run: the plant, an integrator and the state, stepped in time and recorded.
 
-use crate::drives::Drive;
+mod errors;
+mod setup;
+
+pub use errors::{InputError, RunError};
+pub use setup::{Input, SchemeName, Settings, Setup};
+
 use crate::dynamics::moving_frame::MovingFrame;
-use crate::forces::Force;
-use crate::integrate::{Interval, Scheme, Sizes, System};
-use crate::ledger;
+use crate::integrate::{Interval, Scheme, Stage, System};
 use crate::model::Model;
-use crate::plant::{Form, Plant, instant};
+use crate::plant::{Plant, instant};
 use crate::results::{self, Channel, Sample};
-use crate::spatial::Quaternion;
+use crate::spatial::{Frame, Quaternion};
 use crate::state::{SnapshotError, State};
-use serde::Serialize;
-use thiserror::Error;
-
-/// The integration schemes by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SchemeName {
-    /// See [`Scheme::forward_euler`].
-    ForwardEuler,
-    /// See [`Scheme::midpoint_euler`].
-    MidpointEuler,
-    /// See [`Scheme::runge_kutta_4`].
-    RungeKutta4,
-}
-
-/// Time stepping and recording.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// The scheme.
-    pub scheme: SchemeName,
-    /// Step, s.
-    pub step_s: f64,
-    /// Length of a run, s.
-    pub duration_s: f64,
-    /// Interval between recorded rows, s.
-    pub record_every_s: f64,
-    /// A rate beyond this ends a run as diverged, rad/s or m/s.
-    pub rate_limit: f64,
-    /// The form of the equations of motion.
-    pub form: Form,
-}
-
-/// A value that a hand or a controller sets from outside, held over each step.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Input {
-    /// Name: that of the drive that it works on.
-    pub name: String,
-    /// Unit of the value.
-    pub unit: &'static str,
-    /// Smallest value.
-    pub lower: f64,
-    /// Largest value.
-    pub upper: f64,
-    /// The value now.
-    pub value: f64,
-}
-
-/// Everything that a simulation is made of.
-#[derive(Clone, Debug)]
-pub struct Setup {
-    /// The mechanical model.
-    pub model: Model,
-    /// Loads on bodies.
-    pub forces: Vec<Force>,
-    /// What moves the joints.
-    pub drives: Vec<Drive>,
-    /// The table of inputs with their first values.
-    pub inputs: Vec<Input>,
-    /// Time stepping and recording.
-    pub settings: Settings,
-    /// Initial positions.
-    pub q: Vec<f64>,
-    /// Initial velocities.
-    pub v: Vec<f64>,
-}
-
-/// Why a run stopped early.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum RunError {
-    /// A rate is not finite, or passes the limit.
-    #[error("diverged at {time_s} s: {coordinate} of body {body} moves at {value}, allowed: at most {limit} rad/s or m/s")]
-    Diverged {
-        /// End of the step that failed, s.
-        time_s: f64,
-        /// The body whose joint runs away.
-        body: String,
-        /// The coordinate.
-        coordinate: String,
-        /// Its rate.
-        value: f64,
-        /// `rate_limit`.
-        limit: f64,
-    },
-}
-
-/// A value from outside that a simulation cannot take.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum InputError {
-    /// No input of this name.
-    #[error("input {found}: no such input, allowed: {allowed}")]
-    Unknown {
-        /// What was asked for.
-        found: String,
-        /// The names that there are.
-        allowed: String,
-    },
-    /// Outside its limits, or not a number.
-    #[error("input {name}: found {found}, allowed: {lower} to {upper}")]
-    Range {
-        /// The input.
-        name: String,
-        /// The value.
-        found: f64,
-        /// Smallest value.
-        lower: f64,
-        /// Largest value.
-        upper: f64,
-    },
-    /// An array of the wrong length.
-    #[error("{name}: found {found} numbers, allowed: {allowed}")]
-    Length {
-        /// The array.
-        name: &'static str,
-        /// Its length.
-        found: usize,
-        /// The length that it must have.
-        allowed: usize,
-    },
-    /// An entry that is not finite, or an orientation that is no quaternion.
-    #[error("{name}[{index}]: found {found}, allowed: {allowed}")]
-    Entry {
-        /// The array.
-        name: &'static str,
-        /// Index of the entry.
-        index: usize,
-        /// The entry.
-        found: f64,
-        /// What it may be.
-        allowed: &'static str,
-    },
-}
+use errors::check_array;
 
 /// Recorded rows, and how the run ended.
 #[derive(Clone, Debug)]
@@ -155,7 +29,7 @@ pub struct Run {
 /// A simulation that can be stepped, watched, rewound and steered.
 ///
 /// ```
-/// let text = include_str!("../../../scenarios/paper.yaml");
+/// let text = include_str!("../../../../scenarios/paper.yaml");
 /// let scenario = kingpost::scenario::read(text, "paper.yaml", &[])?;
 /// let mut simulation = kingpost::Simulation::new(scenario.setup()?);
 /// simulation.step(10).expect("ten steps do not diverge");
@@ -219,19 +93,19 @@ impl Simulation {
 
     /// Back to time 0.
     pub fn reset(&mut self) {
-        self.state.clone_from(&self.initial);
+        self.state.copy_from(&self.initial);
     }
 
     /// Takes `n` steps; allocates nothing. On an error the state stays at the last good step.
     pub fn step(&mut self, n: usize) -> Result<(), RunError> {
         for _ in 0..n {
-            self.last_good.clone_from(&self.state);
+            self.last_good.copy_from(&self.state);
             let start = self.time_s();
             self.state.steps += 1;
             let end = self.time_s();
             self.advance(start, end);
             if let Err(error) = self.check(end) {
-                self.state.clone_from(&self.last_good);
+                self.state.copy_from(&self.last_good);
                 return Err(error);
             }
         }
@@ -256,7 +130,7 @@ impl Simulation {
         for (body, node) in self.plant.model.tree.nodes.iter().enumerate() {
             let rates = &self.state.v[node.velocities..][..node.kind.velocity_count()];
             let positions = &self.state.q[node.positions..][..node.kind.position_count()];
-            let fast = rates.iter().position(|rate| !(rate.abs() <= limit));
+            let fast = rates.iter().position(|rate| rate.is_nan() || rate.abs() > limit);
             let lost = positions.iter().any(|x| !x.is_finite()).then_some(0);
             if let Some(i) = fast.or(lost) {
                 return Err(RunError::Diverged {
@@ -312,10 +186,10 @@ impl Simulation {
     /// Appends the values of all channels now.
     pub fn write_row(&mut self, out: &mut Vec<f64>) {
         let time_s = self.time_s();
-        let State { q, v, s, d, .. } = &self.state;
+        let State { q, v, s, .. } = &self.state;
         let (kinetic_energy, potential_energy) = self.plant.energy(q, v);
         let (linear_momentum, angular_momentum) = self.plant.momentum(q, v);
-        let at = instant(time_s, self.settings.step_s, q, v, d);
+        let at = now(&self.settings, &self.state);
         let observed = self.plant.observe(at, &mut self.v_dot);
         let sample =
             Sample { time_s, q, v, s, observed, kinetic_energy, potential_energy, linear_momentum, angular_momentum };
@@ -324,10 +198,9 @@ impl Simulation {
 
     /// Position (m) and unit quaternion (w, x, y, z) of every body, world; seven numbers a body.
     pub fn poses(&mut self) -> Vec<f64> {
-        let State { q, v, d, .. } = &self.state;
-        let at = instant(self.state.steps as f64 * self.settings.step_s, self.settings.step_s, q, v, d);
+        let at = now(&self.settings, &self.state);
         let observed = self.plant.observe(at, &mut self.v_dot);
-        let pose = |frame: &crate::spatial::Frame| {
+        let pose = |frame: &Frame| {
             let [x, y, z] = frame.position.0;
             let [w, a, b, c] = Quaternion::from_matrix(&frame.rotation).0;
             [x, y, z, w, a, b, c]
@@ -404,16 +277,14 @@ impl Simulation {
             check_array("tau", tau, free.len())?;
             free.iter().zip(tau).for_each(|(&i, tau)| everywhere[i] = *tau);
         }
-        let State { q, v, d, .. } = &self.state;
-        let at = instant(self.state.steps as f64 * self.settings.step_s, self.settings.step_s, q, v, d);
+        let at = now(&self.settings, &self.state);
         self.plant.acceleration(at, Some(&everywhere), &mut self.v_dot);
         Ok(free.iter().map(|&i| self.v_dot[i]).collect())
     }
 
     /// Every matrix of the moving frame method now.
     pub fn moving_frame(&mut self) -> MovingFrame {
-        let State { q, v, d, .. } = &self.state;
-        let at = instant(self.state.steps as f64 * self.settings.step_s, self.settings.step_s, q, v, d);
+        let at = now(&self.settings, &self.state);
         self.plant.matrices(at)
     }
 
@@ -426,30 +297,10 @@ impl Simulation {
     pub fn bias_force(&mut self) -> Vec<f64> {
         self.moving_frame().bias_force().as_slice().to_vec()
     }
-
-    /// Energy at the start of the ledger, J.
-    pub fn initial_energy(&self) -> f64 {
-        self.state.s[ledger::INITIAL_ENERGY]
-    }
 }
 
-impl SchemeName {
-    /// The scheme with its working memory.
-    pub fn scheme(self, sizes: Sizes) -> Scheme {
-        match self {
-            Self::ForwardEuler => Scheme::forward_euler(sizes),
-            Self::MidpointEuler => Scheme::midpoint_euler(sizes),
-            Self::RungeKutta4 => Scheme::runge_kutta_4(sizes),
-        }
-    }
-}
-
-fn check_array(name: &'static str, values: &[f64], allowed: usize) -> Result<(), InputError> {
-    if values.len() != allowed {
-        return Err(InputError::Length { name, found: values.len(), allowed });
-    }
-    match values.iter().position(|x| !x.is_finite()) {
-        Some(index) => Err(InputError::Entry { name, index, found: values[index], allowed: "a finite number" }),
-        None => Ok(()),
-    }
+/// Where the right-hand side stands between two steps.
+fn now<'a>(settings: &Settings, state: &'a State) -> Stage<'a> {
+    let time_s = state.steps as f64 * settings.step_s;
+    instant(time_s, settings.step_s, &state.q, &state.v, &state.d)
 }

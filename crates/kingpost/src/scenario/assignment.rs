@@ -1,0 +1,36 @@
+//! `name=value` as the command line takes it.
+
+use serde_json::{Number, Value};
+
+use super::error::{Fault, Place, ScenarioError};
+use super::wording;
+
+/// The name and the value of `name=value`. `on`, `true`, `off` and `false` are booleans, numbers are numbers, a list of
+/// numbers may be written `[1, 2, 3]`; everything else is text.
+///
+/// # Errors
+/// No `=`, no name before it, or a number that is not finite.
+pub fn parse_assignment(text: &str) -> Result<(String, Value), ScenarioError> {
+    let fault = |field: &str, found: String, allowed: &str| {
+        Fault::new(&Place::Set(field.to_owned()), field, found, allowed).in_file("")
+    };
+    let (name, value) = text.split_once('=').unwrap_or(("", text));
+    let (name, value) = (name.trim(), value.trim());
+    if name.is_empty() {
+        return Err(fault(text, wording::quoted(text), wording::ASSIGNMENT));
+    }
+    let value = match value {
+        "on" | "true" => Value::Bool(true),
+        "off" | "false" => Value::Bool(false),
+        list if list.starts_with('[') => serde_json::from_str(list).unwrap_or_else(|_| Value::String(list.to_owned())),
+        other => match (other.parse::<i64>(), other.parse::<f64>()) {
+            (Ok(whole), _) => Value::from(whole),
+            (_, Ok(number)) => match Number::from_f64(number) {
+                Some(number) => Value::Number(number),
+                None => return Err(fault(name, other.to_owned(), wording::FINITE)),
+            },
+            _ => Value::String(other.to_owned()),
+        },
+    };
+    Ok((name.to_owned(), value))
+}

@@ -1,0 +1,114 @@
+//! The error of a scenario: its place, the field, what was found and what is allowed.
+
+use std::fmt;
+
+use thiserror::Error;
+
+/// What is wrong with a field, where its place in the file is not known.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{field}: found {found}, allowed: {allowed}")]
+pub struct FieldError {
+    /// Dotted path of the field: `bodies.ship.mass_kg`.
+    pub field: String,
+    /// What was found there.
+    pub found: String,
+    /// What is allowed there.
+    pub allowed: String,
+}
+
+impl FieldError {
+    /// An error of this field.
+    pub fn new(field: impl Into<String>, found: impl ToString, allowed: impl Into<String>) -> Self {
+        Self { field: field.into(), found: found.to_string(), allowed: allowed.into() }
+    }
+}
+
+/// What is wrong with a scenario, and where. Shown as
+/// `paper.yaml:12:14: bodies.ship.mass_kg: found -5, allowed: a number greater than 0`.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub struct ScenarioError {
+    /// The file's name, or `--set name` for a value set from outside; empty where there is neither.
+    pub file: String,
+    /// Line in the file, from 1.
+    pub line: Option<usize>,
+    /// Column in the file, from 1, in characters.
+    pub column: Option<usize>,
+    /// Dotted path of the field, list entries by index from 0; empty where the whole file is meant.
+    pub field: String,
+    /// What was found there.
+    pub found: String,
+    /// What is allowed there.
+    pub allowed: String,
+}
+
+impl fmt::Display for ScenarioError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.file.is_empty() {
+            f.write_str(&self.file)?;
+            if let (Some(line), Some(column)) = (self.line, self.column) {
+                write!(f, ":{line}:{column}")?;
+            }
+            f.write_str(": ")?;
+        }
+        let field_is_the_place = self.file.strip_prefix(SET).is_some_and(|name| name == self.field);
+        if !self.field.is_empty() && !field_is_the_place {
+            write!(f, "{}: ", self.field)?;
+        }
+        write!(f, "found {}, allowed: {}", self.found, self.allowed)
+    }
+}
+
+impl From<FieldError> for ScenarioError {
+    fn from(error: FieldError) -> Self {
+        let FieldError { field, found, allowed } = error;
+        Self { file: String::new(), line: None, column: None, field, found, allowed }
+    }
+}
+
+const SET: &str = "--set ";
+
+/// Where a value comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// The file.
+    File {
+        /// From 1.
+        line: usize,
+        /// From 1, in characters.
+        column: usize,
+    },
+    /// A value set from outside under this name.
+    Set(String),
+}
+
+impl Place {
+    pub(super) const START: Self = Self::File { line: 1, column: 1 };
+}
+
+/// A field error and its place; the file's name is added last.
+#[derive(Clone, Debug)]
+pub(super) struct Fault {
+    pub(super) place: Place,
+    pub(super) error: FieldError,
+}
+
+impl Fault {
+    pub(super) fn new(
+        place: &Place,
+        field: impl Into<String>,
+        found: impl ToString,
+        allowed: impl Into<String>,
+    ) -> Self {
+        Self { place: place.clone(), error: FieldError::new(field, found, allowed) }
+    }
+
+    pub(super) fn in_file(self, file: &str) -> ScenarioError {
+        let error = ScenarioError::from(self.error);
+        match self.place {
+            Place::File { line, column } => {
+                ScenarioError { file: file.to_owned(), line: Some(line), column: Some(column), ..error }
+            }
+            Place::Set(name) => ScenarioError { file: format!("{SET}{name}"), ..error },
+        }
+    }
+}

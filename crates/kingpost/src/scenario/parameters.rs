@@ -1,0 +1,298 @@
+//! Parameters and overrides: values written into the tree of a scenario before it is typed.
+
+use indexmap::IndexMap;
+use serde_json::{Number, Value};
+
+use super::error::{Fault, Place};
+use super::schema::{Parameter, ParameterKind, ParameterValue, Scenario};
+use super::tree::{Content, Field, Node, segments, value_child};
+use super::{units, wording};
+
+/// The fields at the top of a scenario; no parameter may have such a name.
+const TOP: [&str; 8] = ["version", "title", "description", "parameters", "simulation", "bodies", "forces", "drives"];
+
+/// A tree to write into, and the whole scenario with every default that the tree leaves out.
+pub(super) struct Target<'a> {
+    pub(super) tree: &'a mut Node,
+    pub(super) whole: &'a Value,
+}
+
+/// Writes the defaults of all parameters, then the overrides in their order.
+pub(super) fn apply(
+    mut target: Target<'_>,
+    parameters: &[Parameter],
+    overrides: &[(String, Value)],
+) -> Result<(), Fault> {
+    let mut kinds = IndexMap::new();
+    for (index, parameter) in parameters.iter().enumerate() {
+        let definition = Definition { parameter, index };
+        let kind = definition.check(&target)?;
+        if kinds.insert(parameter.name.as_str(), (parameter, kind)).is_some() {
+            let found = format!("{} a second time", parameter.name);
+            return Err(definition.fault(&target, "name", found, "each name once"));
+        }
+    }
+    for (index, parameter) in parameters.iter().enumerate() {
+        let definition = Definition { parameter, index };
+        if let Some(default) = &parameter.default {
+            let place = target.tree.place_of(&definition.path("default"));
+            definition.write(&mut target, default, &place)?;
+        }
+    }
+    for (name, value) in overrides {
+        let place = Place::Set(name.clone());
+        match kinds.get(name.as_str()) {
+            Some((parameter, kind)) => {
+                let fault = |allowed| Fault::new(&place, name, wording::found(value), allowed);
+                let value = typed_value(parameter, *kind, value).map_err(fault)?;
+                for path in &parameter.writes {
+                    target.write(path, value.to_json(), &place)?;
+                }
+            }
+            None if name.contains('.') || TOP.contains(&name.as_str()) => {
+                target.write(name, value.clone(), &place)?;
+            }
+            None => {
+                let names: Vec<&str> = kinds.keys().copied().collect();
+                let allowed = wording::parameter_or_path(&names, name);
+                return Err(Fault::new(&place, name, wording::UNKNOWN_NAME, allowed));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A parameter and its place in the list.
+struct Definition<'a> {
+    parameter: &'a Parameter,
+    index: usize,
+}
+
+impl Definition<'_> {
+    fn path(&self, field: &str) -> Vec<String> {
+        segments(&format!("parameters.{}.{field}", self.index))
+    }
+
+    fn fault(&self, target: &Target<'_>, field: &str, found: impl ToString, allowed: impl Into<String>) -> Fault {
+        let path = self.path(field);
+        Fault::new(&target.tree.place_of(&path), path.join("."), found, allowed)
+    }
+
+    /// The kind of the parameter, once its definition is sound.
+    fn check(&self, target: &Target<'_>) -> Result<ParameterKind, Fault> {
+        let parameter = self.parameter;
+        if TOP.contains(&parameter.name.as_str()) {
+            let found = format!("{}, a field of the scenario", parameter.name);
+            return Err(self.fault(target, "name", found, wording::OWN_NAME));
+        }
+        let Some(first) = parameter.writes.first() else {
+            return Err(self.fault(target, "writes", "an empty list", wording::PATHS));
+        };
+        for (index, path) in parameter.writes.iter().enumerate() {
+            self.check_path(target, index, path)?;
+        }
+        let standing = target.number_at(first);
+        let value = parameter.default.clone().or(standing);
+        let Some(value) = value else {
+            let allowed = wording::default_for(first);
+            return Err(self.fault(target, "default", wording::NOTHING, allowed));
+        };
+        self.check_limits(target, value.kind())?;
+        if let Some(default) = &parameter.default {
+            typed_value(parameter, value.kind(), &default.to_json())
+                .map_err(|allowed| self.fault(target, "default", wording::found(&default.to_json()), allowed))?;
+        }
+        Ok(value.kind())
+    }
+
+    fn check_path(&self, target: &Target<'_>, index: usize, path: &str) -> Result<(), Fault> {
+        let field = format!("writes.{index}");
+        if path == "parameters" || path.starts_with("parameters.") {
+            return Err(self.fault(target, &field, wording::quoted(path), wording::PATHS));
+        }
+        let (si, _) = units::si_path(&segments(path));
+        target.check(&si).map_err(|NoSuchField { found, allowed }| self.fault(target, &field, found, allowed))
+    }
+
+    fn check_limits(&self, target: &Target<'_>, kind: ParameterKind) -> Result<(), Fault> {
+        let fault = |field, found: &str, allowed: &str| Err(self.fault(target, field, found, allowed));
+        match (kind, &self.parameter.range, &self.parameter.choices) {
+            (ParameterKind::Choice, None, Some(choices)) if choices.is_empty() => {
+                fault("choices", "an empty list", wording::CHOICES)
+            }
+            (ParameterKind::Choice, None, None) => fault("choices", wording::NOTHING, wording::CHOICES),
+            (ParameterKind::Number, Some([least, largest]), None) if least >= largest => {
+                fault("range", &format!("{least}, {largest}"), wording::RANGE)
+            }
+            (ParameterKind::Boolean | ParameterKind::Choice, Some(_), _) => {
+                fault("range", "a range", "no range: the value is not a number")
+            }
+            (ParameterKind::Boolean | ParameterKind::Number, _, Some(_)) => {
+                fault("choices", "choices", "no choices: the value is not a text")
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn write(&self, target: &mut Target<'_>, value: &ParameterValue, place: &Place) -> Result<(), Fault> {
+        self.parameter.writes.iter().try_for_each(|path| target.write(path, value.to_json(), place))
+    }
+}
+
+/// A path that leads nowhere.
+struct NoSuchField {
+    found: String,
+    allowed: String,
+}
+
+impl Target<'_> {
+    /// The value that stands at a path in the file, in the unit of the path.
+    fn number_at(&self, path: &str) -> Option<ParameterValue> {
+        let (si, factor) = units::si_path(&segments(path));
+        in_unit(&self.tree.at(&si)?.to_value(), factor)
+    }
+
+    /// Whether a value can be written at this path: everything above it exists, and a field that does not yet exist is
+    /// left for the typed read to judge.
+    fn check(&self, path: &[String]) -> Result<(), NoSuchField> {
+        let mut node = Some(&*self.tree);
+        let mut whole = Some(self.whole);
+        for (depth, segment) in path.iter().enumerate() {
+            let child = node.and_then(|node| node.at(std::slice::from_ref(segment)));
+            let child_of_whole = whole.and_then(|whole| value_child(whole, segment));
+            let is_fields = match node {
+                Some(node) => matches!(node.content, Content::Fields(_)),
+                None => whole.is_some_and(Value::is_object),
+            };
+            let may_be_new = is_fields && depth + 1 == path.len();
+            if child.is_none() && child_of_whole.is_none() && !may_be_new {
+                let mut names = node.map(Node::names).unwrap_or_default();
+                if let Some(fields) = whole.and_then(Value::as_object) {
+                    names.extend(fields.keys().map(String::as_str));
+                }
+                names.sort_unstable();
+                names.dedup();
+                let found = wording::no_field(segment, &path[..depth].join("."));
+                let entries = node.map(Node::to_value).or_else(|| whole.cloned());
+                let allowed = wording::inside(entries.as_ref(), &names, segment);
+                return Err(NoSuchField { found, allowed });
+            }
+            node = child;
+            whole = child_of_whole;
+        }
+        Ok(())
+    }
+
+    fn write(&mut self, path: &str, value: Value, place: &Place) -> Result<(), Fault> {
+        let written = segments(path);
+        let (si, factor) = units::si_path(&written);
+        self.check(&si).map_err(|NoSuchField { found, allowed }| Fault::new(place, path, found, allowed))?;
+        let mut node = Node::from_value(&value, place);
+        units::to_si(&mut node)?;
+        if factor != 1.0 {
+            units::convert(&mut node, factor);
+        }
+        put(self.tree, self.whole, &si, &written, node);
+        Ok(())
+    }
+}
+
+/// Puts a node at a path that [`Target::check`] has passed; levels that only the defaults have are copied from them.
+fn put(tree: &mut Node, whole: &Value, si: &[String], written: &[String], node: Node) {
+    let ([segment, rest @ ..], [name, names @ ..]) = (si, written) else {
+        *tree = node;
+        return;
+    };
+    let below = value_child(whole, segment).unwrap_or(&Value::Null);
+    let place = node.place.clone();
+    match &mut tree.content {
+        Content::Fields(fields) => {
+            let field = fields
+                .entry(segment.clone())
+                .or_insert_with(|| Field::new(place.clone(), Node::from_value(below, &place)));
+            if rest.is_empty() || segment != name {
+                field.name_place = place;
+                field.written = (segment != name).then(|| name.clone());
+            }
+            put(&mut field.node, below, rest, names, node);
+        }
+        Content::List(entries) => {
+            if let Some(entry) = segment.parse::<usize>().ok().and_then(|i| entries.get_mut(i)) {
+                put(entry, below, rest, names, node);
+            }
+        }
+        Content::Scalar(_) => {}
+    }
+}
+
+/// A parameter's value out of any value, or what is allowed instead. Booleans may be written on and off.
+fn typed_value(parameter: &Parameter, kind: ParameterKind, value: &Value) -> Result<ParameterValue, String> {
+    match kind {
+        ParameterKind::Boolean => match value {
+            Value::Bool(value) => Ok(ParameterValue::Boolean(*value)),
+            Value::String(text) if text == "on" => Ok(ParameterValue::Boolean(true)),
+            Value::String(text) if text == "off" => Ok(ParameterValue::Boolean(false)),
+            _ => Err(wording::BOOLEAN.to_owned()),
+        },
+        ParameterKind::Number => {
+            let [least, largest] = parameter.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+            let number = value.as_f64().filter(|number| (least..=largest).contains(number));
+            let allowed = || match parameter.range {
+                Some(_) => format!("a number from {least} to {largest}"),
+                None => wording::NUMBER.to_owned(),
+            };
+            number.map(ParameterValue::Number).ok_or_else(allowed)
+        }
+        ParameterKind::Choice => {
+            let choices = parameter.choices.as_deref().unwrap_or_default();
+            let texts: Vec<String> = match value {
+                Value::String(text) => vec![text.clone()],
+                Value::Bool(true) => vec!["on".to_owned(), "true".to_owned()],
+                Value::Bool(false) => vec!["off".to_owned(), "false".to_owned()],
+                other => vec![other.to_string()],
+            };
+            let names: Vec<&str> = choices.iter().map(String::as_str).collect();
+            let choice = choices.iter().find(|choice| texts.contains(choice));
+            choice.cloned().map(ParameterValue::Text).ok_or_else(|| wording::one_of(&names))
+        }
+    }
+}
+
+/// A scalar in the unit of a path, by the factor of that unit.
+fn in_unit(value: &Value, factor: f64) -> Option<ParameterValue> {
+    match value {
+        Value::Bool(value) => Some(ParameterValue::Boolean(*value)),
+        Value::Number(number) => Some(ParameterValue::Number(number.as_f64()? / factor)),
+        Value::String(text) => Some(ParameterValue::Text(text.clone())),
+        _ => None,
+    }
+}
+
+impl ParameterValue {
+    /// The value as JSON.
+    pub fn to_json(&self) -> Value {
+        match self {
+            Self::Boolean(value) => Value::Bool(*value),
+            Self::Number(value) => Number::from_f64(*value).map_or(Value::Null, Value::Number),
+            Self::Text(value) => Value::String(value.clone()),
+        }
+    }
+}
+
+impl Scenario {
+    /// The parameters, in the order in which views show them.
+    pub fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+
+    /// Each parameter's value in this scenario: what stands at the first field that it writes, in that path's unit.
+    /// `None` for a field that holds no single value.
+    pub fn parameter_values(&self) -> Vec<(&Parameter, Option<ParameterValue>)> {
+        let whole = serde_json::to_value(self).unwrap_or_default();
+        let value = |parameter: &Parameter| {
+            let (path, factor) = units::si_path(&segments(parameter.writes.first()?));
+            in_unit(super::tree::value_at(&whole, &path)?, factor)
+        };
+        self.parameters.iter().map(|parameter| (parameter, value(parameter))).collect()
+    }
+}

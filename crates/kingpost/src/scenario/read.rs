@@ -1,0 +1,167 @@
+//! Text -> scenario: parse, rename units, apply parameters and overrides, type, build once to validate.
+
+use serde_json::Value;
+use serde_path_to_error::Segment;
+
+use super::error::{Fault, FieldError, ScenarioError};
+use super::parameters::{self, Target};
+use super::schema::Scenario;
+use super::tree::{Node, segments, value_at};
+use crate::simulation::Setup;
+
+use super::{parse, units, wording};
+
+/// Reads a scenario from YAML or JSON.
+///
+/// `file` is the name that errors carry. `overrides` are names of parameters or dotted paths of fields, each with its
+/// value; they are applied in their order, after the defaults of the parameters.
+///
+/// # Errors
+/// The first thing that is wrong, with its place: syntax, an unknown field, a wrong type, a value out of range, or
+/// bodies, joints and drives that do not fit together.
+pub fn read(text: &str, file: &str, overrides: &[(String, Value)]) -> Result<Scenario, ScenarioError> {
+    read_tree(text, overrides).map_err(|fault| fault.in_file(file))
+}
+
+fn read_tree(text: &str, overrides: &[(String, Value)]) -> Result<Scenario, Fault> {
+    let mut tree = parse::parse(text)?;
+    check_version(&tree)?;
+    units::to_si(&mut tree)?;
+    let as_written = typed(&tree)?;
+    let whole = serde_json::to_value(&as_written).unwrap_or_default();
+    let target = Target { tree: &mut tree, whole: &whole };
+    parameters::apply(target, &as_written.parameters, overrides)?;
+    let mut scenario = typed(&tree)?;
+    for parameter in &mut scenario.parameters {
+        parameter.default = None;
+    }
+    validate(&scenario).map_err(|error| {
+        let place = tree.place_of(&segments(&error.field));
+        Fault { place, error }
+    })?;
+    Ok(scenario)
+}
+
+fn check_version(tree: &Node) -> Result<(), Fault> {
+    match tree.field("version").map(|field| &field.node) {
+        None => Err(Fault::new(&tree.place, "version", wording::NOTHING, wording::VERSION)),
+        Some(node) if node.to_value().as_f64() == Some(1.0) => Ok(()),
+        Some(node) => {
+            let found = wording::found(&node.to_value());
+            Err(Fault::new(&node.place, "version", found, wording::VERSION))
+        }
+    }
+}
+
+fn validate(scenario: &Scenario) -> Result<(), FieldError> {
+    super::build::build(scenario).map(drop)
+}
+
+/// The types of a scenario over a tree, with the place of the first error.
+fn typed(tree: &Node) -> Result<Scenario, Fault> {
+    let value = tree.to_value();
+    serde_path_to_error::deserialize(&value).map_err(|error| type_fault(tree, &value, &error))
+}
+
+type TypeError = serde_path_to_error::Error<serde_json::Error>;
+
+/// The path that the typed read stopped at.
+fn path_of(error: &TypeError) -> Vec<String> {
+    let segment = |segment: &Segment| match segment {
+        Segment::Seq { index } => Some(index.to_string()),
+        Segment::Map { key } => Some(key.clone()),
+        Segment::Enum { variant } => Some(variant.clone()),
+        Segment::Unknown => None,
+    };
+    error.path().iter().filter_map(segment).collect()
+}
+
+/// A typed read's error in our words and with its place.
+fn type_fault(tree: &Node, value: &Value, error: &TypeError) -> Fault {
+    let mut path = path_of(error);
+    let message = error.inner().to_string();
+    if let Some(rest) = message.strip_prefix("unknown field ") {
+        let names = wording::names_in_backquotes(rest);
+        let (name, allowed) = names.split_first().map_or(("", &names[..]), |(name, rest)| (*name, rest));
+        if path.last().is_none_or(|last| last.as_str() != name) || value_at(value, &path).is_none() {
+            path.push(name.to_owned());
+        }
+        let written = tree.written_path(&path);
+        let meant = written.rsplit('.').next().unwrap_or_default();
+        let allowed = wording::one_of_with_hint(allowed, meant);
+        return Fault::new(&tree.name_place_of(&path), &written, wording::UNKNOWN_FIELD, allowed);
+    }
+    if let Some(rest) = message.strip_prefix("missing field ") {
+        path.extend(wording::names_in_backquotes(rest).first().map(|name| (*name).to_owned()));
+    }
+    let allowed =
+        allowed_at(value, &path).or_else(|| expected(&message)).unwrap_or_else(|| wording::REQUIRED.to_owned());
+    let node = tree.at(&path);
+    let found = node.map_or_else(|| wording::NOTHING.to_owned(), |node| found_in(node, &message));
+    Fault::new(&tree.place_of(&path), tree.written_path(&path), found, allowed)
+}
+
+/// What was found: the value as written, or the name where that is what is wrong.
+fn found_in(node: &Node, message: &str) -> String {
+    let value = node.written_value();
+    match message.strip_prefix("unknown variant ") {
+        Some(rest) if value.is_object() => wording::quoted(wording::names_in_backquotes(rest).first().unwrap_or(&"")),
+        _ => wording::found(&value),
+    }
+}
+
+/// What a serde message says is allowed.
+fn expected(message: &str) -> Option<String> {
+    if message.starts_with("unknown variant ") {
+        let names = wording::names_in_backquotes(message);
+        return names.split_first().map(|(written, names)| wording::one_of_with_hint(names, written));
+    }
+    message.split_once(", expected ").map(|(_, expected)| wording::allowed(expected))
+}
+
+/// What the types allow at a path, learned by reading again with values there that nothing or only little allows. The
+/// types are the one source of these words; a message about a wrong type alone would hide a range or a list of kinds.
+fn allowed_at(value: &Value, path: &[String]) -> Option<String> {
+    let probes = [Value::from(-1.5), Value::from("?"), serde_json::json!({"?": null})];
+    let mut of_type = None;
+    for probe in probes {
+        let mut probed = value.clone();
+        *slot(&mut probed, path)? = probe;
+        let Err(error) = serde_path_to_error::deserialize::<_, Scenario>(&probed) else { continue };
+        let message = error.inner().to_string();
+        if path_of(&error) != path || message.starts_with("unknown field ") {
+            continue;
+        }
+        let Some(allowed) = expected(&message) else { continue };
+        if !message.starts_with("invalid type") {
+            return Some(allowed);
+        }
+        of_type.get_or_insert(allowed);
+    }
+    of_type
+}
+
+/// The value at a path; a field that is not there is made.
+fn slot<'a>(value: &'a mut Value, path: &[String]) -> Option<&'a mut Value> {
+    path.iter().try_fold(value, |value, segment| match value {
+        Value::Object(fields) => Some(fields.entry(segment.clone()).or_insert(Value::Null)),
+        Value::Array(entries) => entries.get_mut(segment.parse::<usize>().ok()?),
+        _ => None,
+    })
+}
+
+impl Scenario {
+    /// The resolved scenario as JSON: every default written out, parameters without their defaults (their values stand
+    /// in the fields). It reads back to the same scenario.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(self).unwrap_or_default()
+    }
+
+    /// What a simulation is made of.
+    ///
+    /// # Errors
+    /// Bodies, joints, forces, drives or settings that do not fit together; the error has a field but no place.
+    pub fn setup(&self) -> Result<Setup, ScenarioError> {
+        Ok(super::build::build(self)?)
+    }
+}

@@ -1,0 +1,158 @@
+//! The tree of a scenario's text: every value with its place.
+
+use indexmap::IndexMap;
+use serde_json::Value;
+
+use super::error::Place;
+
+/// A value, where it comes from, and how it was written.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    pub(super) place: Place,
+    pub(super) content: Content,
+    /// The number as written, where a unit alias has changed it.
+    pub(super) written: Option<Value>,
+}
+
+/// What a node holds.
+#[derive(Clone, Debug)]
+pub(super) enum Content {
+    /// Null, a boolean, a number or a text.
+    Scalar(Value),
+    /// Entries by index.
+    List(Vec<Node>),
+    /// Fields by name.
+    Fields(IndexMap<String, Field>),
+}
+
+/// A field of a node.
+#[derive(Clone, Debug)]
+pub(super) struct Field {
+    pub(super) name_place: Place,
+    /// The name as written, where a unit alias has changed it.
+    pub(super) written: Option<String>,
+    pub(super) node: Node,
+}
+
+impl Node {
+    pub(super) fn new(place: Place, content: Content) -> Self {
+        Self { place, content, written: None }
+    }
+
+    /// The tree of a value that comes from one place.
+    pub(super) fn from_value(value: &Value, place: &Place) -> Self {
+        let content = match value {
+            Value::Array(entries) => {
+                Content::List(entries.iter().map(|entry| Self::from_value(entry, place)).collect())
+            }
+            Value::Object(fields) => Content::Fields(
+                fields
+                    .iter()
+                    .map(|(name, value)| (name.clone(), Field::new(place.clone(), Self::from_value(value, place))))
+                    .collect(),
+            ),
+            scalar => Content::Scalar(scalar.clone()),
+        };
+        Self::new(place.clone(), content)
+    }
+
+    /// The value without places.
+    pub(super) fn to_value(&self) -> Value {
+        match &self.content {
+            Content::Scalar(value) => value.clone(),
+            Content::List(entries) => entries.iter().map(Self::to_value).collect(),
+            Content::Fields(fields) => {
+                Value::Object(fields.iter().map(|(name, field)| (name.clone(), field.node.to_value())).collect())
+            }
+        }
+    }
+
+    /// The value as written, for an error's words.
+    pub(super) fn written_value(&self) -> Value {
+        self.written.clone().unwrap_or_else(|| self.to_value())
+    }
+
+    /// The field of this name.
+    pub(super) fn field(&self, name: &str) -> Option<&Field> {
+        match &self.content {
+            Content::Fields(fields) => fields.get(name),
+            _ => None,
+        }
+    }
+
+    /// The names of the fields.
+    pub(super) fn names(&self) -> Vec<&str> {
+        match &self.content {
+            Content::Fields(fields) => fields.keys().map(String::as_str).collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    fn child(&self, segment: &str) -> Option<&Self> {
+        match &self.content {
+            Content::Scalar(_) => None,
+            Content::List(entries) => entries.get(segment.parse::<usize>().ok()?),
+            Content::Fields(fields) => fields.get(segment).map(|field| &field.node),
+        }
+    }
+
+    /// The node at a path, if there is one.
+    pub(super) fn at(&self, path: &[String]) -> Option<&Self> {
+        path.iter().try_fold(self, |node, segment| node.child(segment))
+    }
+
+    /// The place of a path; where the path has none of its own, that of its nearest ancestor.
+    pub(super) fn place_of(&self, path: &[String]) -> Place {
+        let mut node = self;
+        for segment in path {
+            match node.child(segment) {
+                Some(child) => node = child,
+                None => break,
+            }
+        }
+        node.place.clone()
+    }
+
+    /// The place of the name of the field at a path, for a field that should not be there.
+    pub(super) fn name_place_of(&self, path: &[String]) -> Place {
+        let field = path.split_last().and_then(|(last, parents)| self.at(parents)?.field(last));
+        field.map_or_else(|| self.place_of(path), |field| field.name_place.clone())
+    }
+
+    /// The dotted path with each name as written.
+    pub(super) fn written_path(&self, path: &[String]) -> String {
+        let mut node = Some(self);
+        let mut written = Vec::with_capacity(path.len());
+        for segment in path {
+            let field = node.and_then(|node| node.field(segment));
+            written.push(field.and_then(|field| field.written.as_ref()).unwrap_or(segment).as_str());
+            node = node.and_then(|node| node.child(segment));
+        }
+        written.join(".")
+    }
+}
+
+impl Field {
+    pub(super) fn new(name_place: Place, node: Node) -> Self {
+        Self { name_place, written: None, node }
+    }
+}
+
+/// The segments of a dotted path.
+pub(super) fn segments(path: &str) -> Vec<String> {
+    path.split('.').map(str::to_owned).collect()
+}
+
+/// The value at a path.
+pub(super) fn value_at<'a>(value: &'a Value, path: &[String]) -> Option<&'a Value> {
+    path.iter().try_fold(value, |value, segment| value_child(value, segment))
+}
+
+/// The value one segment down.
+pub(super) fn value_child<'a>(value: &'a Value, segment: &str) -> Option<&'a Value> {
+    match value {
+        Value::Array(entries) => entries.get(segment.parse::<usize>().ok()?),
+        Value::Object(fields) => fields.get(segment),
+        _ => None,
+    }
+}

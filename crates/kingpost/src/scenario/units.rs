@@ -1,0 +1,133 @@
+//! Unit aliases: names that end in `_deg`, `_t`, `_kN` ... where engineers write them so, read as their SI names.
+
+use std::f64::consts::PI;
+
+use indexmap::IndexMap;
+use serde_json::{Number, Value};
+
+use super::error::Fault;
+use super::tree::{Content, Field, Node};
+use super::wording;
+
+/// An ending of a name, the SI ending that it stands for, and the factor from the one to the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnitAlias {
+    /// The ending as written: `_deg`.
+    pub ending: &'static str,
+    /// The ending of the SI name: `_rad`.
+    pub si: &'static str,
+    /// SI value = factor * written value.
+    pub factor: f64,
+}
+
+const fn alias(ending: &'static str, si: &'static str, factor: f64) -> UnitAlias {
+    UnitAlias { ending, si, factor }
+}
+
+const DEGREE: f64 = PI / 180.0;
+
+/// Every unit alias. No ending is the end of another.
+pub const UNIT_ALIASES: [UnitAlias; 12] = [
+    alias("_deg", "_rad", DEGREE),
+    alias("_deg_s", "_rad_s", DEGREE),
+    alias("_t", "_kg", 1000.0),
+    alias("_t_m2", "_kg_m2", 1000.0),
+    alias("_kN", "_N", 1000.0),
+    alias("_kN_m", "_N_m", 1000.0),
+    alias("_kN_m_s", "_N_m_s", 1000.0),
+    alias("_kN_s_m", "_N_s_m", 1000.0),
+    alias("_kN_m_per_rad", "_N_m_per_rad", 1000.0),
+    alias("_kN_m_s_per_rad", "_N_m_s_per_rad", 1000.0),
+    alias("_kN_per_m", "_N_per_m", 1000.0),
+    alias("_kN_s_per_m", "_N_s_per_m", 1000.0),
+];
+
+/// The SI name and the factor, where the name ends in a unit alias.
+pub(super) fn si_name(name: &str) -> Option<(String, f64)> {
+    UNIT_ALIASES.iter().find_map(|alias| {
+        let stem = name.strip_suffix(alias.ending)?;
+        Some((format!("{stem}{}", alias.si), alias.factor))
+    })
+}
+
+/// Renames every field of the tree whose name ends in a unit alias, and converts its numbers. A field that holds named
+/// fields is a thing with a name (a body `lift_t`, say) and stays.
+pub(super) fn to_si(node: &mut Node) -> Result<(), Fault> {
+    rename(node, &mut Vec::new())
+}
+
+fn rename(node: &mut Node, path: &mut Vec<String>) -> Result<(), Fault> {
+    match &mut node.content {
+        Content::Scalar(_) => {}
+        Content::List(entries) => {
+            for (index, entry) in entries.iter_mut().enumerate() {
+                path.push(index.to_string());
+                rename(entry, path)?;
+                path.pop();
+            }
+        }
+        Content::Fields(fields) => {
+            let mut renamed = IndexMap::with_capacity(fields.len());
+            for (name, mut field) in std::mem::take(fields) {
+                path.push(name.clone());
+                rename(&mut field.node, path)?;
+                let (name, field) = field_to_si(name, field);
+                let place = field.node.place.clone();
+                if let Some(other) = renamed.insert(name.clone(), field) {
+                    let written = path.last().cloned().unwrap_or_default();
+                    let other = other.written.unwrap_or(name);
+                    let found = format!("both {other} and {written}");
+                    return Err(Fault::new(&place, path.join("."), found, wording::ONE_UNIT));
+                }
+                path.pop();
+            }
+            *fields = renamed;
+        }
+    }
+    Ok(())
+}
+
+fn field_to_si(name: String, mut field: Field) -> (String, Field) {
+    let is_quantity = !matches!(field.node.content, Content::Fields(_));
+    match si_name(&name).filter(|_| is_quantity) {
+        Some((si, factor)) => {
+            convert(&mut field.node, factor);
+            field.written = Some(name);
+            (si, field)
+        }
+        None => (name, field),
+    }
+}
+
+/// Converts the numbers of a quantity: one, or a list of them. Everything else is left for the typed read to refuse.
+pub(super) fn convert(node: &mut Node, factor: f64) {
+    match &mut node.content {
+        Content::List(entries) => entries.iter_mut().for_each(|entry| convert(entry, factor)),
+        Content::Scalar(value) => {
+            let converted = value.as_f64().map(|number| number * factor);
+            if let Some(number) = converted.and_then(Number::from_f64) {
+                node.written = Some(std::mem::replace(value, Value::Number(number)));
+            }
+        }
+        Content::Fields(_) => {}
+    }
+}
+
+/// The SI path of a path whose quantity ends in a unit alias (`bodies.ship.mass_t`, `...orientation_deg.2`), and the
+/// factor; 1 where it has none.
+pub(super) fn si_path(path: &[String]) -> (Vec<String>, f64) {
+    let mut si = path.to_vec();
+    let is_index = |segment: &String| segment.parse::<usize>().is_ok();
+    let quantity = match si.as_mut_slice() {
+        [.., quantity, last] if is_index(last) => Some(quantity),
+        [.., last] => Some(last),
+        [] => None,
+    };
+    if let Some(segment) = quantity
+        && let Some((name, factor)) = si_name(segment)
+    {
+        *segment = name;
+        return (si, factor);
+    }
+    (si, 1.0)
+}

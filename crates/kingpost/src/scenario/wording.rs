@@ -1,0 +1,219 @@
+//! The words of every error: what was found and what is allowed.
+
+use serde_json::Value;
+
+/// What a [`Positive`](super::range::Positive) allows.
+pub const POSITIVE: &str = "a number greater than 0";
+/// What a [`NonNegative`](super::range::NonNegative) allows.
+pub const NON_NEGATIVE: &str = "a number not less than 0";
+/// What a [`Direction`](super::range::Direction) allows.
+pub const DIRECTION: &str = "three numbers, not all 0";
+/// What a [`Name`](super::text::Name) allows.
+pub const NAME: &str = "a name of small letters, digits and _ that starts with a letter";
+/// What a [`Colour`](super::text::Colour) allows.
+pub const COLOUR: &str = "a colour as \"#rrggbb\"";
+/// What a [`Version`](super::text::Version) allows.
+pub const VERSION: &str = "1 (the version of the file format)";
+/// What a [`ParameterValue`](super::schema::ParameterValue) allows.
+pub const PARAMETER_VALUE: &str = "true or false, a number, or a text";
+
+pub(super) const NOTHING: &str = "nothing";
+pub(super) const FINITE: &str = "a finite number";
+pub(super) const BOOLEAN: &str = "true or false";
+pub(super) const NUMBER: &str = "a number";
+pub(super) const TEXT: &str = "a text";
+pub(super) const FIELDS: &str = "named fields";
+pub(super) const SCENARIO: &str = "a scenario in YAML or JSON, which begins with version: 1";
+pub(super) const UNKNOWN_FIELD: &str = "an unknown field";
+pub(super) const ASSIGNMENT: &str = "name=value";
+
+const LONGEST_QUOTE: usize = 40;
+
+/// A value as an error shows it.
+pub(super) fn found(value: &Value) -> String {
+    match value {
+        Value::Null => NOTHING.to_owned(),
+        Value::Bool(value) => value.to_string(),
+        Value::Number(value) => value.to_string(),
+        Value::String(value) => format!("the text {}", quoted(value)),
+        Value::Array(entries) if entries.is_empty() => "an empty list".to_owned(),
+        Value::Array(entries) => format!("a list of {}", entries.len()),
+        Value::Object(fields) if fields.is_empty() => "no fields".to_owned(),
+        Value::Object(fields) => {
+            let names: Vec<&str> = fields.keys().map(String::as_str).collect();
+            shortened(&format!("the fields {}", names.join(", ")))
+        }
+    }
+}
+
+/// A text in quotes on one line, shortened where it is long.
+pub(super) fn quoted(text: &str) -> String {
+    format!("{:?}", shortened(text))
+}
+
+/// A text cut where it is long.
+pub(super) fn shortened(text: &str) -> String {
+    match text.char_indices().nth(LONGEST_QUOTE) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// `a`, `a or b`, `one of a, b, c`.
+pub(super) fn one_of(names: &[&str]) -> String {
+    match names {
+        [] => "no fields".to_owned(),
+        [one] => (*one).to_owned(),
+        [one, other] => format!("{one} or {other}"),
+        many => format!("one of {}", many.join(", ")),
+    }
+}
+
+/// The names allowed, and the one that was probably meant.
+pub(super) fn one_of_with_hint(names: &[&str], written: &str) -> String {
+    match nearest(names, written) {
+        Some(name) => format!("{}; did you mean {name}?", one_of(names)),
+        None => one_of(names),
+    }
+}
+
+/// What serde expected, in the field's words: `expected` is the part of its message behind "expected".
+pub(super) fn allowed(expected: &str) -> String {
+    let array = expected.strip_prefix("an array of length ");
+    match expected {
+        "f64" => NUMBER.to_owned(),
+        "u64" => "a whole number not less than 0".to_owned(),
+        "a boolean" => BOOLEAN.to_owned(),
+        "a string" => TEXT.to_owned(),
+        "a map" => FIELDS.to_owned(),
+        "a sequence" => "a list".to_owned(),
+        "fewer elements in array" => "a shorter list".to_owned(),
+        "string or map" => "the name of a kind, or a kind with its fields".to_owned(),
+        "map with a single key" => "exactly one kind with its fields".to_owned(),
+        _ if array.is_some() => format!("a list of {} numbers", array.unwrap_or_default()),
+        _ if expected.starts_with("struct ") => FIELDS.to_owned(),
+        _ => expected.to_owned(),
+    }
+}
+
+/// The names in backquotes of a serde message.
+pub(super) fn names_in_backquotes(message: &str) -> Vec<&str> {
+    message.split('`').skip(1).step_by(2).collect()
+}
+
+/// The name nearest to `written`, if one is near enough to be meant.
+fn nearest<'a>(names: &[&'a str], written: &str) -> Option<&'a str> {
+    let limit = written.chars().count().max(3) / 3;
+    let near = names.iter().map(|name| (edits(name, written), *name));
+    near.min_by_key(|(distance, _)| *distance).filter(|(distance, _)| *distance <= limit).map(|(_, name)| name)
+}
+
+/// The number of letters to insert, delete or replace (Levenshtein's distance).
+fn edits(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().take(64).collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, letter) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, other) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(letter != *other);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
+
+/// What a YAML parser's message means: found and allowed.
+pub(super) fn syntax(message: &str) -> (String, String) {
+    let (found, allowed) = if message.contains("mapping values are not allowed") {
+        (
+            "a second \": \" where a value ends",
+            "name: value, each on a line of its own and indented as its neighbours, or a text in quotes",
+        )
+    } else if message.contains("tabs disallowed") {
+        ("a tab in the indentation", "spaces")
+    } else if message.contains("unexpected character") {
+        return (message.replace(['`', '\''], ""), SCENARIO.to_owned());
+    } else if message.contains("unclosed quote") || message.contains("multiline quoted scalar") {
+        ("a quote that is not closed", "a closing quote")
+    } else if message.contains("unclosed bracket") {
+        ("a bracket that is not closed", "a closing bracket")
+    } else {
+        return (format!("text that is not YAML ({})", shortened_syntax(message)), SCENARIO.to_owned());
+    };
+    (found.to_owned(), allowed.to_owned())
+}
+
+/// The first line of a parser's message, without its own copy of the place.
+fn shortened_syntax(message: &str) -> &str {
+    let line = message.lines().next().unwrap_or_default();
+    line.split(" at line ").next().unwrap_or(line)
+}
+
+pub(super) const EMPTY_FILE: &str = "nothing: the file is empty";
+
+fn pair(found: &str, allowed: &str) -> (String, String) {
+    (found.to_owned(), allowed.to_owned())
+}
+
+/// A file beyond the parser's budgets.
+pub(super) fn too_much() -> (String, String) {
+    pair("a file that is too deep or too large", "at most 64 levels and 250000 values")
+}
+
+/// A file of several documents.
+pub(super) fn second_document() -> (String, String) {
+    pair("a second document after ---", "one scenario in a file")
+}
+
+/// An alias without its anchor.
+pub(super) fn unknown_anchor() -> (String, String) {
+    pair("an alias (*name) without its anchor (&name)", "an alias of an anchor that stands before it")
+}
+
+/// A field whose name is null, a list or a map.
+pub(super) fn not_a_name() -> (String, String) {
+    pair("a field whose name is not a text", "name: value")
+}
+
+pub(super) const ONE_UNIT: &str = "one of the two";
+pub(super) const UNKNOWN_NAME: &str = "an unknown name";
+pub(super) const OWN_NAME: &str = "a name that no field at the top of the file has";
+pub(super) const PATHS: &str = "paths of fields, as bodies.ship.mass_kg";
+pub(super) const CHOICES: &str = "a list of the texts allowed";
+pub(super) const RANGE: &str = "two numbers, the smaller first";
+pub(super) const REQUIRED: &str = "a value: this field is required";
+
+/// What an override's name may be.
+pub(super) fn parameter_or_path(parameters: &[&str], written: &str) -> String {
+    match parameters {
+        [] => "a dotted path of a field: the scenario has no parameters".to_owned(),
+        names => format!("a dotted path of a field, or {}", one_of_with_hint(names, written)),
+    }
+}
+
+/// A parameter needs a default where the field that it writes is not in the file.
+pub(super) fn default_for(path: &str) -> String {
+    format!("a default, or one value at {path}")
+}
+
+/// A path that leads nowhere.
+pub(super) fn no_field(name: &str, parent: &str) -> String {
+    match parent {
+        "" => format!("no field {}", quoted(name)),
+        parent => format!("no field {} in {parent}", quoted(name)),
+    }
+}
+
+/// What a path may go on with, inside of a value with these names.
+pub(super) fn inside(value: Option<&Value>, names: &[&str], written: &str) -> String {
+    match value {
+        Some(Value::Array(entries)) => match entries.len() {
+            0 => "no entry: the list is empty".to_owned(),
+            length => format!("an entry from 0 to {}", length - 1),
+        },
+        Some(Value::Object(_)) => one_of_with_hint(names, written),
+        _ => "the path of a field: this one has no fields inside".to_owned(),
+    }
+}

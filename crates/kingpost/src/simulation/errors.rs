@@ -1,0 +1,82 @@
+//! Why a run stops early, and what it cannot take from outside.
+
+use thiserror::Error;
+
+/// Why a run stopped early.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum RunError {
+    /// A rate is not finite, or passes the limit.
+    #[error(
+        "diverged at {time_s} s: {coordinate} of body {body} moves at {value}, allowed: at most {limit} rad/s or m/s"
+    )]
+    Diverged {
+        /// End of the step that failed, s.
+        time_s: f64,
+        /// The body whose joint runs away.
+        body: String,
+        /// The coordinate.
+        coordinate: String,
+        /// Its rate.
+        value: f64,
+        /// `rate_limit`.
+        limit: f64,
+    },
+}
+
+/// A value from outside that a simulation cannot take.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum InputError {
+    /// No input of this name.
+    #[error("input {found}: no such input, allowed: {allowed}")]
+    Unknown {
+        /// What was asked for.
+        found: String,
+        /// The names that there are.
+        allowed: String,
+    },
+    /// Outside its limits, or not a number.
+    #[error("input {name}: found {found}, allowed: {lower} to {upper}")]
+    Range {
+        /// The input.
+        name: String,
+        /// The value.
+        found: f64,
+        /// Smallest value.
+        lower: f64,
+        /// Largest value.
+        upper: f64,
+    },
+    /// An array of the wrong length.
+    #[error("{name}: found {found} numbers, allowed: {allowed}")]
+    Length {
+        /// The array.
+        name: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length that it must have.
+        allowed: usize,
+    },
+    /// An entry that is not finite, or an orientation that is no quaternion.
+    #[error("{name}[{index}]: found {found}, allowed: {allowed}")]
+    Entry {
+        /// The array.
+        name: &'static str,
+        /// Index of the entry.
+        index: usize,
+        /// The entry.
+        found: f64,
+        /// What it may be.
+        allowed: &'static str,
+    },
+}
+
+/// An error unless an array has the right length and finite entries.
+pub(super) fn check_array(name: &'static str, values: &[f64], allowed: usize) -> Result<(), InputError> {
+    if values.len() != allowed {
+        return Err(InputError::Length { name, found: values.len(), allowed });
+    }
+    match values.iter().position(|x| !x.is_finite()) {
+        Some(index) => Err(InputError::Entry { name, index, found: values[index], allowed: "a finite number" }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,81 @@
+//! What a simulation is made of.
+
+use crate::drives::Drive;
+use crate::forces::Force;
+use crate::integrate::{Scheme, Sizes};
+use crate::model::Model;
+use crate::plant::Form;
+use serde::Serialize;
+
+/// The integration schemes by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SchemeName {
+    /// See [`Scheme::forward_euler`].
+    ForwardEuler,
+    /// See [`Scheme::midpoint_euler`].
+    MidpointEuler,
+    /// See [`Scheme::runge_kutta_4`].
+    RungeKutta4,
+}
+
+/// Time stepping and recording.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The scheme.
+    pub scheme: SchemeName,
+    /// Step, s.
+    pub step_s: f64,
+    /// Length of a run, s.
+    pub duration_s: f64,
+    /// Interval between recorded rows, s.
+    pub record_every_s: f64,
+    /// A rate beyond this ends a run as diverged, rad/s or m/s.
+    pub rate_limit: f64,
+    /// The form of the equations of motion.
+    pub form: Form,
+}
+
+/// A value that a hand or a controller sets from outside, held over each step.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Input {
+    /// Name: that of the drive that it works on.
+    pub name: String,
+    /// Unit of the value.
+    pub unit: &'static str,
+    /// Smallest value.
+    pub lower: f64,
+    /// Largest value.
+    pub upper: f64,
+    /// The value now.
+    pub value: f64,
+}
+
+/// Everything that a simulation is made of.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// The mechanical model.
+    pub model: Model,
+    /// Loads on bodies.
+    pub forces: Vec<Force>,
+    /// What moves the joints.
+    pub drives: Vec<Drive>,
+    /// The table of inputs with their first values.
+    pub inputs: Vec<Input>,
+    /// Time stepping and recording.
+    pub settings: Settings,
+    /// Initial positions.
+    pub q: Vec<f64>,
+    /// Initial velocities.
+    pub v: Vec<f64>,
+}
+
+impl SchemeName {
+    /// The scheme with its working memory.
+    pub fn scheme(self, sizes: Sizes) -> Scheme {
+        match self {
+            Self::ForwardEuler => Scheme::forward_euler(sizes),
+            Self::MidpointEuler => Scheme::midpoint_euler(sizes),
+            Self::RungeKutta4 => Scheme::runge_kutta_4(sizes),
+        }
+    }
+}
