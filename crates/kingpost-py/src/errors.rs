@@ -1,0 +1,35 @@
+//! The engine's typed errors as the exceptions of `kingpost.errors`.
+
+use kingpost::scenario::ScenarioError as EngineScenarioError;
+use kingpost::simulation::RunError as EngineRunError;
+use pyo3::prelude::*;
+
+pyo3::import_exception!(kingpost.errors, KingpostError);
+pyo3::import_exception!(kingpost.errors, ScenarioError);
+pyo3::import_exception!(kingpost.errors, RunError);
+
+/// An argument that the engine refuses.
+pub fn input(error: impl ToString) -> PyErr {
+    KingpostError::new_err(error.to_string())
+}
+
+pub fn scenario(error: EngineScenarioError) -> PyErr {
+    ScenarioError::new_err((
+        error.to_string(),
+        error.file,
+        error.line,
+        error.column,
+        error.field,
+        error.found,
+        error.allowed,
+    ))
+}
+
+pub fn run(error: EngineRunError) -> PyErr {
+    let message = error.to_string();
+    match error {
+        EngineRunError::Diverged { time_s, body, coordinate, value, limit } => {
+            RunError::new_err((message, time_s, body, coordinate, value, limit))
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! The class `Simulation` of the module.
+
+use crate::{errors, overrides};
+use kingpost::scenario::{self, Scenario};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+type Vector<'py> = Bound<'py, PyArray1<f64>>;
+type Matrix<'py> = Bound<'py, PyArray2<f64>>;
+type Block<'py> = (String, Matrix<'py>, Vec<String>, Vec<String>, String);
+/// Steps between two looks for Ctrl-C.
+const STEPS_BETWEEN_SIGNALS: usize = 10_000;
+
+type Input = (String, String, f64, f64, f64);
+
+/// A row-major matrix as an array of two dimensions.
+fn matrix(py: Python<'_>, data: Vec<f64>, rows: usize, columns: usize) -> PyResult<Matrix<'_>> {
+    data.into_pyarray(py).reshape([rows, columns])
+}
+
+#[pyclass(module = "kingpost._engine")]
+pub struct Simulation {
+    inner: kingpost::Simulation,
+    scenario: Scenario,
+}
+
+#[pymethods]
+impl Simulation {
+    #[new]
+    fn new(text: &str, file: &str, overrides_json: &str) -> PyResult<Self> {
+        let pairs = overrides(overrides_json)?;
+        let scenario = scenario::read(text, file, &pairs).map_err(errors::scenario)?;
+        let setup = scenario.setup().map_err(errors::scenario)?;
+        Ok(Self { inner: kingpost::Simulation::new(setup), scenario })
+    }
+
+    fn step(&mut self, py: Python<'_>, n: usize) -> PyResult<()> {
+        let mut left = n;
+        while left > 0 {
+            let now = left.min(STEPS_BETWEEN_SIGNALS);
+            py.detach(|| self.inner.step(now)).map_err(errors::run)?;
+            py.check_signals()?;
+            left -= now;
+        }
+        Ok(())
+    }
+
+    /// Rows recorded from now to the end, and the error that ended the run or None.
+    #[pyo3(signature = (progress=None))]
+    fn run<'py>(
+        &mut self,
+        py: Python<'py>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Matrix<'py>, Option<PyErr>)> {
+        let mut stopped = None;
+        let run = py.detach(|| {
+            self.inner.run(|time_s| match report(time_s, progress.as_ref()) {
+                Ok(()) => true,
+                Err(error) => {
+                    stopped = Some(error);
+                    false
+                }
+            })
+        });
+        if let Some(error) = stopped {
+            return Err(error);
+        }
+        let rows = run.rows.len() / run.columns.max(1);
+        let rows = matrix(py, run.rows, rows, run.columns)?;
+        Ok((rows, run.status.err().map(errors::run)))
+    }
+
+    fn reset(&mut self) {
+        self.inner.reset();
+    }
+
+    fn time_s(&self) -> f64 {
+        self.inner.time_s()
+    }
+
+    fn step_s(&self) -> f64 {
+        self.inner.settings().step_s
+    }
+
+    fn q<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        PyArray1::from_slice(py, &self.inner.state().q)
+    }
+
+    fn v<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        PyArray1::from_slice(py, &self.inner.state().v)
+    }
+
+    fn s<'py>(&self, py: Python<'py>) -> Vector<'py> {
+        PyArray1::from_slice(py, &self.inner.state().s)
+    }
+
+    #[pyo3(signature = (q, v, s=None))]
+    fn set_state(
+        &mut self,
+        q: PyReadonlyArray1<'_, f64>,
+        v: PyReadonlyArray1<'_, f64>,
+        s: Option<PyReadonlyArray1<'_, f64>>,
+    ) -> PyResult<()> {
+        let s = s.as_ref().map(|s| s.as_slice()).transpose()?;
+        self.inner.set_state(q.as_slice()?, v.as_slice()?, s).map_err(errors::input)
+    }
+
+    fn snapshot<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &self.inner.snapshot())
+    }
+
+    fn restore(&mut self, snapshot: &[u8]) -> PyResult<()> {
+        self.inner.restore(snapshot).map_err(errors::input)
+    }
+
+    fn inputs(&self) -> Vec<Input> {
+        let tuple = |input: kingpost::simulation::Input| {
+            (input.name, input.unit.to_owned(), input.lower, input.upper, input.value)
+        };
+        self.inner.inputs().into_iter().map(tuple).collect()
+    }
+
+    fn set_input(&mut self, name: &str, value: f64) -> PyResult<()> {
+        self.inner.set_input(name, value).map_err(errors::input)
+    }
+
+    fn coordinates(&self) -> Vec<String> {
+        self.inner.coordinates()
+    }
+
+    fn channels_json(&self) -> PyResult<String> {
+        serde_json::to_string(self.inner.channels()).map_err(errors::input)
+    }
+
+    fn row<'py>(&mut self, py: Python<'py>) -> Vector<'py> {
+        let mut row = Vec::with_capacity(self.inner.columns());
+        self.inner.write_row(&mut row);
+        row.into_pyarray(py)
+    }
+
+    fn poses<'py>(&mut self, py: Python<'py>) -> PyResult<Matrix<'py>> {
+        let poses = self.inner.poses();
+        let bodies = poses.len() / 7;
+        matrix(py, poses, bodies, 7)
+    }
+
+    #[pyo3(signature = (tau=None))]
+    fn acceleration<'py>(
+        &mut self,
+        py: Python<'py>,
+        tau: Option<PyReadonlyArray1<'_, f64>>,
+    ) -> PyResult<Vector<'py>> {
+        let tau = tau.as_ref().map(|tau| tau.as_slice()).transpose()?;
+        let acceleration = self.inner.acceleration(tau).map_err(errors::input)?;
+        Ok(acceleration.into_pyarray(py))
+    }
+
+    fn mass_matrix<'py>(&mut self, py: Python<'py>) -> PyResult<Matrix<'py>> {
+        let n = self.inner.coordinates().len();
+        matrix(py, self.inner.mass_matrix(), n, n)
+    }
+
+    fn bias_force<'py>(&mut self, py: Python<'py>) -> Vector<'py> {
+        self.inner.bias_force().into_pyarray(py)
+    }
+
+    /// Blocks as (name, matrix, row labels, column labels, unit).
+    fn moving_frame<'py>(&mut self, py: Python<'py>) -> PyResult<Vec<Block<'py>>> {
+        let blocks = self.inner.moving_frame().named(self.inner.model());
+        blocks
+            .into_iter()
+            .map(|block| {
+                let (rows, columns) = (block.row_labels.len(), block.column_labels.len());
+                let data = matrix(py, block.data, rows, columns)?;
+                Ok((block.name, data, block.row_labels, block.column_labels, block.unit.to_owned()))
+            })
+            .collect()
+    }
+
+    fn model_json(&self) -> PyResult<String> {
+        let description = self.scenario.describe().map_err(errors::scenario)?;
+        serde_json::to_string(&description).map_err(errors::input)
+    }
+}
+
+/// Let Python see Ctrl-C and tell the progress callback where the run is.
+fn report(time_s: f64, progress: Option<&Py<PyAny>>) -> PyResult<()> {
+    Python::attach(|py| {
+        py.check_signals()?;
+        match progress {
+            Some(callback) => callback.call1(py, (time_s,)).map(drop),
+            None => Ok(()),
+        }
+    })
+}

@@ -1,0 +1,24 @@
+"""Kingpost: ships with cranes at sea by the moving frame method.
+
+>>> import kingpost
+>>> results = kingpost.run("paper", crane_x_m=0, crane_y_m=0)
+>>> float(results.time[-1])
+3.0
+"""
+
+from ._engine import __version__
+from .errors import KingpostError, RunError, ScenarioError
+from .simulate import Input, Scenario, Simulation, State, load, run
+
+__all__ = [
+    "Input",
+    "KingpostError",
+    "RunError",
+    "Scenario",
+    "ScenarioError",
+    "Simulation",
+    "State",
+    "__version__",
+    "load",
+    "run",
+]

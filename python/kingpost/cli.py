@@ -1,0 +1,139 @@
+"""The command `kingpost`.
+
+Exit codes: 0 done; 1 the run failed, what was computed is kept; 2 the input is wrong.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+from . import __version__
+from .errors import KingpostError, RunError
+from .simulate import Scenario, Simulation, load
+
+DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
+
+
+class Parser(argparse.ArgumentParser):
+    """Reports a wrong command line in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(WRONG_INPUT, f"error: {message} (see {self.prog} --help)\n")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code."""
+    options = parser().parse_args(arguments)
+    try:
+        return options.command(options)
+    except RunError as error:
+        return _fail(error, FAILED)
+    except KingpostError as error:
+        return _fail(error, WRONG_INPUT)
+    except KeyboardInterrupt:
+        return _fail("interrupted", INTERRUPTED)
+    except BrokenPipeError:
+        # The reader of a pipe left; keep Python from complaining about it at its end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return DONE
+
+
+def parser() -> argparse.ArgumentParser:
+    """The command line's options."""
+    top = Parser(prog="kingpost", description="Ships with cranes at sea by the moving frame method.")
+    top.add_argument("--version", action="version", version=f"kingpost {__version__}")
+    commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
+
+    run = commands.add_parser("run", help="simulate a scenario and print a summary")
+    _add_scenario(run)
+    run.add_argument("-o", "--output", metavar="FILE", help="results: .nc, .csv or .parquet")
+    run.set_defaults(command=_run)
+
+    check = commands.add_parser("check", help="validate a scenario and print what the model is")
+    _add_scenario(check)
+    check.set_defaults(command=_check)
+
+    gallery = commands.add_parser("list", help="list the gallery")
+    gallery.set_defaults(command=_list)
+
+    paper = commands.add_parser("paper", help="the paper's figures and tables, and the integrators")
+    paper.add_argument("-o", "--output", metavar="DIR", default="paper-results",
+                       help="folder to write (default: %(default)s)")  # fmt: skip
+    paper.set_defaults(command=_paper)
+
+    serve = commands.add_parser("serve", help="serve the browser app")
+    serve.add_argument("scenario", nargs="?", metavar="SCENARIO", help="a file or a gallery name")
+    serve.add_argument("--port", type=int, metavar="N", help="port (default: 8000, or the next free)")
+    serve.add_argument("--host", metavar="H", help="address to listen on (default: this machine only)")
+    serve.add_argument("--check", action="store_true", help="start, fetch the app once, and end")
+    serve.set_defaults(command=_serve)
+    return top
+
+
+def _add_scenario(command: argparse.ArgumentParser) -> None:
+    command.add_argument("scenario", metavar="SCENARIO", help="a file or a gallery name")
+    command.add_argument("--set", action="append", default=[], metavar="name=value",
+                         help="set a parameter or a field; may be repeated")  # fmt: skip
+
+
+def _scenario(options: argparse.Namespace) -> Scenario:
+    from ._engine import parse_assignment
+
+    pairs = (parse_assignment(assignment) for assignment in options.set)
+    return load(options.scenario, {name: json.loads(value) for name, value in pairs})
+
+
+def _run(options: argparse.Namespace) -> int:
+    from . import progress, report, results
+
+    scenario = _scenario(options)
+    output = results.check_output(options.output) if options.output else None
+    failure = None
+    with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
+        try:
+            recorded = Simulation(scenario).run(update)
+        except RunError as error:
+            failure, recorded = error, error.results
+    print(report.summary(recorded, scenario))
+    if output:
+        print(f"written         {results.write(recorded, output)}")
+    return _fail(failure, FAILED) if failure else DONE
+
+
+def _check(options: argparse.Namespace) -> int:
+    from . import report
+
+    scenario = _scenario(options)
+    print(report.model(scenario, Simulation(scenario).coordinates))
+    return DONE
+
+
+def _list(_options: argparse.Namespace) -> int:
+    from . import gallery, report
+
+    for line in report.table(((entry.name, entry.title) for entry in gallery.entries()), "<<"):
+        print(line)
+    return DONE
+
+
+def _paper(options: argparse.Namespace) -> int:
+    from . import paper
+
+    return paper.command(options.output)
+
+
+def _serve(options: argparse.Namespace) -> int:
+    from . import serve
+
+    return serve.command(options.scenario, options.port, options.host, options.check)
+
+
+def _fail(error: object, code: int) -> int:
+    sys.stdout.flush()
+    print(f"error: {' '.join(str(error).split())}", file=sys.stderr)
+    return code

@@ -1,0 +1,77 @@
+"""The exceptions of the package. All derive from `KingpostError`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import xarray
+
+
+class KingpostError(Exception):
+    """Base of every error that Kingpost raises on purpose."""
+
+
+class ScenarioError(KingpostError):
+    """A scenario, an override or an input that is wrong.
+
+    Attributes
+    ----------
+    file, line, column
+        Where the value stands; `None` where there is no such place.
+    field
+        Dotted path of the value, such as ``bodies.ship.mass_kg``.
+    found, allowed
+        What stands there and what may stand there.
+    """
+
+    def __init__(
+        self,
+        message: str,
+        file: str | None = None,
+        line: int | None = None,
+        column: int | None = None,
+        field: str | None = None,
+        found: str | None = None,
+        allowed: str | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.file = file
+        self.line = line
+        self.column = column
+        self.field = field
+        self.found = found
+        self.allowed = allowed
+
+
+class RunError(KingpostError):
+    """A run that could not go on, most often because it diverged.
+
+    Attributes
+    ----------
+    time_s
+        Time of the step that failed, s.
+    body
+        The body whose motion left its limits.
+    coordinate, value, limit
+        Its coordinate, the rate of that and `simulation.rate_limit`, m/s or rad/s.
+    results
+        What was computed until then; `None` when nothing was recorded.
+    """
+
+    def __init__(
+        self,
+        message: str,
+        time_s: float | None = None,
+        body: str | None = None,
+        coordinate: str | None = None,
+        value: float | None = None,
+        limit: float | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.time_s = time_s
+        self.body = body
+        self.coordinate = coordinate
+        self.value = value
+        self.limit = limit
+        self.results: xarray.Dataset | None = None

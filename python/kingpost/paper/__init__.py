@@ -1,0 +1,62 @@
+"""The paper's results from the engine: figures, table, integrators, and where its text errs.
+
+The paper is Jardim, Rein, Haveland, Rykkje and Impelluso, "Modeling Crane-Induced Ship Motion
+Using the Moving Frame Method", J. Offshore Mech. Arct. Eng. 141(5), 2019, doi 10.1115/1.4042536.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from .. import progress
+from ..errors import KingpostError
+from . import figures, integrators, measured, page, table
+
+RUNS = 2 * len(figures.CASES) + len(integrators.ORDERS) * len(integrators.STEPS_S)
+
+
+def command(folder: str | Path) -> int:
+    """Write everything to `folder` and say where it is."""
+    folder = Path(folder)
+    written = write(folder)
+    print(f"{folder / 'index.html'}: the page, with all of it")
+    print(f"{folder}: {', '.join(path.name for path in written if path.name != 'index.html')}")
+    return 0
+
+
+def write(folder: str | Path) -> list[Path]:
+    """Simulate the paper's cases and write data, pictures and the page.
+
+    Returns
+    -------
+    list of Path
+        The files, sorted.
+
+    Raises
+    ------
+    KingpostError
+        When the folder cannot be made or written to.
+    """
+    folder = Path(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        return _write(folder)
+    except OSError as error:
+        raise KingpostError(f"{folder}: cannot be written: {error.strerror}") from None
+
+
+def _write(folder: Path) -> list[Path]:
+    # A folder that cannot be written to should fail before the work, not after it.
+    rows = table.write(folder)
+    with progress.bar(RUNS, "runs") as update:
+        done = iter(range(1, RUNS + 1))
+        drawn = figures.run(lambda: update(next(done)))
+        compared = integrators.run(lambda: update(next(done)))
+    figures.write(folder, drawn)
+    integrators.write(folder, compared)
+    remarks = measured.measure(drawn)
+    (folder / "index.html").write_text(page.html(folder, drawn, rows, compared, remarks), encoding="utf-8")
+    names = ["index.html", "table_2.csv", "table_2.md"]
+    for name in [*(figure.name for figure in drawn), integrators.NAME]:
+        names += [f"{name}.{ending}" for ending in ("csv", "png", "svg")]
+    return [folder / name for name in sorted(names)]

@@ -1,0 +1,160 @@
+"""Where the paper's text and the physics differ.
+
+Equations are LaTeX in the paper's notation; S(a) is the skew matrix of a, and the paper's axes
+are 1 athwartship, 2 up, 3 along the ship.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from .measured import PRINTED_AT_S, Measured
+
+
+@dataclass(frozen=True)
+class Erratum:
+    """One remark: HTML text with equations as printed and as they should be."""
+
+    title: str
+    text: str
+    printed: list[str] = field(default_factory=list)
+    corrected: list[str] = field(default_factory=list)
+
+
+def errata(m: Measured) -> list[Erratum]:
+    """The nine remarks, with numbers measured by the engine."""
+    return [*_kinematics(m), *_statements(m), _names(), _figure_9(m), _smaller()]
+
+
+def _kinematics(m: Measured) -> list[Erratum]:
+    return [
+        Erratum(
+            "Eq. 43: the velocity of the arm's centre",
+            "The last term must reach from the ship's centre to the tower's centre; the printed one "
+            "starts at the tower's foot. With the crane at the ship's centre the two agree. With the "
+            f"crane in the stern corner, both motors on for {PRINTED_AT_S:g} s, the printed form is off "
+            f"by {m.eq_43_m_s:.2f} m/s where the arm's centre moves at {m.arm_m_s:.2f} m/s; the "
+            f"corrected form agrees with the engine to {m.corrected_m_s:.0e} m/s.",
+            [
+                r"\dot{x}_C^{(3)} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C_3})^T \omega^{(3)} "
+                r"+ R^{(2/1)} S(s_{J_2})^T \omega^{(2)} + S(s_{C_2})^T \omega^{(1)} \right) "
+                r"+ \dot{x}_C^{(1)}"
+            ],
+            [
+                r"\dot{x}_C^{(3)} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C_3})^T \omega^{(3)} "
+                r"+ R^{(2/1)} S(s_{J_2})^T \omega^{(2)} + S(s_{C(2/1)})^T \omega^{(1)} \right) "
+                r"+ \dot{x}_C^{(1)}",
+                r"s_{C(2/1)} = s_{J_1} + s_{C_2} = \left( b, \, l^{(2)}, \, d \right)^T",
+            ],
+        ),
+        Erratum(
+            "Eq. 46b: the block B52",
+            "The arm's own offset is meant in the first term and the tower's in the last, and the two "
+            "transposes stand in the wrong order.",
+            [
+                r"B_{52} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C(2/1)})^T (R^{(2/1)})^T (R^{(3/2)})^T "
+                r"+ R^{(2/1)} S(s_{J_2})^T (R^{(2/1)})^T + S(s_{C_2})^T \right)"
+            ],
+            [
+                r"B_{52} = R^{(1)} \left( R^{(3/1)} S(s_{C_3})^T (R^{(3/1)})^T "
+                r"+ R^{(2/1)} S(s_{J_2})^T (R^{(2/1)})^T + S(s_{C(2/1)})^T \right)",
+                r"R^{(3/1)} = R^{(2/1)} R^{(3/2)}",
+            ],
+        ),
+        Erratum(
+            "Eq. 46b: the block B53",
+            "The same slips; B54 is right. With B52 and B53 as printed the arm's velocity is off by "
+            f"{m.eq_46b_m_s:.1f} m/s at the instant of remark 1.",
+            [
+                r"B_{53} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C(2/1)})^T (R^{(3/2)})^T e_2 "
+                r"+ R^{(2/1)} S(s_{C_2})^T e_2 \right)"
+            ],
+            [
+                r"B_{53} = R^{(1)} \left( R^{(3/1)} S(s_{C_3})^T (R^{(3/2)})^T e_2 "
+                r"+ R^{(2/1)} S(s_{J_2})^T e_2 \right)"
+            ],
+        ),
+    ]
+
+
+def _statements(m: Measured) -> list[Erratum]:
+    ratio = m.slew_inertia_loaded / m.slew_inertia
+    return [
+        Erratum(
+            "After eq. 61: how many equations, and of what kind",
+            f"The list of velocities has {len(m.free)} entries, and {len(m.held)} with the ship's centre "
+            "held as in the computation; five is right only then. The equations are driven by the "
+            "motors, so they are not homogeneous.",
+        ),
+        Erratum(
+            "Table 2: the load",
+            "The load is in the table but in no equation: they end at body 3. It matters. With the arm "
+            f"level, the inertia about the tower's axis is {m.slew_inertia:,.0f} kg m<sup>2</sup> without "
+            f"and {m.slew_inertia_loaded:,.0f} kg m<sup>2</sup> with it, a factor of {ratio:.1f}. Here it "
+            "is a point mass fixed at the arm's tip that can be switched; it is off on this page.",
+        ),
+        Erratum(
+            "Two uses of one symbol",
+            "Zeta is the rate of the arm's angle in Table 1 and the damping coefficient in the results. "
+            "Here xi is the angle and zeta the damping.",
+            [r"\{\dot{q}\} = (\dot{x}_C^{(1)}, \omega^{(1)}, \dot{\phi}^{(2)}, \dot{\zeta}^{(3)})"],
+            [r"\{\dot{q}\} = (\dot{x}_C^{(1)}, \omega^{(1)}, \dot{\phi}^{(2)}, \dot{\xi}^{(3)})"],
+        ),
+    ]
+
+
+def _names() -> Erratum:
+    remarks = (
+        "The list {Q} of eq. 59 is the {F} of eq. 60c.",
+        "Eq. 2, the inertial frame as a body's frame at the start, holds for the first body only.",
+        "Before eq. 7, eq. 6 goes into eq. 5, not the reverse.",
+        "After eq. 27 it is the inverse in the group SE(3) that is used, not orthogonality.",
+        "Eq. 51 asks for a stationary action, not for a minimum.",
+        "The third column of Table 1 holds the actual velocities, not virtual ones.",
+        "A frame connection is the pair of frame and position; E is its matrix.",
+        "The driving torques are in Table 2, not in Table 1.",
+        "Reference 11 is cited for details that are in reference 14, and some printings lack reference 24.",
+    )
+    items = "".join(f"<li>{remark}</li>" for remark in remarks)
+    return Erratum("Names and cross-references", f"<ul>{items}</ul>")
+
+
+def _figure_9(m: Measured) -> Erratum:
+    level, upright = m.level, m.upright
+    return Erratum(
+        "What Figs. 9 and 11 say",
+        "The text expects yaw to dominate when the tower turns. It does not for the arm that the paper "
+        f"starts with, level and pointing forward: in Fig. 9 roll peaks at {level['roll']:.3f} rad/s, "
+        f"pitch at {level['pitch']:.3f} rad/s and yaw at {level['yaw']:.3f} rad/s, so roll is "
+        f"{level['roll'] / level['yaw']:.1f} times yaw. The motor's reaction is about the ship's "
+        "vertical axis, but the arm's weightless mass is high above the ship's centre and must be "
+        "thrown sideways; the ship rolls and pitches in return. The expectation is right for an upright "
+        f"arm: there yaw peaks at {upright['yaw']:.3f} rad/s against {upright['roll']:.3f} rad/s of roll "
+        f"and {upright['pitch']:.3f} rad/s of pitch. Nor can the damping remove all motion in Fig. 11: "
+        f"the roll coefficient is zero, and {m.roll_left:.3f} rad/s of roll rate are left at the end.",
+    )
+
+
+def _smaller() -> Erratum:
+    return Erratum(
+        "Smaller ones",
+        "In the order of the list: eq. 47 wants a product of three matrices, not a square; the "
+        "velocity in eq. 29b is in body components; eq. 55 unskews both of its terms; the blocks of D in "
+        "eq. 57 stand on the diagonal; the second column of Table 1 holds displacements, not their rates; "
+        "damping is in the results but in neither eq. 59 nor eq. 61; and eq. 33 puts the crane's foot at "
+        "the height of the ship's centre of mass, 2.5 m below the deck (the parameter "
+        "<code>crane_z_m</code> moves it).",
+        [
+            r"K^{(\alpha)} = \tfrac{1}{2} \left\{ m (\dot{x}_C)^2 + J_C (\omega)^2 \right\}",
+            r"\delta \omega = \frac{d}{dt} \left( R^T \delta R \right) + S(\omega) "
+            r"\left( R^T \delta R \right)_{\mathrm{unskewed}}",
+            r"M^{(1)} = M^{(w)} - M_m^{(t)} e_2",
+        ],
+        [
+            r"K^{(\alpha)} = \tfrac{1}{2} \left( m \, \dot{x}_C^T \dot{x}_C + \omega^T J_C \, \omega \right)",
+            r"v_C = R^T \dot{x}_C",
+            r"\delta \omega = \frac{d}{dt} \delta \pi + S(\omega) \, \delta \pi",
+            r"D = \mathrm{diag} \left( 0, S(\omega^{(1)}), 0, S(\omega^{(2)}), 0, S(\omega^{(3)}) \right)",
+            r"M^{(1)} = M^{(w)} - M_m^{(t)} e_2 - \mathrm{diag}(\zeta_1, \zeta_2, \zeta_3) \, \omega^{(1)}",
+        ],
+    )

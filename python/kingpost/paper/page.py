@@ -1,0 +1,188 @@
+"""The page that shows the paper's results and says where its text and the physics differ."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Iterable, Sequence
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+from latex2mathml.converter import convert
+
+from .. import _engine
+from . import integrators
+from .errata import Erratum, errata
+from .figures import Figure
+from .integrators import Errors
+from .measured import Measured
+from .table import Row
+
+TITLE = "Crane-induced ship motion by the moving frame method"
+SECTIONS = {
+    "figures": "Figures 9 to 11",
+    "table": "Table 2",
+    "integrators": "The integrators compared",
+    "differences": "Where the paper's text and the physics differ",
+    "choices": "What we chose where the paper is silent",
+    "files": "The numbers",
+}
+CHOICES = (
+    "Integrator: Runge-Kutta of order 4 in the form of Munthe-Kaas, 1 ms steps, 3 s, recorded every "
+    "10 ms. The paper integrates by forward Euler and gives no step.",
+    "Torque: constant from the start to the end while a motor is on. The paper names no history; its "
+    "curves show that motors were switched, so their times cannot be compared with ours.",
+    "Start: at rest, tower and arm angle zero: the arm is level and points forward.",
+    "Joints without friction; no limit of a motor's power or speed.",
+    "The load, where it is on, is a point mass of 1,000 kg fixed at the arm's tip. Here it is off.",
+    "Axes: x forward, y to port, z up. The paper's 1, 2, 3 are our y, z, x: its w1 is the pitch rate "
+    "about y, w2 the yaw rate about z, w3 the roll rate about x, all in the ship's axes.",
+    "As in the paper: no gravity, no water, and the ship's centre of mass is held.",
+)
+
+
+def html(
+    folder: Path, drawn: list[Figure], rows: list[Row], compared: list[Errors], remarks: Measured
+) -> str:
+    """The page as one file: pictures, style and equations are inside it."""
+    bodies = {
+        "figures": _figures(folder, drawn),
+        "table": _table_2(rows),
+        "integrators": _integrators(folder, compared),
+        "differences": _errata(errata(remarks)),
+        "choices": _list(CHOICES),
+        "files": _files(drawn),
+    }
+    links = "".join(f'<li><a href="#{key}">{title}</a></li>' for key, title in SECTIONS.items())
+    sections = "".join(
+        f'<section id="{key}"><h2>{title}</h2>{bodies[key]}</section>' for key, title in SECTIONS.items()
+    )
+    style = files(__package__).joinpath("page.css").read_text(encoding="utf-8")
+    return (
+        f'<!doctype html><html lang="en-GB"><head><meta charset="utf-8"><title>{TITLE}</title>'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<style>{style}</style></head><body><header><h1>{TITLE}</h1>{_lead()}"
+        f"<nav><ul>{links}</ul></nav></header><main>{sections}</main>"
+        f"<footer><p>Written by <code>kingpost paper</code>, version {_engine.__version__}. "
+        "Every number on this page was computed when it was written.</p></footer></body></html>\n"
+    )
+
+
+def _lead() -> str:
+    return (
+        '<p class="lead">The case of Jardim, Rein, Haveland, Rykkje and Impelluso (2019), '
+        '<a href="https://doi.org/10.1115/1.4042536">doi 10.1115/1.4042536</a>: a box-shaped ship with a '
+        "tower that turns and an arm that is lifted and lowered, each by a motor that pushes back on what "
+        "it stands on. Here the crane stands at the ship's centre and carries no load, as in the paper's "
+        "Figs. 9 to 11.</p>"
+    )
+
+
+def _picture(folder: Path, name: str, description: str, caption: str) -> str:
+    data = base64.b64encode((folder / f"{name}.svg").read_bytes()).decode()
+    return (
+        f'<figure><img alt="{description}" src="data:image/svg+xml;base64,{data}">'
+        f"<figcaption>{caption}</figcaption></figure>"
+    )
+
+
+def _figures(folder: Path, drawn: list[Figure]) -> str:
+    pictures = ""
+    for figure in drawn:
+        case = figure.case
+        caption = (
+            f"Fig. {case.number}. Pitch, yaw and roll rate of the ship with the {case.title} on, without "
+            "and with damping (500,000, 25,000 and 0 N m s on pitch, yaw and roll)."
+        )
+        description = f"Pitch, yaw and roll rate against time, {case.title}"
+        pictures += _picture(folder, figure.name, description, caption)
+    head = ("", *(f"{name} rate, rad/s" for name in drawn[0].undamped))
+    body = []
+    for figure in drawn:
+        for label, rates in (("without damping", figure.undamped), ("with damping", figure.damped)):
+            peaks = (f"{np.abs(values).max():.4f}" for values in rates.values())
+            body.append((f"Fig. {figure.case.number}, {figure.case.title}, {label}", *peaks))
+    end = f"{drawn[0].time_s[-1]:g}"
+    return f"{pictures}<p>Largest sizes within {end} s:</p>{_table(head, body)}"
+
+
+def _table_2(rows: list[Row]) -> str:
+    head = ("Quantity", "Symbol", "Value", "Unit", "Field of the scenario")
+    body = [
+        (row.quantity, convert(row.symbol), f"{row.value:,g}", row.unit, f"<code>{row.field}</code>")
+        for row in rows
+    ]
+    note = (
+        "<p>As the scenario <code>paper</code> holds it. The table's crane position is the stern corner; "
+        "the figures above move it to the centre.</p>"
+    )
+    return note + _table(head, body, numbers=(2,))
+
+
+def _integrators(folder: Path, compared: list[Errors]) -> str:
+    caption = (
+        f"Errors after {integrators.DURATION_S:g} s with both motors on, no damping, no load. The kinetic "
+        "energy should equal the work of the motors, and the angular momentum about the held centre should "
+        "stay zero. Dotted: the slope of order 1 and 4."
+    )
+    picture = _picture(folder, integrators.NAME, "Energy and momentum error against step size", caption)
+    head = ("Integrator", "Order", "Slope of the energy error", "Slope of the momentum error")
+    body = []
+    for errors in compared:
+        slopes = (f"{slope:.2f}" for slope in errors.slopes())
+        name = integrators.LABELS[errors.integrator]
+        body.append((name, str(integrators.ORDERS[errors.integrator]), *slopes))
+    note = "<p>Both are shown, for a term that does no work can be wrong and leave the energy balanced.</p>"
+    return picture + _table(head, body) + note
+
+
+def _errata(remarks: list[Erratum]) -> str:
+    note = (
+        "<p>Found by comparing the printed equations with finite differences of the kinematics and with "
+        "other multibody engines. S(a) is the skew matrix of a, the paper's double arrow. Everything on "
+        "this page is computed with the corrected forms. Right as printed: eqs. 8, 30, 34, 36, 37, 40, "
+        "42, 49, 58 to 62, 63, rows 1 to 4 and 6 of 46a, and B54.</p>"
+    )
+    items = "".join(f'<li class="remark"><h3>{remark.title}</h3>{_remark(remark)}</li>' for remark in remarks)
+    return f'{note}<ol class="errata">{items}</ol>'
+
+
+def _remark(remark: Erratum) -> str:
+    text = remark.text if remark.text.startswith("<") else f"<p>{remark.text}</p>"
+    kinds = (("Printed", "as-printed", remark.printed), ("Corrected", "corrected", remark.corrected))
+    lines = ""
+    for label, style, equations in kinds:
+        if equations:
+            shown = "".join(convert(equation, display="block") for equation in equations)
+            lines += f'<dt class="{style}">{label}</dt><dd>{shown}</dd>'
+    return text + (f'<dl class="equations">{lines}</dl>' if lines else "")
+
+
+def _files(drawn: list[Figure]) -> str:
+    names = [*(figure.name for figure in drawn), integrators.NAME]
+    items = [
+        f"{name}: "
+        + ", ".join(f'<a href="{name}.{kind}">{kind.upper()}</a>' for kind in ("csv", "png", "svg"))
+        for name in names
+    ]
+    items.append('table_2: <a href="table_2.csv">CSV</a>, <a href="table_2.md">Markdown</a>')
+    again = "<p>Any of the runs can be made again, for example Fig. 9: <code>kingpost run paper "
+    again += "--set crane_x_m=0 --set crane_y_m=0 -o figure_9.nc</code></p>"
+    return _list(items) + again
+
+
+def _list(items: Iterable[str]) -> str:
+    return "<ul>" + "".join(f"<li>{item}</li>" for item in items) + "</ul>"
+
+
+def _table(head: Sequence[str], body: Iterable[Sequence[str]], numbers: Sequence[int] | None = None) -> str:
+    """An HTML table; the columns named in `numbers` (default: all but the first) stand to the right."""
+    right = range(1, len(head)) if numbers is None else numbers
+
+    def row(cells: Sequence[str], tag: str) -> str:
+        sides = (' class="number"' if column in right else "" for column in range(len(cells)))
+        return "".join(f"<{tag}{side}>{cell}</{tag}>" for side, cell in zip(sides, cells, strict=True))
+
+    lines = "".join(f"<tr>{row(cells, 'td')}</tr>" for cells in body)
+    heading = f"<thead><tr>{row(head, 'th')}</tr></thead>"
+    return f'<div class="scroll"><table>{heading}<tbody>{lines}</tbody></table></div>'

@@ -1,0 +1,52 @@
+"""How the paper's plots look: one colour for one thing in all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+UNDAMPED: dict[str, Any] = {"color": "#0072B2", "linewidth": 1.8}
+DAMPED: dict[str, Any] = {"color": "#D55E00", "linewidth": 1.8, "linestyle": (0, (5, 2))}
+INTEGRATORS: dict[str, dict[str, Any]] = {
+    "forward_euler": {"color": "#CC79A7", "marker": "o"},
+    "midpoint_euler": {"color": "#E69F00", "marker": "s"},
+    "rk4": {"color": "#009E73", "marker": "D"},
+}
+_SETTINGS = {
+    "figure.constrained_layout.use": True,
+    "figure.dpi": 100,
+    "savefig.dpi": 160,
+    "savefig.facecolor": "white",
+    "svg.hashsalt": "kingpost",
+    "font.size": 11,
+    "axes.titlesize": 12,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#d9d9d9",
+    "grid.linewidth": 0.6,
+    "legend.frameon": False,
+}
+
+
+@contextmanager
+def plotting() -> Iterator[Any]:
+    """Matplotlib's pyplot in the project's style, without a screen."""
+    import matplotlib
+
+    matplotlib.use("agg")
+    from matplotlib import pyplot
+
+    with matplotlib.rc_context(_SETTINGS):
+        yield pyplot
+
+
+def save(figure: Any, path: Path) -> None:
+    """Write a figure as PNG and SVG and close it."""
+    from matplotlib import pyplot
+
+    figure.savefig(path.with_suffix(".png"))
+    figure.savefig(path.with_suffix(".svg"), metadata={"Date": None})
+    pyplot.close(figure)

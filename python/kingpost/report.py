@@ -1,0 +1,169 @@
+"""What the command line prints of a run and of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import xarray
+
+    from .simulate import Scenario
+
+ANGLES = {"roll": "x", "pitch": "y", "yaw": "z"}
+
+
+def table(rows: Iterable[Sequence[str]], align: str = "") -> list[str]:
+    """Cells in columns; `align` has ``<`` or ``>`` for each (default: the first ``<``).
+
+    >>> table([("ship", "1"), ("arm", "10")])
+    ['ship   1', 'arm   10']
+    >>> table([("ship", "1"), ("arm", "10")], "><")
+    ['ship  1', ' arm  10']
+    """
+    rows = list(rows)
+    if not rows:
+        return []
+    align = align or "<".ljust(len(rows[0]), ">")
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    formats = [f"{{:{side}{width}}}" for side, width in zip(align, widths, strict=True)]
+    form = "  ".join(formats)
+    return [form.format(*row).rstrip() for row in rows]
+
+
+def summary(results: xarray.Dataset, scenario: Scenario) -> str:
+    """Final time, motion of each ship, joints, energy and momentum of a run.
+
+    Angles in degrees, rates in rad/s: roll, pitch and yaw rate are the body's angular velocity
+    about its x, y and z axis.
+    """
+    time = results["time"].values
+    simulation = scenario.resolved["simulation"]
+    lines = [
+        scenario.title,
+        f"{time[-1]:g} s by {simulation['integrator']} in steps of {simulation['step_s']:g} s, "
+        f"{len(time)} records",
+    ]
+    for body in ships(scenario):
+        lines += ["", *_ship(results, body)]
+    if results.sizes.get("coordinate", 0):
+        lines += ["", *_joints(results)]
+    return "\n".join([*lines, "", *_ledger(results)])
+
+
+def ships(scenario: Scenario) -> list[str]:
+    """Names of the bodies that float."""
+    joints = scenario.model["joints"]
+    return [joint["body"] for joint in joints if joint["kind"] == "floating"]
+
+
+def _ship(results: xarray.Dataset, body: str) -> list[str]:
+    rows = [(body, *ANGLES)]
+    angle = [np.degrees(results[name].sel(body=body).values) for name in ANGLES]
+    rate = [results["angular_velocity"].sel(body=body, axis=axis).values for axis in "xyz"]
+    rows.append(("angle at the end, deg", *(f"{values[-1]:.4f}" for values in angle)))
+    rows.append(("largest angle, deg", *(f"{largest(values):.4f}" for values in angle)))
+    rows.append(("rate at the end, rad/s", *(f"{values[-1]:.6f}" for values in rate)))
+    rows.append(("largest rate, rad/s", *(f"{largest(values):.6f}" for values in rate)))
+    return table(rows)
+
+
+def largest(values: np.ndarray) -> float:
+    """The value that is largest in size, with its sign.
+
+    >>> float(largest(np.array([1.0, -3.0, 2.0])))
+    -3.0
+    """
+    return values[np.argmax(np.abs(values))]
+
+
+def _joints(results: xarray.Dataset) -> list[str]:
+    rows = [("joint", "position", "", "rate", "")]
+    for name in results["coordinate"].values:
+        at = {"coordinate": name, "time": -1}
+        position = results["joint_position"].sel(coordinate=name)
+        rate = results["joint_velocity"].sel(coordinate=name)
+        unit, rate_unit = position.attrs["units"], rate.attrs["units"]
+        rows.append((str(at["coordinate"]), f"{position.values[-1]:.6f}", unit,
+                     f"{rate.values[-1]:.6f}", rate_unit))  # fmt: skip
+    return table(rows)
+
+
+def _ledger(results: xarray.Dataset) -> list[str]:
+    last = results.isel(time=-1)
+    work = float(last["work_done"])
+    error = float(last["energy_error"])
+    relative = f" ({error / work:+.2e} of the work done)" if work else ""
+    rows = [
+        ("kinetic energy", f"{float(last['kinetic_energy']):.6g} J"),
+        ("potential energy", f"{float(last['potential_energy']) + 0.0:.6g} J"),
+        ("work done", f"{work:.6g} J"),
+        ("energy dissipated", f"{float(last['energy_dissipated']):.6g} J"),
+        ("energy error", f"{error:+.3e} J{relative}"),
+        ("momentum error", f"{float(last['momentum_error']):.3e} N m s"),
+    ]
+    return table(rows, "<<")
+
+
+def model(scenario: Scenario, coordinates: Sequence[str]) -> str:
+    """What a scenario builds: bodies, joints, parameters, drives and forces."""
+    resolved = scenario.resolved
+    described = scenario.model
+    settings = resolved["simulation"]
+    mass = sum(body["mass_kg"] for body in described["bodies"])
+    sections = [
+        [scenario.title],
+        _bodies(described),
+        [f"total mass: {mass:g} kg", f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}"],
+        _parameters(described["parameters"]),
+        _laws("drives", resolved.get("drives", {})),
+        _laws("forces", resolved.get("forces", {})),
+        [
+            f"{settings['integrator']}, {settings['duration_s']:g} s in steps of "
+            f"{settings['step_s']:g} s, recorded every {settings['record_every_s']:g} s"
+        ],
+    ]
+    return "\n\n".join("\n".join(lines) for lines in sections if lines)
+
+
+def _bodies(described: dict[str, Any]) -> list[str]:
+    joints = {joint["body"]: joint for joint in described["joints"]}
+    rows = [("body", "mass", "parent", "joint")]
+    for body in described["bodies"]:
+        joint = joints.get(body["name"])
+        how = f"{joint['kind']} {joint['name']}" if joint else ""
+        rows.append((body["name"], f"{body['mass_kg']:g} kg", body.get("parent") or "world", how))
+    return table(rows, "<><<")
+
+
+def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
+    if not parameters:
+        return []
+    rows = [("parameter", "value", "", "")]
+    for parameter in parameters:
+        rows.append((parameter["name"], text(parameter["value"]), parameter.get("unit") or "",
+                     parameter.get("label") or ""))  # fmt: skip
+    return table(rows, "<><<")
+
+
+def _laws(heading: str, laws: dict[str, Any]) -> list[str]:
+    if not laws:
+        return [f"{heading}: none"]
+    rows = [(heading, "", "")]
+    for name, law in laws.items():
+        ((kind, fields),) = law.items()
+        rows.append((name, kind.replace("_", " "), "on" if fields["enabled"] else "off"))
+    return table(rows, "<<<")
+
+
+def text(value: Any) -> str:
+    """A value as a scenario writes it.
+
+    >>> text(True), text(-10.0), text("pulse")
+    ('true', '-10', 'pulse')
+    """
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f"{value:g}" if isinstance(value, int | float) else str(value)

@@ -1,0 +1,181 @@
+"""Results: recorded rows as a labelled dataset, and the files it is written to."""
+
+from __future__ import annotations
+
+import json
+import platform
+from collections.abc import Iterable
+from importlib.metadata import version
+from itertools import product
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray
+
+from . import _engine
+from .errors import KingpostError
+
+if TYPE_CHECKING:
+    import pandas
+    from numpy.typing import NDArray
+
+    from .simulate import Scenario
+
+ENDINGS = (".nc", ".csv", ".parquet")
+NAMED = ("body", "coordinate", "joint", "point", "drive")
+"""Dimensions whose label stands before the variable in a flat column name."""
+AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port"
+
+
+def dataset(
+    scenario: Scenario, channels: Iterable[dict[str, Any]], rows: NDArray[np.float64], status: str
+) -> xarray.Dataset:
+    """Label recorded rows.
+
+    Parameters
+    ----------
+    scenario
+        What was run; stored resolved in the attributes.
+    channels
+        The channel table: variable, unit, frame, dimensions and their labels, offset, length.
+    rows
+        One row per record, shape (records, values).
+    status
+        ``finished``, or why the run ended.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimension ``time`` (s) and those of the channels; every variable carries ``units``,
+        ``long_name`` and ``frame``.
+    """
+    coordinates: dict[str, Any] = {}
+    variables: dict[str, Any] = {}
+    for channel in channels:
+        start, length = channel["offset"], channel["len"]
+        labels = dict(zip(channel["dims"], channel["labels"], strict=True))
+        shape = (len(rows), *(len(names) for names in labels.values()))
+        values = rows[:, start : start + length].reshape(shape)
+        attributes = {
+            "units": channel["unit"],
+            "long_name": channel["long_name"],
+            "frame": channel["frame"],
+        }
+        if channel["variable"] == "time":
+            coordinates["time"] = ("time", values.ravel(), attributes)
+        else:
+            coordinates |= {dim: np.array(names, dtype=str) for dim, names in labels.items()}
+            variables[channel["variable"]] = (("time", *labels), values, attributes)
+    return xarray.Dataset(variables, coordinates, _attributes(scenario, status))
+
+
+def matrix(
+    name: str,
+    values: NDArray[np.float64],
+    row_labels: list[str],
+    column_labels: list[str],
+    unit: str,
+) -> xarray.DataArray:
+    """One matrix of the moving frame method with its labels and unit."""
+    labels = {"row": row_labels, "column": column_labels}
+    return xarray.DataArray(values, labels, ("row", "column"), name, {"units": unit})
+
+
+def frame(results: xarray.Dataset) -> pandas.DataFrame:
+    """Results as a flat table, one column per number.
+
+    Columns are ``time`` and then such as ``ship.angular_velocity.x``, ``slew.joint_position``,
+    ``arm.tip.point_position.z`` or ``kinetic_energy``.
+    """
+    import pandas
+
+    columns = {"time": results["time"].values}
+    for name, variable in results.data_vars.items():
+        dims = [dim for dim in variable.dims if dim != "time"]
+        for labels in product(*(results[dim].values for dim in dims)):
+            at = dict(zip(dims, labels, strict=True))
+            columns[column_name(str(name), at)] = variable.sel(at).values
+    return pandas.DataFrame(columns)
+
+
+def column_name(variable: str, labels: dict[Any, Any]) -> str:
+    """Name of a flat column.
+
+    >>> column_name("angular_velocity", {"body": "ship", "axis": "x"})
+    'ship.angular_velocity.x'
+    >>> column_name("joint_position", {"coordinate": "slew"})
+    'slew.joint_position'
+    """
+    before = [str(label) for dim, label in labels.items() if dim in NAMED]
+    after = [str(label) for dim, label in labels.items() if dim not in NAMED]
+    return ".".join([*before, variable, *after])
+
+
+def check_output(path: str | Path) -> Path:
+    """Make sure, before a run, that results can be written to `path`."""
+    path = Path(path)
+    if path.suffix.lower() not in ENDINGS:
+        raise KingpostError(f"{path}: unknown ending, allowed: {', '.join(ENDINGS)}")
+    existed = path.exists()
+    try:
+        with path.open("ab"):
+            pass
+        if not existed:
+            path.unlink()
+    except OSError as error:
+        raise KingpostError(f"{path}: cannot be written: {error.strerror}") from None
+    return path
+
+
+def write(results: xarray.Dataset, path: str | Path) -> Path:
+    """Write results by the file's ending: ``.nc`` (NetCDF), ``.csv`` or ``.parquet``.
+
+    A CSV holds the numbers alone; units and attributes are in the other two.
+    """
+    path = check_output(path)
+    ending = path.suffix.lower()
+    if ending == ".nc":
+        results.to_netcdf(path, engine="h5netcdf")
+    elif ending == ".csv":
+        frame(results).to_csv(path, index=False)
+    else:
+        _write_parquet(results, path)
+    return path
+
+
+def _write_parquet(results: xarray.Dataset, path: Path) -> None:
+    import pyarrow
+    import pyarrow.parquet
+
+    table = pyarrow.Table.from_pandas(frame(results), preserve_index=False)
+    fields = []
+    for field in table.schema:
+        name = next(part for part in field.name.split(".")[::-1] if part in results.variables)
+        fields.append(field.with_metadata({"units": results[name].attrs["units"]}))
+    attributes = {key: str(value) for key, value in results.attrs.items()}
+    metadata = {**(table.schema.metadata or {}), **attributes}
+    pyarrow.parquet.write_table(table.cast(pyarrow.schema(fields, metadata)), path)
+
+
+def _attributes(scenario: Scenario, status: str) -> dict[str, Any]:
+    resolved = scenario.resolved
+    versions = {name: version(name) for name in ("numpy", "xarray")}
+    versions |= {"kingpost": _engine.__version__, "python": platform.python_version()}
+    return {
+        "title": scenario.title,
+        "status": status,
+        "source": scenario.file,
+        "scenario": scenario.json,
+        "versions": json.dumps(versions),
+        "seed": resolved["simulation"]["seed"],
+        "gravity_m_s2": gravity_m_s2(resolved),
+        "water_density_kg_m3": 0.0,
+        "axes": AXES,
+    }
+
+
+def gravity_m_s2(resolved: dict[str, Any]) -> float:
+    """Acceleration of gravity that acts in a resolved scenario, m/s2; 0 where it is off."""
+    laws = (force.get("gravity") for force in resolved.get("forces", {}).values())
+    return float(sum(law["acceleration_m_s2"] for law in laws if law and law["enabled"]))

@@ -1,0 +1,250 @@
+"""The browser app, served from the package by the standard library."""
+
+from __future__ import annotations
+
+import errno
+import json
+import mimetypes
+import re
+import socket
+import sys
+import threading
+from functools import partial
+from http import HTTPStatus
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote, unquote, urlsplit
+from urllib.request import urlopen
+
+from . import gallery
+from .errors import KingpostError
+from .simulate import load
+
+LOOPBACK = "127.0.0.1"
+FIRST_PORT = 8000
+PORTS_TRIED = 100
+EVERYWHERE = ("0.0.0.0", "::", "")
+TYPES = {
+    ".html": "text/html; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".css": "text/css; charset=utf-8",
+    ".json": "application/json",
+    ".yaml": "application/yaml; charset=utf-8",
+    ".yml": "application/yaml; charset=utf-8",
+    ".svg": "image/svg+xml",
+    ".wasm": "application/wasm",
+    ".webmanifest": "application/manifest+json",
+}
+
+
+def command(scenario: str | None, port: int | None, host: str | None, check: bool) -> int:
+    """Serve the app until Ctrl-C; with `check`, fetch it once over HTTP and end."""
+    files, chosen = scenarios(scenario)
+    server = open_server(app_folder(), files, host or LOOPBACK, port)
+    query = f"?scenario={quote(chosen)}" if chosen else ""
+    address = f"http://{reachable(host)}:{server.server_port}/{query}"
+    with server:
+        if check:
+            return _check(server, query, chosen)
+        try:
+            print(f"Kingpost is at {address}", flush=True)
+            if host:
+                print(qr_code(address))
+            print("Ctrl-C ends it.", flush=True)
+            server.serve_forever()
+        except KeyboardInterrupt:
+            print()
+    return 0
+
+
+def app_folder() -> Path:
+    """Folder of the built app: the package's own, or the repository's in a development install."""
+    package = Path(__file__).parent
+    for folder in (package / "app", package.parents[1] / "web" / "dist"):
+        if (folder / "index.html").is_file():
+            return folder
+    raise KingpostError("the browser app is not built; run: make web")
+
+
+def scenarios(given: str | None) -> tuple[dict[str, str], str | None]:
+    """Texts of the scenarios to serve by file name, and the name of the one to open.
+
+    The given one is validated first; when it is no gallery file it joins the gallery.
+    """
+    files = {entry.path.name: gallery.read_text(entry.path) for entry in gallery.entries()}
+    if given is None:
+        return files, None
+    scenario = load(given)
+    # In an address some characters of a file name would mean something else.
+    name = re.sub(r"[^\w.-]", "-", Path(scenario.file).name)
+    files[name] = scenario.text
+    return files, Path(name).stem
+
+
+def index(files: dict[str, str]) -> list[dict[str, str]]:
+    """What `scenarios/index.json` says: name, title and file of each scenario, `paper` first."""
+    from .simulate import Scenario
+
+    return [
+        {"name": Path(file).stem, "title": Scenario(text, file).title, "file": file}
+        for file, text in sorted(files.items(), key=lambda item: (item[0] != "paper.yaml", item[0]))
+    ]
+
+
+def content_type(path: str) -> str:
+    """MIME type of a path by its ending.
+
+    >>> content_type("engine/kingpost_bg.wasm")
+    'application/wasm'
+    """
+    return TYPES.get(Path(path).suffix.lower(), "text/plain; charset=utf-8")
+
+
+class Handler(SimpleHTTPRequestHandler):
+    """Serves the app's folder, and the scenarios from memory under `scenarios/`."""
+
+    extensions_map = mimetypes.types_map | {"": "application/octet-stream"} | TYPES
+    protocol_version = "HTTP/1.1"
+
+    server: Server
+
+    def do_GET(self) -> None:
+        """Answer with a scenario or a file of the app."""
+        if not self._page(body=True):
+            super().do_GET()
+
+    def do_HEAD(self) -> None:
+        """The head of what `do_GET` answers."""
+        if not self._page(body=False):
+            super().do_HEAD()
+
+    def _page(self, body: bool) -> bool:
+        path = unquote(urlsplit(self.path).path)
+        page = self.server.pages.get(path)
+        if page is None:
+            return False
+        self.send_response(HTTPStatus.OK)
+        self.send_header("Content-Type", content_type(path))
+        self.send_header("Content-Length", str(len(page)))
+        self.end_headers()
+        if body:
+            self.wfile.write(page)
+        return True
+
+    def end_headers(self) -> None:
+        """Let no browser keep an older build."""
+        self.send_header("Cache-Control", "no-cache")
+        super().end_headers()
+
+    def list_directory(self, path: Any) -> None:
+        """Folders are not listed."""
+        self.send_error(HTTPStatus.NOT_FOUND)
+
+    def log_message(self, *_args: Any) -> None:
+        """Requests are not printed."""
+
+
+class Server(ThreadingHTTPServer):
+    """A server whose port is its own: a busy one is an error, on every system."""
+
+    daemon_threads = True
+    allow_reuse_address = sys.platform != "win32"
+
+    def __init__(self, address: tuple[str, int], folder: Path, pages: dict[str, bytes]) -> None:
+        self.folder = folder
+        self.pages = pages
+        super().__init__(address, partial(Handler, directory=str(folder)))
+
+
+class Server6(Server):
+    """The same for an IPv6 address."""
+
+    address_family = socket.AF_INET6
+
+
+def open_server(folder: Path, files: dict[str, str], host: str, port: int | None) -> Server:
+    """Listen on `port`; without one on the first free port from 8000.
+
+    Raises
+    ------
+    KingpostError
+        When the port is busy or not allowed, or the host is not this machine's.
+    """
+    pages = {f"/scenarios/{file}": text.encode() for file, text in files.items()}
+    pages["/scenarios/index.json"] = json.dumps(index(files)).encode()
+    kind = Server6 if ":" in host else Server
+    ports = range(FIRST_PORT, FIRST_PORT + PORTS_TRIED) if port is None else [port]
+    for candidate in ports:
+        try:
+            return kind((host, candidate), folder, pages)
+        except OverflowError:
+            raise KingpostError(f"--port: found {port}, allowed: 0 to 65535") from None
+        except OSError as error:
+            if error.errno != errno.EADDRINUSE:
+                raise KingpostError(f"cannot listen on {host}:{candidate}: {error.strerror}") from None
+    if port is None:
+        raise KingpostError(f"no free port from {ports[0]} to {ports[-1]}; give one with --port")
+    raise KingpostError(f"port {port} is busy; choose another, or --port 0 for any free one")
+
+
+def reachable(host: str | None) -> str:
+    """The host as another machine writes it in an address."""
+    if host is None:
+        return LOOPBACK
+    if host in EVERYWHERE:
+        host = lan_address()
+    return f"[{host}]" if ":" in host else host
+
+
+def lan_address() -> str:
+    """This machine's address on its network; the loopback address where there is none."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            # Connecting a datagram socket sends nothing; it only picks the interface.
+            probe.connect(("192.0.2.1", 9))
+            return probe.getsockname()[0]
+        except OSError:
+            return LOOPBACK
+
+
+def qr_code(address: str) -> str:
+    """A QR code of the address, for a terminal."""
+    import io
+
+    import segno
+
+    drawn = io.StringIO()
+    segno.make(address, micro=False).terminal(drawn, compact=True)
+    return drawn.getvalue()
+
+
+def _check(server: Server, query: str, chosen: str | None) -> int:
+    """Fetch the page, the engine and the scenarios over HTTP and print what came."""
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    try:
+        for path, kind in _expected(server, chosen):
+            host = LOOPBACK if server.server_address[0] in EVERYWHERE else server.server_address[0]
+            address = f"http://{reachable(str(host))}:{server.server_port}/{path}"
+            with urlopen(address + (query if not path else ""), timeout=30) as answer:
+                size, found = len(answer.read()), answer.headers.get_content_type()
+            if found != kind or not size:
+                raise KingpostError(f"{address}: found {found} of {size} bytes, allowed: {kind}")
+            print(f"{address}: {found}, {size} bytes")
+    except OSError as error:
+        raise KingpostError(f"the app does not answer: {error}") from None
+    finally:
+        server.shutdown()
+        thread.join()
+    return 0
+
+
+def _expected(server: Server, chosen: str | None) -> list[tuple[str, str]]:
+    """Paths to fetch and the type of each: the page, the engine, the scenarios."""
+    engines = sorted(server.folder.rglob("*.wasm"))
+    if not engines:
+        raise KingpostError(f"{server.folder}: the built app has no engine (.wasm); run: make web")
+    paths = ["scenarios/index.json", *(path.relative_to(server.folder).as_posix() for path in engines)]
+    paths += [page.lstrip("/") for page in server.pages if chosen and Path(page).stem == chosen]
+    return [("", "text/html"), *((path, content_type(path).split(";")[0]) for path in paths)]

@@ -1,0 +1,340 @@
+"""Scenarios and simulations: a thin, labelled face on the engine.
+
+Units are SI, angles in radians. The world's z points up; a ship's x points forward, y to
+port, z up. Roll, pitch and yaw are the intrinsic z-y-x angles about x, y and z.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from types import NoneType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _engine, gallery
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import ArrayLike, NDArray
+
+Overrides = Mapping[str, Any]
+Progress = Callable[[float], None]
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """A validated description of one run: the text of a file and what was set over it.
+
+    Made by `load`. Two scenarios are equal when their text, file and overrides are.
+    """
+
+    text: str
+    file: str
+    overrides: tuple[tuple[str, Any], ...] = ()
+
+    def __post_init__(self) -> None:
+        # Validates: a scenario that exists is one that can run.
+        vars(self)["json"] = _engine.read(self.text, self.file, self._overrides_json)
+
+    @property
+    def _overrides_json(self) -> str:
+        return json.dumps(self.overrides)
+
+    @cached_property
+    def json(self) -> str:
+        """The resolved scenario as JSON text: parameters applied, units SI."""
+        return _engine.read(self.text, self.file, self._overrides_json)
+
+    @cached_property
+    def resolved(self) -> dict[str, Any]:
+        """The resolved scenario as a dictionary.
+
+        >>> load("paper", motor_1=False).resolved["drives"]["motor_1"]["motor"]["enabled"]
+        False
+        """
+        return json.loads(self.json)
+
+    @property
+    def title(self) -> str:
+        """The scenario's title."""
+        return str(self.resolved.get("title") or Path(self.file).stem)
+
+    @cached_property
+    def model(self) -> dict[str, Any]:
+        """What the scenario builds: bodies, joints, parameters with their values, step sizes.
+
+        >>> [body["name"] for body in load("paper").model["bodies"]]
+        ['ship', 'tower', 'arm']
+        """
+        return json.loads(self._engine().model_json())
+
+    def with_overrides(self, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
+        """The same scenario with more set over it; the last value of a name counts.
+
+        >>> load("paper").with_overrides(crane_x_m=0).resolved["bodies"]["tower"]["joint"][
+        ...     "revolute"]["position_m"][0]
+        0.0
+        """
+        return Scenario(self.text, self.file, self.overrides + _pairs(overrides, parameters))
+
+    def _engine(self, extra: tuple[tuple[str, Any], ...] = ()) -> _engine.Simulation:
+        overrides = json.dumps(self.overrides + extra)
+        return _engine.Simulation(self.text, self.file, overrides)
+
+
+@dataclass(frozen=True)
+class State:
+    """The motion at one instant.
+
+    Attributes
+    ----------
+    time_s
+        Time, s.
+    q
+        Positions: of a floating body x, y, z (m, world) and the quaternion w, x, y, z; then
+        joint positions (rad or m). Held coordinates are included.
+    v
+        Velocities: of a floating body the world velocity of its centre of mass (m/s) and the
+        angular velocity in body axes (rad/s); then joint rates (rad/s or m/s).
+    s
+        Further states of forces, drives and the energy ledger.
+    """
+
+    time_s: float
+    q: NDArray[np.float64]
+    v: NDArray[np.float64]
+    s: NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Input:
+    """An input that may change during a run; it keeps its value from step to step."""
+
+    name: str
+    unit: str
+    lower: float
+    upper: float
+    value: float
+
+
+class Simulation:
+    """One run of a scenario, stepped by hand.
+
+    >>> simulation = Simulation(load("paper", motor_1=True))
+    >>> simulation.step(500)
+    >>> round(simulation.time_s, 9)
+    0.5
+    >>> simulation.coordinates
+    ['ship.roll', 'ship.pitch', 'ship.yaw', 'slew', 'luff']
+    """
+
+    def __init__(self, scenario: Scenario | str | Path) -> None:
+        self.scenario = scenario if isinstance(scenario, Scenario) else load(scenario)
+        self._engine = self.scenario._engine()
+
+    def reset(self, seed: int | None = None) -> None:
+        """Go back to the scenario's start, with another seed if one is given."""
+        if seed is None:
+            self._engine.reset()
+            return
+        self.scenario = self.scenario.with_overrides({"simulation.seed": seed})
+        self._engine = self.scenario._engine()
+
+    def step(self, n: int = 1) -> None:
+        """Advance `n` steps of the scenario's step size.
+
+        Raises
+        ------
+        RunError
+            When the motion diverges; the state stays at the last good step.
+        """
+        self._engine.step(n)
+
+    def run(self, progress: Progress | None = None) -> xarray.Dataset:
+        """Run from here to the scenario's duration and return what was recorded.
+
+        `progress` is called now and then with the time in seconds.
+
+        Raises
+        ------
+        RunError
+            When the motion diverges; `.results` holds what was computed.
+        """
+        from .results import dataset
+
+        rows, error = self._engine.run(progress)
+        status = "finished" if error is None else str(error)
+        results = dataset(self.scenario, self.channels, rows, status)
+        if error is not None:
+            error.results = results
+            raise error
+        return results
+
+    @property
+    def time_s(self) -> float:
+        """Time, s."""
+        return self._engine.time_s()
+
+    @property
+    def step_s(self) -> float:
+        """Step size, s."""
+        return self._engine.step_s()
+
+    @property
+    def state(self) -> State:
+        """A copy of the motion now."""
+        engine = self._engine
+        return State(engine.time_s(), engine.q(), engine.v(), engine.s())
+
+    def set_state(self, q: ArrayLike, v: ArrayLike, s: ArrayLike | None = None) -> None:
+        """Replace the motion; arrays as in `State`, with unit quaternions.
+
+        Without `s` the energy and momentum ledger begins anew here.
+
+        Raises
+        ------
+        KingpostError
+            When a length is wrong or a value is not finite.
+        """
+        self._engine.set_state(_vector(q), _vector(v), None if s is None else _vector(s))
+
+    def snapshot(self) -> bytes:
+        """The complete state. A run resumed from it gives the same bits."""
+        return self._engine.snapshot()
+
+    def restore(self, snapshot: bytes) -> None:
+        """Go back to a `snapshot` of the same scenario."""
+        self._engine.restore(snapshot)
+
+    @property
+    def inputs(self) -> dict[str, Input]:
+        """The inputs by name, with unit, limits and present value."""
+        return {row[0]: Input(*row) for row in self._engine.inputs()}
+
+    def set_input(self, name: str, value: float) -> None:
+        """Set an input; it holds until it is set again."""
+        self._engine.set_input(name, value)
+
+    @property
+    def coordinates(self) -> list[str]:
+        """Names of the free coordinates, in the order of the mass matrix."""
+        return self._engine.coordinates()
+
+    @cached_property
+    def channels(self) -> list[dict[str, Any]]:
+        """What is recorded: name, unit, frame, dimensions, labels and place in a row."""
+        return json.loads(self._engine.channels_json())
+
+    def row(self) -> NDArray[np.float64]:
+        """The values of all channels now."""
+        return self._engine.row()
+
+    def poses(self) -> NDArray[np.float64]:
+        """Pose of each body: x, y, z (m, world) and quaternion w, x, y, z. Shape (bodies, 7)."""
+        return self._engine.poses()
+
+    def acceleration(self, tau: ArrayLike | None = None) -> NDArray[np.float64]:
+        """Accelerations of the free coordinates now (m/s2 or rad/s2).
+
+        `tau` adds a generalized force per free coordinate (N or N m) to the loads that act.
+        """
+        return self._engine.acceleration(None if tau is None else _vector(tau))
+
+    def mass_matrix(self) -> NDArray[np.float64]:
+        """Reduced mass matrix M* = B^T M B of the free coordinates (kg, kg m, kg m2)."""
+        return self._engine.mass_matrix()
+
+    def bias_force(self) -> NDArray[np.float64]:
+        """Bias force N* v of the free coordinates (N or N m)."""
+        return self._engine.bias_force()
+
+    def moving_frame(self) -> dict[str, xarray.DataArray]:
+        """The matrices of the moving frame method now, by name.
+
+        Frame connection matrices ``E_ship`` and ``E_tower/ship``, their rates ``Omega_..``,
+        rotations ``R_..``, then ``B``, ``B_dot``, ``X_dot``, ``M``, ``D``, ``F``, ``M_star``,
+        ``N_star`` and ``F_star``, with labelled rows and columns and their unit.
+
+        >>> matrices = Simulation(load("paper")).moving_frame()
+        >>> matrices["M_star"].dims
+        ('row', 'column')
+        """
+        from .results import matrix
+
+        return {block[0]: matrix(*block) for block in self._engine.moving_frame()}
+
+
+def load(path_or_name: str | Path, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
+    """Read and validate a scenario.
+
+    Parameters
+    ----------
+    path_or_name
+        A YAML or JSON file, or a name of the gallery.
+    overrides
+        Values by parameter name or by dotted field path.
+    parameters
+        Values by parameter name.
+
+    Raises
+    ------
+    ScenarioError
+        With file, line, column, field, what was found and what is allowed.
+
+    >>> load("paper", {"simulation.duration_s": 0.5}, damping=True).title
+    'Crane ship of Jardim et al. (2019)'
+    """
+    path = gallery.find(path_or_name)
+    return Scenario(gallery.read_text(path), str(path), _pairs(overrides, parameters))
+
+
+def run(
+    scenario_or_path: Scenario | str | Path, overrides: Overrides | None = None, **parameters: Any
+) -> xarray.Dataset:
+    """Run a scenario from start to end.
+
+    Raises
+    ------
+    ScenarioError
+        When the scenario or an override is wrong.
+    RunError
+        When the motion diverges; `.results` holds what was computed.
+
+    >>> results = run("paper", {"simulation.duration_s": 0.5}, crane_x_m=0, crane_y_m=0)
+    >>> round(float(results.angular_velocity.sel(body="ship", axis="y")[-1]), 5)
+    0.19709
+    """
+    if isinstance(scenario_or_path, Scenario):
+        scenario = scenario_or_path.with_overrides(overrides, **parameters)
+    else:
+        scenario = load(scenario_or_path, overrides, **parameters)
+    return Simulation(scenario).run()
+
+
+def _pairs(overrides: Overrides | None, parameters: Overrides) -> tuple[tuple[str, Any], ...]:
+    given = (*(overrides or {}).items(), *parameters.items())
+    return tuple((str(name), _plain(value)) for name, value in given)
+
+
+def _plain(value: Any) -> Any:
+    """A value of an override as JSON knows it; the engine's reader judges it."""
+    if isinstance(value, np.generic | np.ndarray):
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        return {str(key): _plain(entry) for key, entry in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(entry) for entry in value]
+    # JSON has no number for these; the reader names the text in its error.
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    return value if isinstance(value, bool | int | float | str | NoneType) else repr(value)
+
+
+def _vector(values: ArrayLike) -> NDArray[np.float64]:
+    return np.ascontiguousarray(values, dtype=np.float64).ravel()

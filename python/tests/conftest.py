@@ -1,0 +1,23 @@
+"""What several tests share: one run of the paper's case, one small scenario."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import kingpost
+import pytest
+from samples import CALIBRATION, SMALL
+
+
+@pytest.fixture
+def small(tmp_path: Path) -> Path:
+    """A scenario file of two bodies, free to move."""
+    path = tmp_path / "small.yaml"
+    path.write_text(SMALL, encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="session")
+def calibration():
+    """Results of the run that three independent codes agree on."""
+    return kingpost.run("paper", CALIBRATION)

@@ -1,0 +1,110 @@
+"""The command line: what it prints, its exit codes, and that a pipe gets no progress bar."""
+
+from __future__ import annotations
+
+import re
+import signal
+import subprocess
+import sys
+import time
+
+import kingpost
+import pytest
+from kingpost.cli import main
+from samples import CALIBRATION, TRUTH
+
+SETTINGS = [f"--set={name}={value}" for name, value in CALIBRATION.items()]
+
+
+def test_run_prints_the_digits_of_three_independent_codes(capsys):
+    """Source: samples.TRUTH, read from the printed summary."""
+    assert main(["run", "paper", *SETTINGS]) == 0
+    shown = capsys.readouterr()
+    assert shown.err == ""
+    rates = numbers(shown.out, "rate at the end, rad/s")
+    assert list(rates) == pytest.approx(
+        [TRUTH[f"{name} rate"][0] for name in ("roll", "pitch", "yaw")], abs=1e-5
+    )
+    for joint in ("slew", "luff"):
+        position, rate = numbers(shown.out, joint)
+        assert position == pytest.approx(TRUTH[joint][0], abs=TRUTH[joint][1])
+        assert rate == pytest.approx(TRUTH[f"{joint} rate"][0], abs=TRUTH[f"{joint} rate"][1])
+
+
+def numbers(text: str, label: str) -> list[float]:
+    (line,) = (line for line in text.splitlines() if line.startswith(label))
+    return [float(word) for word in re.findall(r"(?<![\w/])-?\d+\.\d+(?:e[+-]\d+)?", line[len(label) :])]
+
+
+def test_run_prints_time_peaks_energy_and_momentum(capsys):
+    """Source: the public contract of the summary."""
+    assert main(["run", "paper", *SETTINGS]) == 0
+    text = capsys.readouterr().out
+    for words in ("0.5 s by rk4 in steps of 0.001 s", "largest angle, deg", "largest rate, rad/s",
+                  "energy error", "momentum error"):  # fmt: skip
+        assert words in text
+
+
+def test_set_takes_on_and_off(capsys):
+    """Source: the public contract of --set."""
+    assert main(["check", "paper", "--set", "motor_1=off", "--set", "motor_2=on"]) == 0
+    text = capsys.readouterr().out
+    assert re.search(r"^motor_1 +motor +off$", text, re.MULTILINE)
+    assert re.search(r"^motor_2 +motor +on$", text, re.MULTILINE)
+
+
+def test_check_says_what_the_model_is(capsys):
+    """Source: the paper's Table 2: 10,000, 500 and 500 kg; 5 coordinates with the centre held."""
+    assert main(["check", "paper"]) == 0
+    text = capsys.readouterr().out
+    for words in ("Crane ship of Jardim", "10000 kg", "total mass: 11000 kg", "revolute slew",
+                  "floating ship",
+                  "free coordinates (5): ship.roll, ship.pitch, ship.yaw, slew, luff", "crane_x_m", "-10",
+                  "gravity", "off"):  # fmt: skip
+        assert words in text
+
+
+def test_list_has_a_line_for_each_scenario_of_the_gallery(capsys):
+    """Source: the gallery's folder and the titles in its files."""
+    assert main(["list"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert f"paper  {kingpost.load('paper').title}" in [re.sub(" {2,}", "  ", line) for line in lines]
+
+
+def test_version_is_the_engines(capsys):
+    """Source: one version for engine and package."""
+    with pytest.raises(SystemExit) as ended:
+        main(["--version"])
+    assert ended.value.code == 0
+    assert capsys.readouterr().out == f"kingpost {kingpost.__version__}\n"
+
+
+def test_the_installed_command_returns_its_exit_codes_and_no_bar_in_a_pipe(tmp_path):
+    """Source: the public contract."""
+    ran = command("run", "paper", "--set", "simulation.duration_s=0.05", "-o", str(tmp_path / "run.csv"))
+    assert (ran.returncode, ran.stderr) == (0, "")
+    wrong = command("run", "papre")
+    assert wrong.returncode == 2
+    assert wrong.stderr.count("\n") == 1
+    assert "Traceback" not in wrong.stderr
+
+
+def command(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "kingpost", *arguments], capture_output=True, text=True, timeout=60
+    )
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are POSIX's")
+def test_ctrl_c_ends_a_long_run_with_one_line():
+    """Source: the shell's convention, 128 + SIGINT."""
+    arguments = ["run", "paper", "--set", "motor_1=off", "--set", "simulation.duration_s=1e6",
+                 "--set", "simulation.record_every_s=1"]  # fmt: skip
+    started = subprocess.Popen(
+        [sys.executable, "-m", "kingpost", *arguments], stderr=subprocess.PIPE, text=True
+    )
+    time.sleep(2.5)
+    started.send_signal(signal.SIGINT)
+    _, errors = started.communicate(timeout=20)
+    assert errors == "error: interrupted\n"
+    assert started.returncode == 130

@@ -1,0 +1,132 @@
+"""`kingpost paper`: complete, from our engine, and true to what the page says."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+from html.parser import HTMLParser
+from pathlib import Path
+
+import kingpost
+import numpy as np
+import pandas
+import pytest
+from kingpost.cli import main
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    """One run of the command, shared."""
+    folder = tmp_path_factory.mktemp("paper") / "results"
+    assert main(["paper", "-o", str(folder)]) == 0
+    return folder
+
+
+def test_every_file_is_there(folder):
+    """Source: the public contract of the command."""
+    expected = {"index.html", "table_2.csv", "table_2.md"}
+    for name in ("figure_9", "figure_10", "figure_11", "integrators"):
+        expected |= {f"{name}.{ending}" for ending in ("csv", "png", "svg")}
+    assert {path.name for path in folder.iterdir()} == expected
+    for path in folder.glob("*.png"):
+        assert path.read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
+    for path in folder.glob("*.svg"):
+        ElementTree.parse(path)
+
+
+@pytest.mark.parametrize("number", [9, 10, 11])
+def test_the_figures_numbers_are_the_engines(folder, number):
+    """Source: the same run through the public interface."""
+    motors = {9: (True, False), 10: (False, True), 11: (True, True)}[number]
+    table = pandas.read_csv(folder / f"figure_{number}.csv")
+    case = {"crane_x_m": 0, "crane_y_m": 0, "load": False, "motor_1": motors[0], "motor_2": motors[1]}
+    for suffix, damping in (("", False), ("_damped", True)):
+        rate = kingpost.run("paper", case, damping=damping)["angular_velocity"].sel(body="ship")
+        for name, axis in (("pitch", "y"), ("yaw", "z"), ("roll", "x")):
+            assert np.array_equal(table[f"{name}_rate{suffix}_rad_s"], rate.sel(axis=axis)), name
+
+
+def test_figure_9_passes_through_the_calibration_row(folder):
+    """Source: three independent codes at 0.5 s."""
+    table = pandas.read_csv(folder / "figure_9.csv").set_index("time_s")
+    row = table.iloc[np.argmin(np.abs(table.index - 0.5))]
+    found = [row["pitch_rate_rad_s"], row["yaw_rate_rad_s"], row["roll_rate_rad_s"]]
+    assert found == pytest.approx([0.19709, -0.12348, -0.07719], abs=1e-5)
+
+
+def test_the_arm_motor_alone_only_pitches_the_ship(folder):
+    """Source: symmetry: with the arm in the ship's middle plane nothing rolls or yaws it."""
+    table = pandas.read_csv(folder / "figure_10.csv")
+    assert table["pitch_rate_rad_s"].abs().max() > 0.1
+    assert table[["yaw_rate_rad_s", "roll_rate_rad_s"]].abs().max().max() < 1e-9
+
+
+def test_table_2_is_the_papers(folder):
+    """Source: the paper's Table 2, and the damping of its results section."""
+    table = pandas.read_csv(folder / "table_2.csv").set_index("symbol")["value"]
+    expected = {
+        "m^{(1)}": 10_000, "m^{(2)}": 500, "m^{(3)}": 500, "m^{(4)}": 1000, "d^{(1)}": -10, "b^{(1)}": -5,
+        "l^{(2)}": 3.5, "l^{(3)}": 3.5, "r^{(2)}": 0.5, "r^{(3)}": 0.5, "L_{ps}": 10, "L_{sb}": 20,
+        "L_{h}": 5, "M^{(1)}": 100_000, "M^{(2)}": 70_000,
+        r"\zeta_1": 500_000, r"\zeta_2": 25_000, r"\zeta_3": 0,
+    }  # fmt: skip
+    assert table.to_dict() == expected
+
+
+def test_the_integrators_errors_fall_with_their_order(folder):
+    """Source: the schemes' orders: 1, 1 and 4, between 1 and 10 ms."""
+    table = pandas.read_csv(folder / "integrators.csv").set_index("step_s")
+    for name, order in (("forward_euler", 1), ("midpoint_euler", 1), ("rk4", 4)):
+        for column in (f"{name}_energy_error_relative", f"{name}_momentum_error_N_m_s"):
+            coarse, fine = table[column].abs().loc[[0.01, 0.005]]
+            assert np.log2(coarse / fine) == pytest.approx(order, abs=0.4), column
+
+
+def test_forward_eulers_energy_error_is_the_known_one(folder):
+    """Source: an independent code: +0.25 % at 1 ms, +2.4 % at 10 ms, both motors, no load."""
+    table = pandas.read_csv(folder / "integrators.csv").set_index("step_s")
+    error = table["forward_euler_energy_error_relative"]
+    assert error[0.001] == pytest.approx(0.0025, abs=2e-4)
+    assert error[0.01] == pytest.approx(0.024, abs=2e-3)
+
+
+def test_the_page_stands_alone_and_names_all_nine_remarks(folder):
+    """Source: the public contract; a page that loads nothing can be sent by mail."""
+    page = Page((folder / "index.html").read_text(encoding="utf-8"))
+    assert page.count["li", "remark"] == 9
+    assert page.count["img", ""] == 4
+    assert page.count["math", ""] > 20
+    assert all(source.startswith("data:image/svg+xml;base64,") for source in page.sources)
+    assert not page.problems
+
+
+def test_an_unwritable_folder_is_exit_code_2(capsys):
+    """Source: the public contract."""
+    assert main(["paper", "-o", "/proc/paper"]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+class Page(HTMLParser):
+    """Counts a page's elements and checks that they close in order."""
+
+    VOID = ("meta", "img", "link", "br")
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.problems: list[str] = []
+        self.sources: list[str] = []
+        self.count: dict[tuple[str, str], int] = {}
+        self.feed(text)
+        self.problems += [f"{tag} is not closed" for tag in self.open]
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        key = (tag, attributes.get("class", "") if tag == "li" else "")
+        self.count[key] = self.count.get(key, 0) + 1
+        self.sources += [attributes[name] for name in ("src",) if name in attributes]
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            self.problems.append(f"{tag} closes nothing")

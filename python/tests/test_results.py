@@ -1,0 +1,79 @@
+"""Files of results: read back, they hold what was recorded."""
+
+from __future__ import annotations
+
+import kingpost
+import numpy as np
+import pandas
+import pyarrow.parquet
+import pytest
+import xarray
+from kingpost.cli import main
+from kingpost.results import frame, write
+
+
+@pytest.fixture(scope="module")
+def results():
+    """A short run of the paper's case."""
+    return kingpost.run("paper", {"simulation.duration_s": 0.05})
+
+
+def test_netcdf_reads_back_equal_with_its_attributes(results, tmp_path):
+    """Source: the round trip."""
+    again = xarray.load_dataset(write(results, tmp_path / "run.nc"), engine="h5netcdf")
+    xarray.testing.assert_identical(again, results)
+
+
+def test_csv_reads_back_to_the_same_bits(results, tmp_path):
+    """Source: the round trip; column names of the public contract."""
+    again = pandas.read_csv(write(results, tmp_path / "run.csv"))
+    pandas.testing.assert_frame_equal(again, frame(results), check_exact=True)
+    expected = {"time", "ship.angular_velocity.x", "slew.joint_position", "arm.roll", "kinetic_energy",
+                "ship.orientation.w", "luff.joint_reaction.moment_y", "linear_momentum.z",
+                "arm.tip.point_position.z"}  # fmt: skip
+    assert expected <= set(again.columns)
+    assert np.array_equal(again["tower.velocity.y"], results["velocity"].sel(body="tower", axis="y").values)
+
+
+def test_parquet_reads_back_to_the_same_bits_with_units(results, tmp_path):
+    """Source: the round trip."""
+    path = write(results, tmp_path / "run.parquet")
+    pandas.testing.assert_frame_equal(pandas.read_parquet(path), frame(results), check_exact=True)
+    schema = pyarrow.parquet.read_schema(path)
+    assert schema.field("ship.angular_velocity.x").metadata[b"units"] == b"rad/s"
+    assert schema.field("time").metadata[b"units"] == b"s"
+    assert schema.metadata[b"status"] == b"finished"
+
+
+@pytest.mark.parametrize("ending", ["nc", "csv", "parquet"])
+def test_the_command_writes_what_python_returns(ending, tmp_path, capsys):
+    """Source: one engine behind both."""
+    output = tmp_path / f"run.{ending}"
+    arguments = ["run", "paper", "--set", "simulation.duration_s=0.05", "-o", str(output)]
+    assert main(arguments) == 0
+    assert str(output) in capsys.readouterr().out
+    expected = frame(kingpost.run("paper", {"simulation.duration_s": 0.05}))
+    read = {
+        "nc": lambda: frame(xarray.load_dataset(output, engine="h5netcdf")),
+        "csv": lambda: pandas.read_csv(output),
+        "parquet": lambda: pandas.read_parquet(output),
+    }[ending]
+    pandas.testing.assert_frame_equal(read(), expected, check_exact=True)
+
+
+def test_a_model_without_joints_or_points_writes_every_format(tmp_path):
+    """Source: empty dimensions are dimensions."""
+    path = tmp_path / "box.yaml"
+    path.write_text(
+        "version: 1\ntitle: Box\nsimulation: {duration_s: 0.01}\nbodies:\n  box:\n    mass_kg: 1\n"
+        "    shape: {box: {length_m: 1, width_m: 1, height_m: 1}}\n    joint: {floating: {}}\n"
+    )
+    results = kingpost.run(path)
+    for ending in ("nc", "csv", "parquet"):
+        assert write(results, tmp_path / f"box.{ending}").stat().st_size > 0
+
+
+def test_an_unknown_ending_is_refused(results, tmp_path):
+    """Source: the public contract of `write`."""
+    with pytest.raises(kingpost.KingpostError, match=r"\.nc, \.csv, \.parquet"):
+        write(results, tmp_path / "run.xlsx")

@@ -1,0 +1,166 @@
+"""`kingpost serve`: what it serves, on which address, and how it ends.
+
+The app's folder is a small stand-in where the real one is not needed, so that these tests do not
+wait for a web build; the browser tests drive the real one.
+"""
+
+from __future__ import annotations
+
+import json
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.error import HTTPError
+from urllib.request import Request, urlopen
+
+import kingpost
+import pytest
+from kingpost import serve
+from kingpost.cli import main
+
+
+@pytest.fixture
+def app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the kinds of file that a built app has, in the place of one."""
+    folder = tmp_path / "app"
+    (folder / "assets").mkdir(parents=True)
+    (folder / "index.html").write_text("<!doctype html><title>Kingpost</title>")
+    (folder / "assets" / "engine.wasm").write_bytes(b"\0asm\1\0\0\0")
+    (folder / "assets" / "main.js").write_text("export {};")
+    monkeypatch.setattr(serve, "app_folder", lambda: folder)
+    return folder
+
+
+@pytest.fixture
+def address(app: Path, small: Path) -> Iterator[str]:
+    """A server of the app with the gallery and one more scenario."""
+    files, _ = serve.scenarios(str(small))
+    server = serve.open_server(app, files, serve.LOOPBACK, 0)
+    thread = threading.Thread(target=server.serve_forever)
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_port}/"
+    server.shutdown()
+    thread.join()
+    server.server_close()
+
+
+@pytest.mark.parametrize(
+    ("path", "kind"),
+    [
+        ("", "text/html"),
+        ("assets/engine.wasm", "application/wasm"),
+        ("assets/main.js", "text/javascript"),
+        ("scenarios/index.json", "application/json"),
+        ("scenarios/paper.yaml", "application/yaml"),
+    ],
+)
+def test_files_come_with_the_type_that_browsers_need(address, path, kind):
+    """Source: the HTML and WebAssembly standards: modules and streamed engines need their types."""
+    with urlopen(address + path) as answer:
+        assert answer.headers.get_content_type() == kind
+        body = answer.read()
+    with urlopen(Request(address + path, method="HEAD")) as head:
+        assert head.headers["Content-Length"] == str(len(body))
+        assert head.read() == b""
+
+
+def test_the_index_lists_the_gallery_and_the_given_scenario(address, small):
+    """Source: the app's own reader: name, title and file, `paper` first."""
+    entries = json.load(urlopen(address + "scenarios/index.json"))
+    assert entries[0] == {"name": "paper", "title": kingpost.load("paper").title, "file": "paper.yaml"}
+    assert {"name": "small", "title": "A box with a boom", "file": "small.yaml"} in entries
+    assert urlopen(address + "scenarios/small.yaml").read() == small.read_bytes()
+
+
+@pytest.mark.parametrize("path", ["assets/", "no/such/file", "../conftest.py", "scenarios/none.yaml"])
+def test_nothing_else_is_served(address, path):
+    """Source: folders are not listed, and files outside of the app are not reachable."""
+    with pytest.raises(HTTPError) as refused:
+        urlopen(address + path)
+    assert refused.value.code == 404
+
+
+def test_the_check_fetches_page_engine_and_scenario(app, small, capsys):
+    """Source: the public contract of --check."""
+    assert main(["serve", str(small), "--port", "0", "--check"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    for words in ("text/html", "engine.wasm: application/wasm", "scenarios/small.yaml: application/yaml"):
+        assert any(words in line for line in lines), words
+
+
+def test_a_busy_port_that_was_asked_for_is_exit_code_2(app, capsys):
+    """Source: the public contract: one line."""
+    with socket.create_server((serve.LOOPBACK, 0)) as busy:
+        port = busy.getsockname()[1]
+        assert main(["serve", "--port", str(port)]) == 2
+    shown = capsys.readouterr().err
+    assert shown.count("\n") == 1
+    assert f"port {port} is busy" in shown
+
+
+def test_without_a_port_the_next_free_one_is_taken(app, monkeypatch):
+    """Source: the public contract."""
+    with socket.create_server((serve.LOOPBACK, 0)) as busy:
+        first = busy.getsockname()[1]
+        monkeypatch.setattr(serve, "FIRST_PORT", first)
+        server = serve.open_server(app, {}, serve.LOOPBACK, None)
+        assert first < server.server_port <= first + serve.PORTS_TRIED
+        server.server_close()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["papre"], "did you mean 'paper'"),
+        (["--port", "70000"], "0 to 65535"),
+        (["--host", "no.such.host.invalid"], "cannot listen"),
+    ],
+)
+def test_wrong_arguments_are_one_line_and_exit_code_2(app, arguments, says, capsys):
+    """Source: the public contract."""
+    assert main(["serve", *arguments]) == 2
+    shown = capsys.readouterr().err
+    assert shown.count("\n") == 1
+    assert says in shown
+
+
+def test_without_a_built_app_it_says_how_to_build_one(monkeypatch, tmp_path, capsys):
+    """Source: the public contract."""
+    monkeypatch.setattr(serve, "__file__", str(tmp_path / "python" / "kingpost" / "serve.py"))
+    assert main(["serve"]) == 2
+    assert "run: make web" in capsys.readouterr().err
+
+
+def test_a_given_host_gets_an_address_for_others_and_a_qr_code(app, monkeypatch, capsys):
+    """Source: the public contract; the code's modules are drawn with block characters."""
+
+    def interrupted(_server: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(serve.Server, "serve_forever", interrupted)
+    monkeypatch.setattr(serve, "lan_address", lambda: "192.168.7.9")
+    assert main(["serve", "paper", "--host", "0.0.0.0", "--port", "0"]) == 0
+    text = capsys.readouterr().out
+    assert "Kingpost is at http://192.168.7.9:" in text
+    assert "/?scenario=paper" in text
+    assert sum(line.count("█") for line in text.splitlines()) > 100
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are POSIX's")
+def test_ctrl_c_ends_the_server_cleanly(app):
+    """Source: the public contract: exit code 0, nothing on stderr."""
+    program = (
+        "import sys; from pathlib import Path; from kingpost import cli, serve;"
+        f"serve.app_folder = lambda: Path({str(app)!r}); sys.exit(cli.main(['serve', '--port', '0']))"
+    )
+    started = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)  # fmt: skip
+    assert started.stdout is not None
+    assert started.stdout.readline().startswith("Kingpost is at http://127.0.0.1:")
+    started.send_signal(signal.SIGINT)
+    _, errors = started.communicate(timeout=20)
+    assert (started.returncode, errors) == (0, "")
