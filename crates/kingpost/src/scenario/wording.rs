@@ -103,7 +103,7 @@ pub(super) fn names_in_backquotes(message: &str) -> Vec<&str> {
 
 /// The name nearest to `written`, if one is near enough to be meant.
 fn nearest<'a>(names: &[&'a str], written: &str) -> Option<&'a str> {
-    let limit = written.chars().count().max(3) / 3;
+    let limit = written.chars().count() / 3;
     let near = names.iter().map(|name| (edits(name, written), *name));
     near.min_by_key(|(distance, _)| *distance).filter(|(distance, _)| *distance <= limit).map(|(_, name)| name)
 }
