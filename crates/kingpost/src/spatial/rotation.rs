@@ -128,7 +128,7 @@ mod tests {
 
     #[test]
     fn logarithm_holds_near_half_a_turn() {
-        for angle in [3.0, 3.14, core::f64::consts::PI - 1e-9] {
+        for angle in [3.0, 3.1, core::f64::consts::PI - 1e-9] {
             let a = Vector3::new(0.6, -0.64, 0.48) * angle;
             assert!((log(&exp(a)) - a).norm() < 1e-7);
         }
