@@ -54,8 +54,7 @@ def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
     _run(
         [_tool("cargo"), "build", "--quiet", "--locked", "--package", "kingpost-bench", "--profile", profile]
     )
-    target = Path(os.environ.get("CARGO_TARGET_DIR", models.REPOSITORY / "target"))
-    program = target / ("debug" if quick else "release") / "kingpost-bench"
+    program = _target() / ("debug" if quick else "release") / "kingpost-bench"
     path = models.write_kingpost(case, folder)
     operations = ("forward", "rk4_step", "rk4_step_ledger")
     version = importlib.metadata.version("kingpost")
@@ -63,15 +62,33 @@ def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
 
 
 def kingpost_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
-    """The packed WASM module under node: the step as the browser app has it, ledger included."""
-    del quick
+    """WASM under node: the step with its ledger from the app's module, the rest from the benchmark's."""
     node = _tool("node")
-    if not (WASM_PACKAGE / "kingpost_wasm_bg.wasm").exists():
+    packed = (WASM_PACKAGE / "kingpost_wasm_bg.wasm").exists()
+    bare = None if quick else _wasm_program()
+    if not packed and bare is None:
         raise NotHereError("the WASM package is not built")
+    operations = (*(("forward", "rk4_step") if bare else ()), *(("rk4_step_ledger",) if packed else ()))
     path = models.write_kingpost(case, folder)
-    command = (node, str(BENCHES / "wasm.mjs"), str(WASM_PACKAGE), str(path))
-    version = _output([node, "--version"])
-    return Engine("kingpost-wasm", command, ("rk4_step_ledger",), False, f"node {version}", same, same)
+    command = (node, str(BENCHES / "wasm.mjs"), str(WASM_PACKAGE), str(bare), str(path))
+    version = f"node {_output([node, '--version'])}"
+    return Engine("kingpost-wasm", command, operations, False, version, same, same)
+
+
+def _wasm_program() -> Path | None:
+    """The benchmark program compiled for WASM, or nothing where the compiler cannot."""
+    triple = "wasm32-unknown-unknown"
+    arguments = ["build", "--quiet", "--locked", "--package", "kingpost-bench", "--profile", "wasm"]
+    try:
+        _run([_tool("cargo"), *arguments, "--target", triple])
+    except NotHereError:
+        return None
+    return _target() / triple / "wasm" / "kingpost-bench.wasm"
+
+
+def _target() -> Path:
+    """Where cargo builds."""
+    return Path(os.environ.get("CARGO_TARGET_DIR", models.REPOSITORY / "target"))
 
 
 def mujoco(case: models.Case, folder: Path, quick: bool) -> Engine:

@@ -1,43 +1,79 @@
-// One RK4 step of Kingpost's WASM module under node: wasm.mjs PACKAGE MODEL OPERATION MODE NUMBERS
-//   time BATCHES REPETITIONS   nanoseconds per step, a line per batch
-//   check STEPS                q and v after that many steps
-// MODEL.json is the resolved scenario, MODEL.snapshot the fixed state.
+// Kingpost's WASM modules under node: wasm.mjs PACKAGE BENCH_MODULE MODEL OPERATION MODE NUMBERS
+//   time BATCHES REPETITIONS   nanoseconds per repetition, a line per batch
+//   check REPETITIONS          the result after that many repetitions, one number per line
+// The step with its ledger is the packed module's, as the browser app loads it; the other operations are
+// the benchmark program's, compiled for WASM. MODEL.json is the resolved scenario, MODEL.txt and
+// MODEL.snapshot the fixed state.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const [, , folder, model, operation, mode, ...numbers] = process.argv;
-if (operation !== 'rk4_step_ledger') throw new Error(`unknown operation ${operation}`);
+const [, , folder, benchModule, model, operation, mode, ...numbers] = process.argv;
 
-const engine = await import(pathToFileURL(join(folder, 'kingpost_wasm.js')).href);
-engine.initSync({ module: readFileSync(join(folder, 'kingpost_wasm_bg.wasm')) });
-const start = readFileSync(`${model}.snapshot`);
-const simulation = new engine.Simulation(readFileSync(`${model}.json`, 'utf8'), 'kingpost.json', '{}');
-const [first, second] = numbers.map(Number);
+async function packed() {
+  const engine = await import(pathToFileURL(join(folder, 'kingpost_wasm.js')).href);
+  engine.initSync({ module: readFileSync(join(folder, 'kingpost_wasm_bg.wasm')) });
+  const start = readFileSync(`${model}.snapshot`);
+  const scenario = readFileSync(`${model}.json`, 'utf8');
+  const simulation = new engine.Simulation(scenario, 'kingpost.json', '{}');
+  return {
+    reset: () => simulation.restore(start),
+    repeat: (times) => simulation.step(times),
+    result: () => positionsAndVelocities(simulation.row(), JSON.parse(simulation.channels_json())),
+  };
+}
 
-if (mode === 'time') {
-  for (let batch = -1; batch < first; batch += 1) {
-    simulation.restore(start);
-    const begin = process.hrtime.bigint();
-    simulation.step(second);
-    const nanoseconds = Number(process.hrtime.bigint() - begin) / second;
-    // the first batch warms up
-    if (batch >= 0) console.log(nanoseconds.toFixed(3));
-  }
-} else {
-  simulation.restore(start);
-  simulation.step(first);
-  const [row, channels] = [simulation.row(), JSON.parse(simulation.channels_json())];
-  // the first body is the floating one
-  for (const [variable, count] of [
+// q and v from a row; the first body is the floating one
+function positionsAndVelocities(row, channels) {
+  return [
     ['position', 3],
     ['orientation', 4],
-    ['joint_position', 0],
+    ['joint_position', Infinity],
     ['velocity', 3],
     ['angular_velocity', 3],
-    ['joint_velocity', 0],
-  ]) {
+    ['joint_velocity', Infinity],
+  ].flatMap(([variable, count]) => {
     const { offset, len } = channels.find((channel) => channel.variable === variable);
-    for (const value of row.slice(offset, offset + (count || len))) console.log(value);
+    return [...row.slice(offset, offset + Math.min(count, len))];
+  });
+}
+
+function bare() {
+  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(readFileSync(benchModule)));
+  const texts = [readFileSync(`${model}.json`), readFileSync(`${model}.txt`), Buffer.from(operation)];
+  texts.forEach((text, index) => {
+    const at = exports.text(index, text.length);
+    new Uint8Array(exports.memory.buffer, at, text.length).set(text);
+  });
+  const must = (name, ...values) => {
+    if (!exports[name](...values)) throw new Error(`${operation}: ${name} failed`);
+  };
+  must('prepare');
+  return {
+    reset: () => must('reset'),
+    repeat: (times) => must('repeat', times),
+    result: () => {
+      const length = exports.result_length();
+      return [...new Float64Array(exports.memory.buffer, exports.result(), length)];
+    },
+  };
+}
+
+const task = operation === 'rk4_step_ledger' ? await packed() : bare();
+const [first, second] = numbers.map(Number);
+task.reset();
+if (mode === 'time') {
+  // the first batch warms up
+  for (let batch = -1; batch < first; batch += 1) {
+    task.reset();
+    const begin = process.hrtime.bigint();
+    task.repeat(second);
+    const nanoseconds = Number(process.hrtime.bigint() - begin) / second;
+    if (batch >= 0) console.log(nanoseconds.toFixed(3));
   }
+} else if (mode === 'check') {
+  task.repeat(first);
+  for (const value of task.result()) console.log(value);
+} else {
+  throw new Error(`unknown mode ${mode}`);
 }

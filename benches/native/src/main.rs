@@ -7,12 +7,14 @@
 //! count REPETITIONS          one batch without a clock, for an instruction counter
 //! check REPETITIONS          the result after that many repetitions, one number per line
 //! ```
+//!
+//! Compiled for WASM it has no command line: `exports` is called instead.
 
+mod exports;
 mod operations;
 
-use operations::{Forward, Operation, Shipped, Step, Task};
+use operations::{Operation, Task};
 use std::error::Error;
-use std::hint::black_box;
 use std::time::Instant;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -23,45 +25,30 @@ fn main() -> Outcome<()> {
         return Err("usage: MODEL OPERATION MODE NUMBERS".into());
     };
     let numbers = numbers.iter().map(|text| text.parse()).collect::<Result<Vec<usize>, _>>()?;
-    let task = Task::read(path)?;
-    match operation.as_str() {
-        "forward" => run(Forward::new(task), mode, &numbers),
-        "rk4_step" => run(Step::new(task), mode, &numbers),
-        "rk4_step_ledger" => run(Shipped::new(task)?, mode, &numbers),
-        other => Err(format!("unknown operation {other}").into()),
-    }
+    let scenario = std::fs::read_to_string(format!("{path}.json"))?;
+    let state = std::fs::read_to_string(format!("{path}.txt"))?;
+    let mut operation = Task::read(&scenario, &state)?.operation(operation)?;
+    run(operation.as_mut(), mode, &numbers)
 }
 
-fn run<O: Operation>(mut operation: O, mode: &str, numbers: &[usize]) -> Outcome<()> {
+fn run(operation: &mut dyn Operation, mode: &str, numbers: &[usize]) -> Outcome<()> {
+    operation.reset()?;
     match (mode, numbers) {
         ("time", &[batches, repetitions]) => {
-            batch(&mut operation, repetitions)?; // warm-up
+            operation.repeat(repetitions)?; // warm-up
             for _ in 0..batches {
                 operation.reset()?;
                 let start = Instant::now();
-                repeat(&mut operation, repetitions)?;
+                operation.repeat(repetitions)?;
                 println!("{:.3}", start.elapsed().as_nanos() as f64 / repetitions as f64);
             }
         }
-        ("count", &[repetitions]) => batch(&mut operation, repetitions)?,
+        ("count", &[repetitions]) => operation.repeat(repetitions)?,
         ("check", &[repetitions]) => {
-            batch(&mut operation, repetitions)?;
+            operation.repeat(repetitions)?;
             operation.result().iter().for_each(|value| println!("{value:?}"));
         }
         _ => return Err("the mode is time BATCHES REPETITIONS, count N or check N".into()),
-    }
-    Ok(())
-}
-
-fn batch<O: Operation>(operation: &mut O, repetitions: usize) -> Outcome<()> {
-    operation.reset()?;
-    repeat(operation, repetitions)
-}
-
-#[inline]
-fn repeat<O: Operation>(operation: &mut O, repetitions: usize) -> Outcome<()> {
-    for _ in 0..repetitions {
-        black_box(&mut *operation).once()?;
     }
     Ok(())
 }

@@ -9,6 +9,7 @@ use kingpost::plant::Plant;
 use kingpost::scenario;
 use kingpost::simulation::{Setup, Simulation};
 use kingpost::state::State;
+use std::hint::black_box;
 
 const STEP_S: f64 = 1e-3;
 
@@ -16,8 +17,8 @@ const STEP_S: f64 = 1e-3;
 pub trait Operation {
     /// Back to the fixed state.
     fn reset(&mut self) -> Outcome<()>;
-    /// Does it once.
-    fn once(&mut self) -> Outcome<()>;
+    /// Does it this many times.
+    fn repeat(&mut self, times: usize) -> Outcome<()>;
     /// What came out: an acceleration, or q and v.
     fn result(&self) -> Vec<f64>;
 }
@@ -30,13 +31,20 @@ pub struct Task {
 }
 
 impl Task {
-    /// Reads `PATH.json` and `PATH.txt`.
-    pub fn read(path: &str) -> Outcome<Self> {
-        let (scenario_file, state_file) = (format!("{path}.json"), format!("{path}.txt"));
-        let setup = scenario::read(&std::fs::read_to_string(&scenario_file)?, &scenario_file, &[])?
-            .setup()?;
-        let text = std::fs::read_to_string(state_file)?;
-        Ok(Self { setup, q: numbers(&text, "q")?, v: numbers(&text, "v")? })
+    /// Reads a resolved scenario and a state with the lines `q ...` and `v ...`.
+    pub fn read(scenario: &str, state: &str) -> Outcome<Self> {
+        let setup = scenario::read(scenario, "kingpost.json", &[])?.setup()?;
+        Ok(Self { setup, q: numbers(state, "q")?, v: numbers(state, "v")? })
+    }
+
+    /// The operation of that name on this task.
+    pub fn operation(self, name: &str) -> Outcome<Box<dyn Operation>> {
+        match name {
+            "forward" => Ok(Box::new(Forward::new(self))),
+            "rk4_step" => Ok(Box::new(Step::new(self))),
+            "rk4_step_ledger" => Ok(Box::new(Shipped::new(self))),
+            other => Err(format!("unknown operation {other}").into()),
+        }
     }
 }
 
@@ -48,7 +56,7 @@ fn numbers(text: &str, word: &str) -> Outcome<Vec<f64>> {
 }
 
 /// Forward dynamics under constant loads: sine and cosine, kinematics, accelerations.
-pub struct Forward {
+struct Forward {
     model: Model,
     links: Kinematics,
     loads: Loads,
@@ -60,7 +68,7 @@ pub struct Forward {
 
 impl Forward {
     /// The loads are those of the drives at time zero.
-    pub fn new(Task { setup, q, v }: Task) -> Self {
+    fn new(Task { setup, q, v }: Task) -> Self {
         let Setup { model, drives, .. } = setup;
         let mut loads = Loads::new(&model);
         let clock = Clock { time_s: 0.0, middle_s: 0.0 };
@@ -77,11 +85,12 @@ impl Operation for Forward {
         Ok(())
     }
 
-    #[inline]
-    fn once(&mut self) -> Outcome<()> {
-        let Self { model, links, loads, work, q, v, v_dot } = self;
-        links.update(&model.links, q, v);
-        forward::forward_dynamics(model, links, v, loads, work, v_dot);
+    fn repeat(&mut self, times: usize) -> Outcome<()> {
+        for _ in 0..times {
+            let Self { model, links, loads, work, q, v, v_dot } = black_box(&mut *self);
+            links.update(&model.links, q, v);
+            forward::forward_dynamics(model, links, v, loads, work, v_dot);
+        }
         Ok(())
     }
 
@@ -91,7 +100,7 @@ impl Operation for Forward {
 }
 
 /// One RK4 step of the plant without its ledger.
-pub struct Step {
+struct Step {
     plant: Plant,
     scheme: Scheme,
     start: State,
@@ -100,7 +109,7 @@ pub struct Step {
 
 impl Step {
     /// The plant with its forces and drives.
-    pub fn new(Task { setup, q, v }: Task) -> Self {
+    fn new(Task { setup, q, v }: Task) -> Self {
         let mut plant = Plant::new(setup.model, setup.forces, setup.drives, &q);
         plant.keeps_ledger = false;
         let scheme = Scheme::runge_kutta_4(plant.sizes());
@@ -115,12 +124,14 @@ impl Operation for Step {
         Ok(())
     }
 
-    #[inline]
-    fn once(&mut self) -> Outcome<()> {
-        let start_s = self.state.steps as f64 * STEP_S;
-        self.state.steps += 1;
-        let interval = Interval { start_s, end_s: self.state.steps as f64 * STEP_S };
-        self.scheme.step(&mut self.plant, interval, &mut self.state);
+    fn repeat(&mut self, times: usize) -> Outcome<()> {
+        for _ in 0..times {
+            let Self { plant, scheme, state, .. } = black_box(&mut *self);
+            let start_s = state.steps as f64 * STEP_S;
+            state.steps += 1;
+            let interval = Interval { start_s, end_s: state.steps as f64 * STEP_S };
+            scheme.step(plant, interval, state);
+        }
         Ok(())
     }
 
@@ -130,7 +141,7 @@ impl Operation for Step {
 }
 
 /// One step as it ships: with the ledger, the limits checked, the last good state kept.
-pub struct Shipped {
+struct Shipped {
     simulation: Simulation,
     q: Vec<f64>,
     v: Vec<f64>,
@@ -138,8 +149,8 @@ pub struct Shipped {
 
 impl Shipped {
     /// The scenario's simulation.
-    pub fn new(Task { setup, q, v }: Task) -> Outcome<Self> {
-        Ok(Self { simulation: Simulation::new(setup), q, v })
+    fn new(Task { setup, q, v }: Task) -> Self {
+        Self { simulation: Simulation::new(setup), q, v }
     }
 }
 
@@ -149,9 +160,8 @@ impl Operation for Shipped {
         Ok(self.simulation.set_state(&self.q, &self.v, None)?)
     }
 
-    #[inline]
-    fn once(&mut self) -> Outcome<()> {
-        Ok(self.simulation.step(1)?)
+    fn repeat(&mut self, times: usize) -> Outcome<()> {
+        Ok(self.simulation.step(times)?)
     }
 
     fn result(&self) -> Vec<f64> {
