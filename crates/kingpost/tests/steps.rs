@@ -127,6 +127,10 @@ fn states_that_cannot_be_are_refused_and_change_nothing() {
     broken[3] = 2.0;
     assert!(matches!(simulation.set_state(&broken, &v, None), Err(InputError::Entry { index: 3, .. })));
     assert!(matches!(simulation.set_state(&q, &v[1..], None), Err(InputError::Length { name: "v", .. })));
+    let mut pushed = v.clone();
+    pushed[0] = 1.0;
+    let refused = simulation.set_state(&q, &pushed, None);
+    assert!(matches!(refused, Err(InputError::Entry { name: "v", index: 0, .. })), "the centre is held");
     assert!(matches!(simulation.set_input("lever", 0.1), Err(InputError::Unknown { .. })));
     assert_eq!(simulation.snapshot(), before);
 }

@@ -8,7 +8,7 @@ pub use setup::{Input, SchemeName, Settings, Setup};
 
 use crate::dynamics::moving_frame::MovingFrame;
 use crate::integrate::{Interval, Scheme, Stage, System};
-use crate::model::Model;
+use crate::model::{Mode, Model};
 use crate::plant::{Plant, instant};
 use crate::results::{self, Channel, Sample};
 use crate::spatial::{Frame, Quaternion};
@@ -214,6 +214,11 @@ impl Simulation {
         check_array("v", v, self.state.v.len())?;
         if let Some(s) = s {
             check_array("s", s, self.state.s.len())?;
+        }
+        let held = |i: &usize| self.plant.model.modes[*i] == Mode::Held && v[*i] != 0.0;
+        if let Some(index) = (0..v.len()).find(held) {
+            let allowed = "0, for a coordinate that is held";
+            return Err(InputError::Entry { name: "v", index, found: v[index], allowed });
         }
         let mut unit = q.to_vec();
         for node in self.plant.model.tree.nodes.iter().filter(|node| node.kind.position_count() == 7) {
