@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from .figures import DURATION_S
 from .measured import PRINTED_AT_S, Measured
 
 
@@ -21,6 +22,16 @@ class Erratum:
     corrected: list[str] = field(default_factory=list)
 
 
+def power(value: float) -> str:
+    """A small number in HTML, as a power of ten.
+
+    >>> power(2.3e-11)
+    '2 \u00d7 10<sup>\u221211</sup>'
+    """
+    digit, exponent = f"{value:.0e}".split("e")
+    return f"{digit} \u00d7 10<sup>{int(exponent)}</sup>".replace("-", "\u2212")
+
+
 def errata(m: Measured) -> list[Erratum]:
     """The nine remarks, with numbers measured by the engine."""
     return [*_kinematics(m), *_statements(m), _names(), _figure_9(m), _smaller()]
@@ -32,9 +43,9 @@ def _kinematics(m: Measured) -> list[Erratum]:
             "Eq. 43: the velocity of the arm's centre",
             "The last term must reach from the ship's centre to the tower's centre; the printed one "
             "starts at the tower's foot. With the crane at the ship's centre the two agree. With the "
-            f"crane in the stern corner, both motors on for {PRINTED_AT_S:g} s, the printed form is off "
+            f"crane in the stern corner and both motors on for {PRINTED_AT_S:g} s, the printed form is off "
             f"by {m.eq_43_m_s:.2f} m/s where the arm's centre moves at {m.arm_m_s:.2f} m/s; the "
-            f"corrected form agrees with the engine to {m.corrected_m_s:.0e} m/s.",
+            f"corrected form agrees with the engine to {power(m.corrected_m_s)} m/s.",
             [
                 r"\dot{x}_C^{(3)} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C_3})^T \omega^{(3)} "
                 r"+ R^{(2/1)} S(s_{J_2})^T \omega^{(2)} + S(s_{C_2})^T \omega^{(1)} \right) "
@@ -95,8 +106,8 @@ def _statements(m: Measured) -> list[Erratum]:
         ),
         Erratum(
             "Two uses of one symbol",
-            "Zeta is the rate of the arm's angle in Table 1 and the damping coefficient in the results. "
-            "Here xi is the angle and zeta the damping.",
+            "\u03b6 is the rate of the arm's angle in Table 1 and the damping coefficient in the results. "
+            "Here \u03be is the angle and \u03b6 the damping.",
             [r"\{\dot{q}\} = (\dot{x}_C^{(1)}, \omega^{(1)}, \dot{\phi}^{(2)}, \dot{\zeta}^{(3)})"],
             [r"\{\dot{q}\} = (\dot{x}_C^{(1)}, \omega^{(1)}, \dot{\phi}^{(2)}, \dot{\xi}^{(3)})"],
         ),
@@ -120,18 +131,21 @@ def _names() -> Erratum:
 
 
 def _figure_9(m: Measured) -> Erratum:
-    level, upright = m.level, m.upright
+    level, upright, damped = m.level, m.upright, m.level_damped
+    reduced = 100 * (1 - damped["roll"] / level["roll"])
     return Erratum(
         "What Figs. 9 and 11 say",
-        "The text expects yaw to dominate when the tower turns. It does not for the arm that the paper "
-        f"starts with, level and pointing forward: in Fig. 9 roll peaks at {level['roll']:.3f} rad/s, "
-        f"pitch at {level['pitch']:.3f} rad/s and yaw at {level['yaw']:.3f} rad/s, so roll is "
-        f"{level['roll'] / level['yaw']:.1f} times yaw. The motor's reaction is about the ship's "
-        "vertical axis, but the arm's weightless mass is high above the ship's centre and must be "
-        "thrown sideways; the ship rolls and pitches in return. The expectation is right for an upright "
-        f"arm: there yaw peaks at {upright['yaw']:.3f} rad/s against {upright['roll']:.3f} rad/s of roll "
-        f"and {upright['pitch']:.3f} rad/s of pitch. Nor can the damping remove all motion in Fig. 11: "
-        f"the roll coefficient is zero, and {m.roll_left:.3f} rad/s of roll rate are left at the end.",
+        "The text expects yaw to dominate when the tower turns. With the arm level and pointing forward "
+        f"at the start it does not: in Fig. 9 roll peaks at {level['roll']:.2f} rad/s, pitch at "
+        f"{level['pitch']:.2f} rad/s and yaw at {level['yaw']:.2f} rad/s, so roll is "
+        f"{level['roll'] / level['yaw']:.1f} times yaw. The motor turns the tower about the ship's "
+        "vertical axis, but to swing the arm takes a force 7 m above the ship's centre, and its reaction "
+        "rolls and pitches the ship. The expectation holds for an arm held upright: then only yaw is "
+        f"left, {upright['yaw']:.2f} rad/s at most. The text also says that damping reduces all "
+        f"magnitudes and can end all motion. With zero damping of roll it cannot: in Fig. 9 it takes "
+        f"{reduced:.0f} % off the roll peak, in Fig. 11 roll still reaches {m.both_damped['roll']:.2f} "
+        f"rad/s, and yaw peaks higher with damping ({m.both_damped['yaw']:.2f} rad/s) than without "
+        f"({m.both['yaw']:.2f} rad/s). All this is for motors that stay on for {DURATION_S:g} s.",
     )
 
 
@@ -145,16 +159,19 @@ def _smaller() -> Erratum:
         "the height of the ship's centre of mass, 2.5 m below the deck (the parameter "
         "<code>crane_z_m</code> moves it).",
         [
-            r"K^{(\alpha)} = \tfrac{1}{2} \left\{ m (\dot{x}_C)^2 + J_C (\omega)^2 \right\}",
-            r"\delta \omega = \frac{d}{dt} \left( R^T \delta R \right) + S(\omega) "
+            r"(47) \quad K^{(\alpha)} = \tfrac{1}{2} \left\{ m (\dot{x}_C)^2 + J_C (\omega)^2 \right\}",
+            r"(55) \quad \delta \omega = \frac{d}{dt} \left( R^T \delta R \right) + S(\omega) "
             r"\left( R^T \delta R \right)_{\mathrm{unskewed}}",
-            r"M^{(1)} = M^{(w)} - M_m^{(t)} e_2",
+            r"(59) \quad M^{(1)} = M^{(w)} - M_m^{(t)} e_2",
         ],
         [
-            r"K^{(\alpha)} = \tfrac{1}{2} \left( m \, \dot{x}_C^T \dot{x}_C + \omega^T J_C \, \omega \right)",
-            r"v_C = R^T \dot{x}_C",
-            r"\delta \omega = \frac{d}{dt} \delta \pi + S(\omega) \, \delta \pi",
-            r"D = \mathrm{diag} \left( 0, S(\omega^{(1)}), 0, S(\omega^{(2)}), 0, S(\omega^{(3)}) \right)",
-            r"M^{(1)} = M^{(w)} - M_m^{(t)} e_2 - \mathrm{diag}(\zeta_1, \zeta_2, \zeta_3) \, \omega^{(1)}",
+            r"(47) \quad K^{(\alpha)} = \tfrac{1}{2} \left( m \, \dot{x}_C^T \dot{x}_C "
+            r"+ \omega^T J_C \, \omega \right)",
+            r"(29\mathrm{b}) \quad v_C = R^T \dot{x}_C",
+            r"(55) \quad \delta \omega = \frac{d}{dt} \delta \pi + S(\omega) \, \delta \pi",
+            r"(57) \quad D = \mathrm{diag} \left( 0, S(\omega^{(1)}), 0, S(\omega^{(2)}), "
+            r"0, S(\omega^{(3)}) \right)",
+            r"(59) \quad M^{(1)} = M^{(w)} - M_m^{(t)} e_2 "
+            r"- \mathrm{diag}(\zeta_1, \zeta_2, \zeta_3) \, \omega^{(1)}",
         ],
     )

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 DURATION_S = 3.0
 RATES = {"pitch": "y", "yaw": "z", "roll": "x"}
 """The paper's w1, w2, w3, left to right, and the ship's axis of each."""
+NOTHING = 1e-9
+"""A rate below this is rounding, rad/s."""
 AT_CENTRE = {"crane_x_m": 0.0, "crane_y_m": 0.0, "load": False}
 
 
@@ -95,6 +97,8 @@ def write(folder: Path, figures: list[Figure]) -> None:
 
 def draw(folder: Path, figure: Figure) -> None:
     """Draw one figure: three panels on one scale, rad/s to the left and degrees/s to the right."""
+    from matplotlib.ticker import MultipleLocator
+
     with plotting() as pyplot:
         drawn, panels = pyplot.subplots(1, 3, figsize=(11, 3.9), sharex=True, sharey=True)
         for panel, name in zip(panels, RATES, strict=True):
@@ -102,6 +106,10 @@ def draw(folder: Path, figure: Figure) -> None:
             panel.plot(figure.time_s, figure.damped[name], label="with damping", **DAMPED)
             panel.set(title=f"{name.capitalize()} rate", xlabel="Time, s")
             panel.set_xlim(0, figure.time_s[-1])
+            panel.xaxis.set_major_locator(MultipleLocator(1))
+            panel.xaxis.set_minor_locator(MultipleLocator(0.5))
+            if np.abs(figure.undamped[name]).max() < NOTHING:
+                panel.annotate("zero, by symmetry", (0.5, 0.9), xycoords="axes fraction", ha="center")
         panels[0].set_ylabel("Angular velocity of the ship, rad/s")
         degrees = panels[-1].secondary_yaxis("right", functions=(np.degrees, np.radians))
         degrees.set_ylabel("degrees/s")

@@ -9,7 +9,7 @@ import numpy as np
 from ..simulate import Simulation, load
 from . import figures
 
-PRINTED_AT_S = 1.0
+PRINTED_AT_S = 0.25
 """When the printed kinematics is compared with the corrected one, s."""
 
 
@@ -28,9 +28,12 @@ class Measured:
     slew_inertia, slew_inertia_loaded
         Inertia about the tower's axis without and with the load, kg m2.
     level, upright
-        Largest pitch, yaw and roll rate with the tower motor and a level or upright arm, rad/s.
-    roll_left
-        Roll rate that is left at the end of Fig. 11 with damping, rad/s.
+        Largest pitch, yaw and roll rate with the tower motor, the arm at first level or held
+        upright, rad/s.
+    level_damped, both, both_damped
+        The same of Fig. 9 with damping, and of Fig. 11 without and with it, rad/s.
+    without_d_energy, without_d_momentum
+        Energy error over work, and momentum error (N m s), with D left out of eq. 60b.
     """
 
     eq_43_m_s: float
@@ -43,13 +46,20 @@ class Measured:
     slew_inertia_loaded: float
     level: dict[str, float]
     upright: dict[str, float]
-    roll_left: float
+    level_damped: dict[str, float]
+    both: dict[str, float]
+    both_damped: dict[str, float]
+    without_d_energy: float
+    without_d_momentum: float
 
 
 def measure(drawn: list[figures.Figure]) -> Measured:
     """Measure them; `drawn` are Figs. 9 to 11 as run."""
     level, both = drawn[0], drawn[-1]
-    upright = figures.simulate(level.case, **{"bodies.arm.joint.revolute.initial_angle_rad": -np.pi / 2})
+    arm = "bodies.arm.joint.revolute"
+    held_upright = {f"{arm}.initial_angle_rad": -np.pi / 2, f"{arm}.mode": "held"}
+    upright = figures.simulate(level.case, **held_upright)
+    without_d = _without_d(both.case)
     return Measured(
         *_printed_kinematics(),
         held=_coordinates(hold_centre=True),
@@ -58,8 +68,18 @@ def measure(drawn: list[figures.Figure]) -> Measured:
         slew_inertia_loaded=_slew_inertia(load_on=True),
         level=_peaks(level.undamped),
         upright=_peaks(figures.rates(upright)),
-        roll_left=float(abs(both.damped["roll"][-1])),
+        level_damped=_peaks(level.damped),
+        both=_peaks(both.undamped),
+        both_damped=_peaks(both.damped),
+        without_d_energy=without_d[0],
+        without_d_momentum=without_d[1],
     )
+
+
+def _without_d(case: figures.Case) -> tuple[float, float]:
+    settings = {"simulation.form": "moving_frame_without_d", "simulation.duration_s": 1.0}
+    last = figures.simulate(case, **settings).isel(time=-1)
+    return float(abs(last["energy_error"] / last["work_done"])), float(last["momentum_error"])
 
 
 def _coordinates(hold_centre: bool) -> list[str]:

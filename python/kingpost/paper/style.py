@@ -10,7 +10,7 @@ from typing import Any
 UNDAMPED: dict[str, Any] = {"color": "#0072B2", "linewidth": 1.8}
 DAMPED: dict[str, Any] = {"color": "#D55E00", "linewidth": 1.8, "linestyle": (0, (5, 2))}
 INTEGRATORS: dict[str, dict[str, Any]] = {
-    "forward_euler": {"color": "#CC79A7", "marker": "o"},
+    "forward_euler": {"color": "#CC79A7", "marker": "o", "linewidth": 4.0, "markersize": 9},
     "midpoint_euler": {"color": "#E69F00", "marker": "s"},
     "rk4": {"color": "#009E73", "marker": "D"},
 }
@@ -18,6 +18,7 @@ _SETTINGS = {
     "figure.constrained_layout.use": True,
     "figure.dpi": 100,
     "savefig.dpi": 160,
+    "axes.axisbelow": True,
     "savefig.facecolor": "white",
     "svg.hashsalt": "kingpost",
     "font.size": 11,
