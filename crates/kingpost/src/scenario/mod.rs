@@ -7,6 +7,8 @@ mod assignment;
 pub mod build;
 pub mod describe;
 mod error;
+#[cfg(feature = "schema")]
+pub mod json_schema;
 mod parameters;
 mod parse;
 pub mod range;

@@ -46,11 +46,14 @@ pub(super) fn apply(
                 let fault = |allowed| Fault::new(&place, name, wording::found(value), allowed);
                 let value = typed_value(parameter, *kind, value).map_err(fault)?;
                 for path in &parameter.writes {
-                    target.write(path, value.to_json(), &place)?;
+                    target.write(path, &value.to_json(), &place, &place)?;
                 }
             }
+            None if is_definition(name) => {
+                return Err(Fault::new(&place, name, wording::found(value), wording::SET_BY_NAME));
+            }
             None if name.contains('.') || TOP.contains(&name.as_str()) => {
-                target.write(name, value.clone(), &place)?;
+                target.write(name, value, &place, &place)?;
             }
             None => {
                 let names: Vec<&str> = kinds.keys().copied().collect();
@@ -60,6 +63,11 @@ pub(super) fn apply(
         }
     }
     Ok(())
+}
+
+/// Whether a path leads into the list of parameters.
+fn is_definition(path: &str) -> bool {
+    path == "parameters" || path.starts_with("parameters.")
 }
 
 /// A parameter and its place in the list.
@@ -107,7 +115,7 @@ impl Definition<'_> {
 
     fn check_path(&self, target: &Target<'_>, index: usize, path: &str) -> Result<(), Fault> {
         let field = format!("writes.{index}");
-        if path == "parameters" || path.starts_with("parameters.") {
+        if is_definition(path) {
             return Err(self.fault(target, &field, wording::quoted(path), wording::PATHS));
         }
         let (si, _) = units::si_path(&segments(path));
@@ -135,7 +143,11 @@ impl Definition<'_> {
     }
 
     fn write(&self, target: &mut Target<'_>, value: &ParameterValue, place: &Place) -> Result<(), Fault> {
-        self.parameter.writes.iter().try_for_each(|path| target.write(path, value.to_json(), place))
+        let writes = self.parameter.writes.iter().enumerate();
+        writes.into_iter().try_for_each(|(index, path)| {
+            let name_place = target.tree.place_of(&self.path(&format!("writes.{index}")));
+            target.write(path, &value.to_json(), place, &name_place)
+        })
     }
 }
 
@@ -183,42 +195,49 @@ impl Target<'_> {
         Ok(())
     }
 
-    fn write(&mut self, path: &str, value: Value, place: &Place) -> Result<(), Fault> {
+    /// Writes a value that comes from `place` at a path that comes from `name_place`.
+    fn write(&mut self, path: &str, value: &Value, place: &Place, name_place: &Place) -> Result<(), Fault> {
         let written = segments(path);
         let (si, factor) = units::si_path(&written);
-        self.check(&si).map_err(|NoSuchField { found, allowed }| Fault::new(place, path, found, allowed))?;
-        let mut node = Node::from_value(&value, place);
+        self.check(&si).map_err(|NoSuchField { found, allowed }| Fault::new(name_place, path, found, allowed))?;
+        let mut node = Node::from_value(value, place);
         units::to_si(&mut node)?;
         if factor != 1.0 {
             units::convert(&mut node, factor);
         }
-        put(self.tree, self.whole, &si, &written, node);
+        put(self.tree, self.whole, &Path { si: &si, written: &written, place: name_place }, node);
         Ok(())
     }
 }
 
+/// A path with each name in SI and as written, and the place it comes from.
+struct Path<'a> {
+    si: &'a [String],
+    written: &'a [String],
+    place: &'a Place,
+}
+
 /// Puts a node at a path that [`Target::check`] has passed; levels that only the defaults have are copied from them.
-fn put(tree: &mut Node, whole: &Value, si: &[String], written: &[String], node: Node) {
-    let ([segment, rest @ ..], [name, names @ ..]) = (si, written) else {
+fn put(tree: &mut Node, whole: &Value, path: &Path<'_>, node: Node) {
+    let Path { si: [segment, si @ ..], written: [name, written @ ..], place } = *path else {
         *tree = node;
         return;
     };
     let below = value_child(whole, segment).unwrap_or(&Value::Null);
-    let place = node.place.clone();
+    let rest = Path { si, written, place };
     match &mut tree.content {
         Content::Fields(fields) => {
-            let field = fields
-                .entry(segment.clone())
-                .or_insert_with(|| Field::new(place.clone(), Node::from_value(below, &place)));
-            if rest.is_empty() || segment != name {
-                field.name_place = place;
+            let new = || Field::new(place.clone(), Node::from_value(below, place));
+            let field = fields.entry(segment.clone()).or_insert_with(new);
+            if si.is_empty() || segment != name {
+                field.name_place = place.clone();
                 field.written = (segment != name).then(|| name.clone());
             }
-            put(&mut field.node, below, rest, names, node);
+            put(&mut field.node, below, &rest, node);
         }
         Content::List(entries) => {
-            if let Some(entry) = segment.parse::<usize>().ok().and_then(|i| entries.get_mut(i)) {
-                put(entry, below, rest, names, node);
+            if let Some(entry) = segment.parse::<usize>().ok().and_then(|index| entries.get_mut(index)) {
+                put(entry, below, &rest, node);
             }
         }
         Content::Scalar(_) => {}

@@ -94,11 +94,37 @@ fn type_fault(tree: &Node, value: &Value, error: &TypeError) -> Fault {
     if let Some(rest) = message.strip_prefix("missing field ") {
         path.extend(wording::names_in_backquotes(rest).first().map(|name| (*name).to_owned()));
     }
-    let allowed =
-        allowed_at(value, &path).or_else(|| expected(&message)).unwrap_or_else(|| wording::REQUIRED.to_owned());
+    if let Some(fault) = name_fault(tree, &path, &message).or_else(|| kind_fault(tree, &path, &message)) {
+        return fault;
+    }
+    let own = expected(&message);
+    let allowed = match own {
+        Some(own) if message.starts_with("invalid value") && !message.starts_with("invalid value: map") => own,
+        own => allowed_at(value, &path).or(own).unwrap_or_else(|| wording::REQUIRED.to_owned()),
+    };
     let node = tree.at(&path);
     let found = node.map_or_else(|| wording::NOTHING.to_owned(), |node| found_in(node, &message));
     Fault::new(&tree.place_of(&path), tree.written_path(&path), found, allowed)
+}
+
+/// The error of a name that has not the form of one.
+fn name_fault(tree: &Node, path: &[String], message: &str) -> Option<Fault> {
+    let is_name = message.starts_with("invalid value: string") && !tree.at(path)?.to_value().is_string();
+    let name = path.last().filter(|_| is_name)?;
+    let field = tree.written_path(path);
+    Some(Fault::new(&tree.name_place_of(path), field, wording::quoted(name), expected(message)?))
+}
+
+/// The error of a kind that is written without the fields it needs, or with fields that it has not.
+fn kind_fault(tree: &Node, path: &[String], message: &str) -> Option<Fault> {
+    let (kind, parent) = path.split_last()?;
+    let allowed = match message.split_once(", expected ")?.1 {
+        "newtype variant" => wording::with_fields(kind),
+        "unit variant" => wording::without_fields(kind),
+        _ => return None,
+    };
+    let node = tree.at(parent)?;
+    Some(Fault::new(&node.place, tree.written_path(parent), wording::found(&node.to_value()), allowed))
 }
 
 /// What was found: the value as written, or the name where that is what is wrong.

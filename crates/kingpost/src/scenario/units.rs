@@ -99,14 +99,15 @@ fn field_to_si(name: String, mut field: Field) -> (String, Field) {
     }
 }
 
-/// Converts the numbers of a quantity: one, or a list of them. Everything else is left for the typed read to refuse.
+/// Converts the numbers of a quantity: one, or a list of them. Everything else is left for the typed read to refuse, and
+/// so is a number too large for its SI unit.
 pub(super) fn convert(node: &mut Node, factor: f64) {
     match &mut node.content {
         Content::List(entries) => entries.iter_mut().for_each(|entry| convert(entry, factor)),
         Content::Scalar(value) => {
-            let converted = value.as_f64().map(|number| number * factor);
-            if let Some(number) = converted.and_then(Number::from_f64) {
-                node.written = Some(std::mem::replace(value, Value::Number(number)));
+            if let Some(number) = value.as_f64() {
+                let converted = Number::from_f64(number * factor).map_or(Value::Null, Value::Number);
+                node.written = Some(std::mem::replace(value, converted));
             }
         }
         Content::Fields(_) => {}

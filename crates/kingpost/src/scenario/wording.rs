@@ -34,9 +34,13 @@ pub(super) fn found(value: &Value) -> String {
     match value {
         Value::Null => NOTHING.to_owned(),
         Value::Bool(value) => value.to_string(),
-        Value::Number(value) => value.to_string(),
+        Value::Number(value) => number(value),
         Value::String(value) => format!("the text {}", quoted(value)),
         Value::Array(entries) if entries.is_empty() => "an empty list".to_owned(),
+        Value::Array(entries) if entries.len() <= 4 && entries.iter().all(Value::is_number) => {
+            let entries: Vec<String> = entries.iter().map(found).collect();
+            format!("[{}]", entries.join(", "))
+        }
         Value::Array(entries) => format!("a list of {}", entries.len()),
         Value::Object(fields) if fields.is_empty() => "no fields".to_owned(),
         Value::Object(fields) => {
@@ -44,6 +48,12 @@ pub(super) fn found(value: &Value) -> String {
             shortened(&format!("the fields {}", names.join(", ")))
         }
     }
+}
+
+/// A number without the `.0` of a whole one.
+fn number(number: &serde_json::Number) -> String {
+    let text = number.to_string();
+    text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
 }
 
 /// A text in quotes on one line, shortened where it is long.
@@ -134,7 +144,9 @@ pub(super) fn syntax(message: &str) -> (String, String) {
     } else if message.contains("tabs disallowed") {
         ("a tab in the indentation", "spaces")
     } else if message.contains("unexpected character") {
-        return (message.replace(['`', '\''], ""), SCENARIO.to_owned());
+        return (shortened_syntax(message).replace(['`', '\''], ""), SCENARIO.to_owned());
+    } else if message.contains("recursion limit") {
+        return too_much();
     } else if message.contains("unclosed quote") || message.contains("multiline quoted scalar") {
         ("a quote that is not closed", "a closing quote")
     } else if message.contains("unclosed bracket") {
@@ -181,6 +193,7 @@ pub(super) const ONE_UNIT: &str = "one of the two";
 pub(super) const UNKNOWN_NAME: &str = "an unknown name";
 pub(super) const OWN_NAME: &str = "a name that no field at the top of the file has";
 pub(super) const PATHS: &str = "paths of fields, as bodies.ship.mass_kg";
+pub(super) const SET_BY_NAME: &str = "the name of a parameter, to set it";
 pub(super) const CHOICES: &str = "a list of the texts allowed";
 pub(super) const RANGE: &str = "two numbers, the smaller first";
 pub(super) const REQUIRED: &str = "a value: this field is required";
@@ -200,10 +213,21 @@ pub(super) fn default_for(path: &str) -> String {
 
 /// A path that leads nowhere.
 pub(super) fn no_field(name: &str, parent: &str) -> String {
+    let kind = if name.parse::<usize>().is_ok() { "entry" } else { "field" };
     match parent {
-        "" => format!("no field {}", quoted(name)),
-        parent => format!("no field {} in {parent}", quoted(name)),
+        "" => format!("no {kind} {}", quoted(name)),
+        parent => format!("no {kind} {} in {parent}", quoted(name)),
     }
+}
+
+/// A kind that needs its fields: `box: {...}`.
+pub(super) fn with_fields(kind: &str) -> String {
+    format!("{kind} with its fields, {kind}: {{...}}")
+}
+
+/// A kind without fields.
+pub(super) fn without_fields(kind: &str) -> String {
+    format!("{kind} alone")
 }
 
 /// What a path may go on with, inside of a value with these names.

@@ -1,0 +1,80 @@
+//! JSON Schema of the scenario, for editors and for the generated types of other languages.
+
+use schemars::transform::{Transform, transform_subschemas};
+use schemars::{Schema, schema_for};
+use serde_json::{Map, Value, json};
+
+use super::schema::Scenario;
+use super::units::UNIT_ALIASES;
+
+/// The JSON Schema of a scenario, unit aliases included: each is a property beside its SI name, marked `x-alias-of`.
+pub fn json_schema() -> Value {
+    let mut schema = schema_for!(Scenario);
+    UnitAliases.transform(&mut schema);
+    schema.to_value()
+}
+
+struct UnitAliases;
+
+impl Transform for UnitAliases {
+    fn transform(&mut self, schema: &mut Schema) {
+        transform_subschemas(self, schema);
+        let Some(object) = schema.as_object_mut() else { return };
+        let Some(Value::Object(properties)) = object.get_mut("properties") else { return };
+        let mut pairs = Vec::new();
+        let mut with_aliases = Map::new();
+        for (name, property) in std::mem::take(properties) {
+            let alias = alias_of(&name).map(|alias| {
+                let copy = aliased(&property, &name);
+                pairs.push((name.clone(), alias.clone()));
+                (alias, copy)
+            });
+            with_aliases.insert(name, property);
+            with_aliases.extend(alias);
+        }
+        *properties = with_aliases;
+        exclude_both(object, &pairs);
+    }
+}
+
+/// The name with a unit alias that stands for this SI name. The longest ending counts, so that `_N_m_s` is not `_s`.
+fn alias_of(name: &str) -> Option<String> {
+    let ends = UNIT_ALIASES.iter().filter(|alias| name.ends_with(alias.si));
+    let alias = ends.max_by_key(|alias| alias.si.len())?;
+    let stem = name.strip_suffix(alias.si)?;
+    Some(format!("{stem}{}", alias.ending))
+}
+
+fn aliased(property: &Value, name: &str) -> Value {
+    let mut copy = property.clone();
+    if let Some(object) = copy.as_object_mut() {
+        object.remove("default");
+        object.insert("description".to_owned(), json!(format!("The same as `{name}`, in the unit of this name.")));
+        object.insert("x-alias-of".to_owned(), json!(name));
+    }
+    copy
+}
+
+/// Of an SI name and its alias at most one may be given; exactly one where the field is required.
+fn exclude_both(object: &mut Map<String, Value>, pairs: &[(String, String)]) {
+    let mut rules = Vec::new();
+    for (name, alias) in pairs {
+        let required = object.get_mut("required").and_then(Value::as_array_mut);
+        let is_required = required.is_some_and(|required| {
+            let before = required.len();
+            required.retain(|entry| entry != name);
+            required.len() < before
+        });
+        rules.push(if is_required {
+            json!({"oneOf": [{"required": [name]}, {"required": [alias]}]})
+        } else {
+            json!({"not": {"required": [name, alias]}})
+        });
+    }
+    if object.get("required").and_then(Value::as_array).is_some_and(Vec::is_empty) {
+        object.shift_remove("required");
+    }
+    if !rules.is_empty() {
+        object.insert("allOf".to_owned(), Value::Array(rules));
+    }
+}
