@@ -1,0 +1,55 @@
+import type { SimulationSettings } from "../generated/scenario";
+
+type Integrator = NonNullable<SimulationSettings["integrator"]>;
+
+const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+function superscript(exponent: number): string {
+  const digits = String(Math.abs(exponent)).replace(/\d/g, (digit) => SUPERSCRIPT[Number(digit)]);
+  return exponent < 0 ? `⁻${digits}` : digits;
+}
+
+/** A fixed number of decimals with a true minus sign, so that columns of numbers do not jump. */
+export function fixed(value: number, decimals: number): string {
+  if (!Number.isFinite(value)) return "–";
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
+}
+
+/** Two digits and a power of ten, as 1.9×10⁻⁷; "0" for zero and a dash for no number. */
+export function scientific(value: number): string {
+  if (Number.isNaN(value)) return "–";
+  if (value === 0) return "0";
+  if (!Number.isFinite(value)) return "∞";
+  const [mantissa, exponent] = value.toExponential(1).split("e");
+  return `${mantissa.replace("-", "−")}×10${superscript(Number(exponent))}`;
+}
+
+/** A step or an interval, in ms below a second. */
+export function duration(seconds: number): string {
+  return seconds < 1 ? `${Number((seconds * 1000).toPrecision(6))} ms` : `${Number(seconds.toPrecision(6))} s`;
+}
+
+const INTEGRATORS: Record<Integrator, string> = {
+  forward_euler: "Forward Euler",
+  midpoint_euler: "Midpoint Euler",
+  rk4: "RK4 (Munthe-Kaas)",
+};
+
+export function integratorName(name: string): string {
+  return INTEGRATORS[name as Integrator] ?? name;
+}
+
+export const INTEGRATOR_NAMES = Object.keys(INTEGRATORS);
+
+const FORMS: Record<NonNullable<SimulationSettings["form"]>, string> = {
+  recursive: "Recursive (fast)",
+  moving_frame: "Moving frame (the paper's)",
+  moving_frame_without_d: "Moving frame, D left out",
+};
+
+export function formName(name: string): string {
+  return FORMS[name as keyof typeof FORMS] ?? name;
+}
+
+export const FORM_NAMES = Object.keys(FORMS);

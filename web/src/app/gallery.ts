@@ -1,0 +1,43 @@
+import type { Fault } from "../engine/engine";
+
+export interface GalleryEntry {
+  name: string;
+  title: string;
+  file: string;
+}
+
+/** The gallery beside the page, from wherever the folder is served. */
+export class Gallery {
+  private constructor(
+    private readonly base: string,
+    readonly entries: GalleryEntry[],
+  ) {}
+
+  static async load(base: string): Promise<Gallery> {
+    const text = await fetchText(new URL("scenarios/index.json", base));
+    return new Gallery(base, JSON.parse(text) as GalleryEntry[]);
+  }
+
+  async read(name: string): Promise<{ text: string; file: string }> {
+    const entry = this.entries.find((known) => known.name === name);
+    if (!entry) throw this.unknown(name);
+    return { text: await fetchText(new URL(`scenarios/${entry.file}`, this.base)), file: entry.file };
+  }
+
+  private unknown(name: string): Fault {
+    const known = this.entries.map((entry) => entry.name).join(", ");
+    return {
+      kind: "scenario",
+      message: `scenario: found ${name}, allowed: ${known}`,
+      field: "scenario",
+      found: name,
+      allowed: known,
+    };
+  }
+}
+
+async function fetchText(url: URL): Promise<string> {
+  const response = await fetch(url);
+  if (!response.ok) throw { kind: "internal", message: `${url.pathname}: ${response.status} ${response.statusText}` };
+  return response.text();
+}

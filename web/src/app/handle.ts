@@ -1,0 +1,32 @@
+import type { Session } from "./session";
+
+/** A look at the run for tests and for the browser's console; it changes nothing. */
+export interface Sample {
+  status: string;
+  time_s: number;
+  /** The last row by column name, as in the CSV files. */
+  row: Record<string, number>;
+  /** Per body x y z qw qx qy qz, world frame. */
+  poses: number[];
+}
+
+declare global {
+  interface Window {
+    kingpost?: { sample(): Sample | null };
+  }
+}
+
+export function exposeHandle(session: Session): void {
+  window.kingpost = Object.freeze({
+    sample() {
+      const { run, lastFrame, status } = session;
+      if (!run || !lastFrame) return null;
+      return {
+        status,
+        time_s: run.columns.read(lastFrame.row, "time"),
+        row: run.columns.byName(lastFrame.row),
+        poses: Array.from(lastFrame.poses),
+      };
+    },
+  });
+}

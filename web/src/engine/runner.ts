@@ -1,0 +1,101 @@
+import { asFault, readModel, readSettings } from "./engine";
+import type { Engine, Fault, OpenEngine, Values } from "./engine";
+import type { Frame, Opened } from "./messages";
+
+/** Longest stretch of wall time that one frame may catch up with, s: a slow machine runs slowly. */
+const LONGEST_WALL_S = 0.25;
+/** Longest time that one frame may compute, ms. */
+const BUDGET_MS = 40;
+/** Steps between two looks at the clock. */
+const STEPS_AT_ONCE = 64;
+
+/** Owns the engine: opens scenarios, steps to the wall clock, records rows. */
+export class Runner {
+  private engine: Engine | null = null;
+  private steps = 0;
+  private stepsPerRecord = 1;
+  private owed_s = 0;
+  private fault: Fault | null = null;
+
+  constructor(
+    private readonly openEngine: OpenEngine,
+    private readonly now_ms: () => number,
+  ) {}
+
+  /** Opens a scenario at its initial state; when that throws, the engine in hand stays. */
+  open(text: string, file: string, overrides: Values): Opened {
+    const engine = this.openEngine(text, file, JSON.stringify(overrides));
+    const model = readModel(engine.model_json());
+    this.engine?.free();
+    this.engine = engine;
+    this.steps = 0;
+    this.stepsPerRecord = Math.max(1, Math.round(model.record_every_s / engine.step_s()));
+    this.owed_s = 0;
+    this.fault = null;
+    return {
+      model,
+      settings: readSettings(engine.resolved_json()),
+      channels: JSON.parse(engine.channels_json()),
+      inputs: JSON.parse(engine.inputs_json()),
+      frame: this.frame([engine.row()]),
+    };
+  }
+
+  /** Advances by `wall_s` times `speed`, as far as the budget of one frame goes. */
+  advance(wall_s: number, speed: number): Frame {
+    const engine = this.current();
+    const step_s = engine.step_s();
+    this.owed_s += Math.min(wall_s, LONGEST_WALL_S) * speed;
+    const wanted = Math.floor(this.owed_s / step_s + 1e-9);
+    const done = this.take(wanted, this.now_ms() + BUDGET_MS);
+    this.owed_s = done.steps < wanted ? 0 : this.owed_s - wanted * step_s;
+    return this.frame(done.rows);
+  }
+
+  /** Steps to the next recording time. */
+  step(): Frame {
+    this.owed_s = 0;
+    return this.frame(this.take(this.toNextRecord(), Infinity).rows);
+  }
+
+  input(name: string, value: number): void {
+    this.current().set_input(name, value);
+  }
+
+  private current(): Engine {
+    if (!this.engine) throw { kind: "internal", message: "no scenario is open" };
+    return this.engine;
+  }
+
+  private toNextRecord(): number {
+    return this.stepsPerRecord - (this.steps % this.stepsPerRecord);
+  }
+
+  private take(wanted: number, deadline_ms: number): { steps: number; rows: Float64Array[] } {
+    const engine = this.current();
+    const rows: Float64Array[] = [];
+    let left = this.fault ? 0 : wanted;
+    while (left > 0 && this.now_ms() < deadline_ms) {
+      const n = Math.min(left, this.toNextRecord(), STEPS_AT_ONCE);
+      try {
+        engine.step(n);
+      } catch (thrown) {
+        this.fault = asFault(thrown);
+        rows.push(engine.row());
+        break;
+      }
+      this.steps += n;
+      left -= n;
+      if (this.steps % this.stepsPerRecord === 0) rows.push(engine.row());
+    }
+    return { steps: wanted - left, rows };
+  }
+
+  private frame(rows: Float64Array[]): Frame {
+    const engine = this.current();
+    const row = engine.row();
+    const flat = new Float64Array(rows.length * row.length);
+    rows.forEach((one, index) => flat.set(one, index * row.length));
+    return { rows: flat, row, poses: engine.poses(), fault: this.fault };
+  }
+}

@@ -1,0 +1,862 @@
+/* Generated from schema/scenario.schema.json by `npm run types`; do not edit. */
+
+/**
+ * A rigid body. Its geometry is written in a drawing frame of its own; the shape is centred on the centre of mass.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export type Body = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Off leaves out this body and all that hangs on it.
+   */
+  enabled?: boolean;
+  /**
+   * The body that this one hangs on, or `world`.
+   */
+  parent?: string;
+  /**
+   * Mass, kg.
+   */
+  mass_kg?: number;
+  /**
+   * The same as `mass_kg`, in the unit of this name.
+   */
+  mass_t?: number;
+  /**
+   * Colour in the views, `#rrggbb`.
+   */
+  colour?: string | null;
+  /**
+   * The solid that gives the inertia, unless `inertia` does, and the picture.
+   */
+  shape?: Shape | null;
+  /**
+   * The inertia in numbers; it replaces that of the shape.
+   */
+  inertia?: Inertia | null;
+  /**
+   * The centre of mass in the drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  centre_of_mass_m?: [number, number, number];
+  /**
+   * How this body moves against its parent.
+   */
+  joint:
+    | {
+        floating: FloatingJoint;
+      }
+    | {
+        revolute: RevoluteJoint;
+      }
+    | {
+        prismatic: PrismaticJoint;
+      }
+    | {
+        fixed: FixedJoint;
+      };
+  /**
+   * Named points of this body, reported in the results.
+   */
+  points?: {
+    [k: string]: Point;
+  };
+};
+/**
+ * A homogeneous solid, or a point mass.
+ */
+export type Shape =
+  | {
+      box: BoxShape;
+    }
+  | {
+      cylinder: CylinderShape;
+    }
+  | {
+      sphere: SphereShape;
+    }
+  | {
+      point: PointShape;
+    };
+/**
+ * Inertia in numbers, about the centre of mass in body axes.
+ */
+export type Inertia =
+  | {
+      tensor: InertiaTensor;
+    }
+  | {
+      radii_of_gyration: RadiiOfGyration;
+    };
+/**
+ * Moments and products of inertia about the centre of mass in body axes.
+ */
+export type InertiaTensor = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Ixx, Iyy, Izz, kg m^2. No one of them may exceed the sum of the other two.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  moments_kg_m2?: [number, number, number];
+  /**
+   * The same as `moments_kg_m2`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  moments_t_m2?: [number, number, number];
+  /**
+   * Ixy, Ixz, Iyz, kg m^2, as entries of the tensor: Ixy = -integral(x y dm).
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  products_kg_m2?: [number, number, number];
+  /**
+   * The same as `products_kg_m2`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  products_t_m2?: [number, number, number];
+};
+/**
+ * Where the body is and how it moves at the start.
+ */
+export type InitialMotion = {
+  /**
+   * Position of the centre of mass in the world, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * Roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  /**
+   * Velocity of the centre of mass in the world, m/s.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  velocity_m_s?: [number, number, number];
+  /**
+   * Angular velocity in body axes: roll, pitch, yaw rate, rad/s.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  angular_velocity_rad_s?: [number, number, number];
+  /**
+   * The same as `angular_velocity_rad_s`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  angular_velocity_deg_s?: [number, number, number];
+};
+/**
+ * A hinge.
+ */
+export type RevoluteJoint = {
+  /**
+   * Name of the joint; the body's when absent.
+   */
+  name?: string | null;
+  /**
+   * The axis in this body's axes, of any length but 0.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  axis: [number, number, number];
+  /**
+   * The joint in the parent's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The joint in this body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  child_position_m?: [number, number, number];
+  /**
+   * This body's axes in the parent's at angle 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  /**
+   * Angle at the start, rad.
+   */
+  initial_angle_rad?: number;
+  /**
+   * The same as `initial_angle_rad`, in the unit of this name.
+   */
+  initial_angle_deg?: number;
+  /**
+   * Rate at the start, rad/s.
+   */
+  initial_rate_rad_s?: number;
+  /**
+   * The same as `initial_rate_rad_s`, in the unit of this name.
+   */
+  initial_rate_deg_s?: number;
+  /**
+   * Viscous damping moment per rate, N m s.
+   */
+  damping_N_m_s?: number;
+  /**
+   * The same as `damping_N_m_s`, in the unit of this name.
+   */
+  damping_kN_m_s?: number;
+  /**
+   * Free, held or prescribed.
+   */
+  mode?:
+    | "free"
+    | "held"
+    | {
+        prescribed: PrescribedRate;
+      };
+};
+/**
+ * A hinge's rate as a given function of time.
+ */
+export type PrescribedRate = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Full rate, rad/s.
+   */
+  rate_rad_s?: number;
+  /**
+   * The same as `rate_rad_s`, in the unit of this name.
+   */
+  rate_deg_s?: number;
+  /**
+   * How the rate goes with time.
+   */
+  history?: "constant" | "pulse" | "lever";
+  /**
+   * The times of the history `pulse`.
+   */
+  pulse?: Pulse | null;
+};
+/**
+ * A slide.
+ */
+export type PrismaticJoint = {
+  /**
+   * Name of the joint; the body's when absent.
+   */
+  name?: string | null;
+  /**
+   * The axis in this body's axes, of any length but 0.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  axis: [number, number, number];
+  /**
+   * The joint in the parent's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The joint in this body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  child_position_m?: [number, number, number];
+  /**
+   * This body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  /**
+   * Extension at the start, m.
+   */
+  initial_extension_m?: number;
+  /**
+   * Speed at the start, m/s.
+   */
+  initial_speed_m_s?: number;
+  /**
+   * Viscous damping force per speed, N s/m.
+   */
+  damping_N_s_m?: number;
+  /**
+   * The same as `damping_N_s_m`, in the unit of this name.
+   */
+  damping_kN_s_m?: number;
+  /**
+   * Free, held or prescribed.
+   */
+  mode?:
+    | "free"
+    | "held"
+    | {
+        prescribed: PrescribedSpeed;
+      };
+};
+/**
+ * No motion against the parent.
+ */
+export type FixedJoint = {
+  /**
+   * Name of the joint; the body's when absent.
+   */
+  name?: string | null;
+  /**
+   * The joint in the parent's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The joint in this body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  child_position_m?: [number, number, number];
+  /**
+   * This body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+};
+/**
+ * What acts on the bodies from outside.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export type Force =
+  | {
+      gravity: Gravity;
+    }
+  | {
+      viscous_damping: ViscousDamping;
+    };
+/**
+ * A force and a moment against a body's velocity and angular velocity, each in body axes.
+ */
+export type ViscousDamping = {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The body.
+   */
+  body: string;
+  /**
+   * Force per velocity of the centre of mass along x, y, z of the body, N s/m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  linear_N_s_m?: [number, number, number];
+  /**
+   * The same as `linear_N_s_m`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  linear_kN_s_m?: [number, number, number];
+  /**
+   * Moment per roll, pitch, yaw rate, N m s.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  angular_N_m_s?: [number, number, number];
+  /**
+   * The same as `angular_N_m_s`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  angular_kN_m_s?: [number, number, number];
+};
+/**
+ * What acts between two bodies, in the joint that connects them.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export type Drive =
+  | {
+      motor: Motor;
+    }
+  | {
+      linear_motor: LinearMotor;
+    }
+  | {
+      servo: Servo;
+    }
+  | {
+      linear_servo: LinearServo;
+    };
+/**
+ * A torque in a revolute joint; the reaction acts on the parent.
+ */
+export type Motor = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The revolute joint.
+   */
+  joint: string;
+  /**
+   * Full torque, positive about the joint's axis, N m.
+   */
+  torque_N_m?: number;
+  /**
+   * The same as `torque_N_m`, in the unit of this name.
+   */
+  torque_kN_m?: number;
+  /**
+   * How the torque goes with time.
+   */
+  history?: "constant" | "pulse" | "lever";
+  /**
+   * The times of the history `pulse`.
+   */
+  pulse?: Pulse | null;
+};
+/**
+ * A force in a prismatic joint; the reaction acts on the parent.
+ */
+export type LinearMotor = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The prismatic joint.
+   */
+  joint: string;
+  /**
+   * Full force, positive along the joint's axis, N.
+   */
+  force_N?: number;
+  /**
+   * The same as `force_N`, in the unit of this name.
+   */
+  force_kN?: number;
+  /**
+   * How the force goes with time.
+   */
+  history?: "constant" | "pulse" | "lever";
+  /**
+   * The times of the history `pulse`.
+   */
+  pulse?: Pulse | null;
+};
+/**
+ * A torque `stiffness (target - angle) - damping rate` in a revolute joint, clipped at the torque limit.
+ */
+export type Servo = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The revolute joint.
+   */
+  joint: string;
+  /**
+   * The angle to hold, rad.
+   */
+  target_rad?: number;
+  /**
+   * The same as `target_rad`, in the unit of this name.
+   */
+  target_deg?: number;
+  /**
+   * Torque per angle, N m/rad.
+   */
+  stiffness_N_m_per_rad?: number;
+  /**
+   * The same as `stiffness_N_m_per_rad`, in the unit of this name.
+   */
+  stiffness_kN_m_per_rad?: number;
+  /**
+   * Torque per rate, N m s/rad.
+   */
+  damping_N_m_s_per_rad?: number;
+  /**
+   * The same as `damping_N_m_s_per_rad`, in the unit of this name.
+   */
+  damping_kN_m_s_per_rad?: number;
+  /**
+   * Largest torque, N m.
+   */
+  torque_limit_N_m?: number;
+  /**
+   * The same as `torque_limit_N_m`, in the unit of this name.
+   */
+  torque_limit_kN_m?: number;
+};
+/**
+ * A force `stiffness (target - extension) - damping speed` in a prismatic joint, clipped at the force limit.
+ */
+export type LinearServo = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The prismatic joint.
+   */
+  joint: string;
+  /**
+   * The extension to hold, m.
+   */
+  target_m: number;
+  /**
+   * Force per extension, N/m.
+   */
+  stiffness_N_per_m?: number;
+  /**
+   * The same as `stiffness_N_per_m`, in the unit of this name.
+   */
+  stiffness_kN_per_m?: number;
+  /**
+   * Force per speed, N s/m.
+   */
+  damping_N_s_per_m?: number;
+  /**
+   * The same as `damping_N_s_per_m`, in the unit of this name.
+   */
+  damping_kN_s_per_m?: number;
+  /**
+   * Largest force, N.
+   */
+  force_limit_N?: number;
+  /**
+   * The same as `force_limit_N`, in the unit of this name.
+   */
+  force_limit_kN?: number;
+};
+
+/**
+ * One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
+ */
+export interface Scenario {
+  /**
+   * The version of the file format: 1.
+   */
+  version: 1;
+  /**
+   * One line that says what this is.
+   */
+  title: string;
+  /**
+   * What a reader should know: the source, the choices made.
+   */
+  description?: string;
+  /**
+   * The knobs of this scenario, in the order in which views show them.
+   */
+  parameters?: Parameter[];
+  simulation?: SimulationSettings;
+  /**
+   * The bodies by name.
+   */
+  bodies: {
+    [k: string]: Body;
+  };
+  /**
+   * What acts on the bodies from outside, by name.
+   */
+  forces?: {
+    [k: string]: Force;
+  };
+  /**
+   * What acts between the bodies, in their joints, by name.
+   */
+  drives?: {
+    [k: string]: Drive;
+  };
+}
+/**
+ * A knob of a scenario. Command line, Python and the app set the fields that it writes by this name.
+ */
+export interface Parameter {
+  /**
+   * The name by which it is set; no field at the top of the file may have it.
+   */
+  name: string;
+  /**
+   * What views show; the name when absent.
+   */
+  label?: string;
+  /**
+   * Unit, for display.
+   */
+  unit?: string;
+  /**
+   * The value written unless another is given; when absent, what stands at the first field.
+   */
+  default?: boolean | number | string | null;
+  /**
+   * Least and largest value of a number.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  range?: [number, number] | null;
+  /**
+   * The texts allowed.
+   */
+  choices?: string[] | null;
+  /**
+   * Whether it may change during a run; else it takes effect at reset.
+   */
+  live?: boolean;
+  /**
+   * The fields that it writes, as dotted paths: `bodies.ship.mass_kg`.
+   */
+  writes: string[];
+}
+/**
+ * Time stepping and recording.
+ */
+export interface SimulationSettings {
+  /**
+   * The scheme that steps the state.
+   */
+  integrator?: "forward_euler" | "midpoint_euler" | "rk4";
+  /**
+   * The form in which the equations of motion are solved.
+   */
+  form?: "recursive" | "moving_frame" | "moving_frame_without_d";
+  /**
+   * Fixed time step, s.
+   */
+  step_s?: number;
+  /**
+   * Length of the run, s.
+   */
+  duration_s?: number;
+  /**
+   * Interval between recorded rows, s.
+   */
+  record_every_s?: number;
+  /**
+   * A run diverges when a rate passes this, rad/s or m/s.
+   */
+  rate_limit?: number;
+  /**
+   * Seed of every random number in the run.
+   */
+  seed?: number;
+}
+/**
+ * A solid box, its edges along the body's axes.
+ */
+export interface BoxShape {
+  /**
+   * Extent along x, m.
+   */
+  length_m: number;
+  /**
+   * Extent along y, m.
+   */
+  width_m: number;
+  /**
+   * Extent along z, m.
+   */
+  height_m: number;
+}
+/**
+ * A solid circular cylinder.
+ */
+export interface CylinderShape {
+  /**
+   * Radius, m.
+   */
+  radius_m: number;
+  /**
+   * Extent along the axis, m.
+   */
+  length_m: number;
+  /**
+   * The body axis that the cylinder lies along.
+   */
+  axis?: "x" | "y" | "z";
+}
+/**
+ * A solid sphere.
+ */
+export interface SphereShape {
+  /**
+   * Radius, m.
+   */
+  radius_m: number;
+}
+/**
+ * A point mass: no extent, no inertia of its own.
+ */
+export interface PointShape {}
+/**
+ * Radii of gyration about the centre of mass; the body's axes are its principal axes.
+ */
+export interface RadiiOfGyration {
+  /**
+   * kx, ky, kz, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  radii_m: [number, number, number];
+}
+/**
+ * A body free in the world. Its parent is the world.
+ */
+export interface FloatingJoint {
+  /**
+   * Name of the joint; the body's when absent.
+   */
+  name?: string | null;
+  /**
+   * Holds the centre of mass where it is.
+   */
+  hold_translation?: boolean;
+  /**
+   * Holds the orientation as it is.
+   */
+  hold_rotation?: boolean;
+  initial?: InitialMotion;
+}
+/**
+ * Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, from T to -T in twice `rise_s`, -T for
+ * `reverse_s`, back to 0 in `rise_s`, and 0 from then on.
+ */
+export interface Pulse {
+  /**
+   * Length of the ramp from 0 to full strength, s; 0 is a jump.
+   */
+  rise_s: number;
+  /**
+   * Time at full strength, s.
+   */
+  hold_s: number;
+  /**
+   * Time at full strength the other way, s.
+   */
+  reverse_s: number;
+}
+/**
+ * A slide's speed as a given function of time.
+ */
+export interface PrescribedSpeed {
+  /**
+   * Full speed, m/s.
+   */
+  speed_m_s: number;
+  /**
+   * How the speed goes with time.
+   */
+  history?: "constant" | "pulse" | "lever";
+  /**
+   * The times of the history `pulse`.
+   */
+  pulse?: Pulse | null;
+}
+/**
+ * A named point of a body.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export interface Point {
+  /**
+   * Position in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+}
+/**
+ * Weight of every body, downwards along the world's z axis.
+ */
+export interface Gravity {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * Acceleration of free fall, m/s^2.
+   */
+  acceleration_m_s2?: number;
+}

@@ -1,0 +1,50 @@
+import "uplot/dist/uPlot.min.css";
+import "./styles/main.css";
+import { runClock } from "./app/clock";
+import { Gallery } from "./app/gallery";
+import { exposeHandle } from "./app/handle";
+import { OPENING_SCENARIO } from "./app/opening";
+import { Session } from "./app/session";
+import { EngineClient } from "./engine/client";
+import type { Fault } from "./engine/engine";
+import { Plots } from "./plots/plots";
+import { showFaults } from "./ui/alert";
+import { Controls } from "./ui/controls";
+import { Readouts } from "./ui/readouts";
+import { Scenarios } from "./ui/scenarios";
+import { Settings } from "./ui/settings";
+import { enableSwitcher } from "./ui/switcher";
+import { Transport } from "./ui/transport";
+import { createScene } from "./view/scene";
+
+const worker = new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
+const session = new Session(new EngineClient(worker));
+showFaults(session);
+enableSwitcher();
+new Controls(session);
+new Settings(session);
+new Readouts(session);
+new Transport(session);
+const plots = new Plots(session);
+const scene = createScene(session);
+exposeHandle(session);
+runClock(session, () => {
+  scene.draw();
+  plots.draw();
+});
+void openFirst();
+
+async function openFirst(): Promise<void> {
+  try {
+    const gallery = await Gallery.load(document.baseURI);
+    const scenarios = new Scenarios(session, gallery);
+    const asked = new URLSearchParams(location.search).get("scenario");
+    if (asked === null || !(await scenarios.openNamed(asked))) {
+      const why = session.fault;
+      await scenarios.openNamed(OPENING_SCENARIO);
+      if (why) session.report(why);
+    }
+  } catch (fault) {
+    session.report(fault as Fault);
+  }
+}

@@ -1,0 +1,155 @@
+import uPlot from "uplot";
+import { fixed } from "../app/format";
+import { make, setText } from "../ui/dom";
+import type { History } from "./history";
+import { DECIMALS, PER_RADIAN } from "./quantities";
+import type { PlotKind, Unit } from "./quantities";
+import { timeRange, wrapPlaces } from "./window";
+
+interface Legend {
+  value: HTMLElement;
+  column: number;
+}
+
+/** One figure: title, legend with the values at the crosshair or now, and the lines. */
+export class Plot {
+  private chart: uPlot | null = null;
+  private unit: Unit = "deg";
+  private stale = true;
+  private duration_s = 1;
+  private window_s = 1;
+  private readonly area: HTMLElement;
+  private readonly at: HTMLElement;
+  private readonly unitLabel: HTMLElement;
+  private readonly legends: Legend[];
+  private scaled: Float64Array[] = [];
+
+  /** `columns`: where this figure's quantities stand in the history; time stands at 0. */
+  constructor(
+    figure: HTMLElement,
+    private readonly kind: PlotKind,
+    private readonly history: History,
+    private readonly columns: number[],
+  ) {
+    this.at = make("span", { class: "plot-at" });
+    this.unitLabel = make("span", { class: "plot-unit" });
+    this.area = make("div", { class: "plot-area", role: "img", "aria-label": `${kind.title} of pitch, yaw and roll over time` });
+    this.legends = kind.quantities.map((quantity, i) => ({
+      value: make("span", { class: "plot-value", "data-testid": `${quantity.key}-${kind.key}` }),
+      column: columns[i],
+    }));
+    const entries = kind.quantities.map((quantity, i) =>
+      make("span", { class: "plot-entry" }, make("span", { class: `swatch swatch-${quantity.key}` }), quantity.label, this.legends[i].value),
+    );
+    const title = make("span", { class: "plot-title" }, kind.title, " ", this.unitLabel);
+    const caption = make("figcaption", {}, make("span", { class: "plot-head" }, title, this.at), ...entries);
+    figure.replaceChildren(caption, this.area);
+    new ResizeObserver(() => this.resize()).observe(this.area);
+  }
+
+  setUnit(unit: Unit): void {
+    this.unit = unit;
+    this.stale = true;
+  }
+
+  setWindow(duration_s: number, window_s: number): void {
+    this.duration_s = duration_s;
+    this.window_s = window_s;
+    this.stale = true;
+  }
+
+  /** Colours come from the page's theme; they are read when the chart is made. */
+  restyle(): void {
+    this.chart?.destroy();
+    this.chart = null;
+    this.stale = true;
+  }
+
+  touch(): void {
+    this.stale = true;
+  }
+
+  draw(): void {
+    if (!this.stale || this.area.clientWidth < 40 || this.area.clientHeight < 40) return this.drawLegend();
+    this.stale = false;
+    this.chart ??= this.makeChart();
+    this.chart.setData(this.scaledData(), false);
+    const [min, max] = timeRange(this.history.last(0) || 0, this.duration_s, this.window_s);
+    this.chart.setScale("x", { min, max });
+    this.drawLegend();
+  }
+
+  private scaledData(): uPlot.AlignedData {
+    const n = this.history.length;
+    if (this.scaled.length === 0 || this.scaled[0].length < n) {
+      this.scaled = this.columns.map(() => new Float64Array(Math.max(256, 2 * n)));
+    }
+    const factor = PER_RADIAN[this.unit];
+    const series = this.columns.map((column, i) => {
+      const from = this.history.column(column);
+      const to = this.scaled[i].subarray(0, n);
+      for (let k = 0; k < n; k++) to[k] = from[k] * factor;
+      return to;
+    });
+    return [this.history.column(0), ...series] as unknown as uPlot.AlignedData;
+  }
+
+  private drawLegend(): void {
+    const index = this.chart?.cursor.idx ?? null;
+    const inside = index !== null && index < this.history.length;
+    setText(this.unitLabel, this.kind.units[this.unit]);
+    setText(this.at, inside ? `at ${fixed(this.history.column(0)[index], 2)} s` : "");
+    for (const { value, column } of this.legends) {
+      const radians = inside ? this.history.column(column)[index] : this.history.last(column);
+      setText(value, fixed(radians * PER_RADIAN[this.unit], DECIMALS[this.unit]));
+    }
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.area;
+    if (this.chart && width > 0 && height > 0) this.chart.setSize({ width, height });
+    this.stale = true;
+  }
+
+  private makeChart(): uPlot {
+    const style = getComputedStyle(document.documentElement);
+    const colour = (name: string) => style.getPropertyValue(name).trim();
+    const axis = { stroke: colour("--muted"), font: "12px " + colour("--font"), ticks: { show: false } };
+    const grid = { stroke: colour("--plot-grid"), width: 1 };
+    const options: uPlot.Options = {
+      width: this.area.clientWidth,
+      height: this.area.clientHeight,
+      legend: { show: false },
+      padding: [8, 10, 0, 0],
+      cursor: { sync: { key: "time" }, drag: { x: false, y: false }, points: { size: 7 } },
+      scales: { x: { time: false }, y: { range: (_u, low, high) => paddedRange(low, high, this.unit) } },
+      axes: [
+        { ...axis, grid, size: 28, values: (_u, splits) => splits.map((split) => `${Number(split.toPrecision(6))} s`) },
+        { ...axis, grid, size: 52, values: (_u, splits) => splits.map((split) => fixed(split, 6).replace(/\.?0+$/, "")) },
+      ],
+      series: [{}, ...this.kind.quantities.map(({ key, label }) => this.line(label, colour(`--${key}`)))],
+    };
+    return new uPlot(options, this.scaledData(), this.area);
+  }
+
+  private line(label: string, stroke: string): uPlot.Series {
+    const series: uPlot.Series = { label, stroke, width: 2, points: { show: false } };
+    if (!this.kind.wraps) return series;
+    series.gaps = (u, seriesIndex, first, last) => {
+      const values = u.data[seriesIndex] as unknown as Float64Array;
+      const pixel = (i: number) => u.valToPos(u.data[0][i], "x", true);
+      const places = wrapPlaces(values, first, last, Math.PI * PER_RADIAN[this.unit]);
+      return places.map(([from, to]): [number, number] => [pixel(from), pixel(to)]);
+    };
+    return series;
+  }
+}
+
+/** Room around the lines; never so narrow that rounding noise looks like motion. */
+function paddedRange(low: number | null, high: number | null, unit: Unit): [number, number] {
+  const least = 0.005 * PER_RADIAN[unit];
+  const bottom = Math.min(low ?? 0, -least);
+  const top = Math.max(high ?? 0, least);
+  const margin = 0.06 * (top - bottom);
+  return [bottom - margin, top + margin];
+}

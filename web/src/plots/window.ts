@@ -1,0 +1,24 @@
+/** Most records that the plots keep. */
+const MOST_RECORDS = 20000;
+
+/** How long the plots look back, s: the scenario's duration, at least 10 s, as memory allows. */
+export function windowLength(duration_s: number, interval_s: number): { window_s: number; capacity: number } {
+  const wanted_s = Math.max(duration_s, 10);
+  const capacity = Math.min(MOST_RECORDS, Math.ceil(wanted_s / interval_s) + 2);
+  return { window_s: Math.min(wanted_s, (capacity - 2) * interval_s), capacity };
+}
+
+/** The stretch of time in sight: the whole duration at first, then the last window. */
+export function timeRange(now_s: number, duration_s: number, window_s: number): [number, number] {
+  const end = Math.max(now_s, Math.min(duration_s, window_s));
+  return [Math.max(0, end - window_s), end];
+}
+
+/** Pairs of neighbouring places between which an angle jumps around the circle. */
+export function wrapPlaces(values: ArrayLike<number>, first: number, last: number, half: number): [number, number][] {
+  const places: [number, number][] = [];
+  for (let i = first + 1; i <= last; i++) {
+    if (Math.abs(values[i] - values[i - 1]) > half) places.push([i - 1, i]);
+  }
+  return places;
+}

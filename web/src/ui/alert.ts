@@ -1,0 +1,43 @@
+import type { Fault } from "../engine/engine";
+import type { Session } from "../app/session";
+import { byId, make } from "./dom";
+
+/** Shows what went wrong until it is dismissed or something opens; the app runs on. */
+export function showFaults(session: Session): void {
+  const region = byId("alert");
+  session.listen({
+    faulted(fault) {
+      if (!fault) return region.replaceChildren();
+      const close = make("button", { type: "button", class: "button alert-close", "aria-label": "Dismiss" }, "×");
+      close.addEventListener("click", () => session.dismissFault());
+      region.replaceChildren(make("div", { class: "alert-box" }, make("div", { class: "alert-text" }, ...lines(fault)), close));
+    },
+  });
+}
+
+const HEADINGS: Record<string, string> = {
+  scenario: "This scenario does not read",
+  diverged: "The run diverged",
+  input: "That value is not allowed",
+};
+
+function lines(fault: Fault): HTMLElement[] {
+  const heading = make("p", { class: "alert-heading" }, HEADINGS[fault.kind] ?? "Something went wrong");
+  const message = make("p", { class: "alert-message", "data-testid": "alert-message" }, fault.message);
+  const details = facts(fault).map(([name, value]) => make("div", {}, make("dt", {}, name), make("dd", {}, value)));
+  return details.length > 0 ? [heading, message, make("dl", {}, ...details)] : [heading, message];
+}
+
+/** The parts of a fault that are there, one by one: a long message is hard to take apart on a phone. */
+function facts(fault: Fault): [string, string][] {
+  const place = [fault.file, fault.line, fault.column].filter((part) => part !== undefined && part !== "").join(":");
+  const pairs: [string, string | undefined][] = [
+    ["Place", place],
+    ["Field", fault.field],
+    ["Found", fault.found],
+    ["Allowed", fault.allowed],
+    ["Time", fault.time_s === undefined ? undefined : `${fault.time_s} s`],
+    ["Body", fault.body],
+  ];
+  return pairs.filter((pair): pair is [string, string] => pair[1] !== undefined && pair[1] !== "");
+}

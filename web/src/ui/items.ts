@@ -1,0 +1,100 @@
+import type { ParameterInfo, Value } from "../engine/engine";
+import { make } from "./dom";
+
+/** One control: its element, and how it shows a value and that the value waits for a reset. */
+export interface Item {
+  name: string;
+  element: HTMLElement;
+  show(value: Value, pending: boolean): void;
+}
+
+type Named = Pick<ParameterInfo, "name" | "label">;
+type Numeric = Named & Pick<ParameterInfo, "unit" | "range">;
+
+export function checkbox({ name, label }: Named, set: (value: boolean) => void): Item {
+  const input = make("input", { type: "checkbox", id: id(name), "data-testid": `parameter-${name}` });
+  const element = make("label", { class: "item item-checkbox", for: id(name) }, input, make("span", {}, label));
+  input.addEventListener("change", () => set(input.checked));
+  return {
+    name,
+    element,
+    show(value, pending) {
+      input.checked = value === true;
+      mark(element, pending);
+    },
+  };
+}
+
+export function choice({ name, label, choices }: Named & Pick<ParameterInfo, "choices">, set: (value: string) => void): Item {
+  const options = (choices ?? []).map((one) => make("option", { value: one }, one.replaceAll("_", " ")));
+  const select = make("select", { id: id(name), "data-testid": `parameter-${name}` }, ...options);
+  const element = make("div", { class: "item item-choice" }, make("label", { for: id(name) }, label), select);
+  select.addEventListener("change", () => set(select.value));
+  return {
+    name,
+    element,
+    show(value, pending) {
+      select.value = String(value);
+      mark(element, pending);
+    },
+  };
+}
+
+/** A slider with its number beside it, editable; without a range the number alone. */
+export function number({ name, label, unit, range }: Numeric, set: (value: number) => void): Item {
+  const text = unit ? `${label}, ${unit}` : label;
+  const box = make("input", {
+    type: "number",
+    id: id(name),
+    step: "any",
+    inputmode: "decimal",
+    "data-testid": `parameter-${name}`,
+  });
+  const head = make("div", { class: "item-head" }, make("label", { for: id(name) }, text), box);
+  const element = make("div", { class: "item item-number" }, head);
+  const slider = range && sliderFor(name, text, range);
+  if (slider) {
+    element.append(slider);
+    slider.addEventListener("input", () => set(slider.valueAsNumber));
+  }
+  box.addEventListener("change", () => {
+    if (Number.isFinite(box.valueAsNumber)) set(box.valueAsNumber);
+  });
+  return {
+    name,
+    element,
+    show(value, pending) {
+      box.value = String(value);
+      if (slider) slider.value = String(value);
+      mark(element, pending);
+    },
+  };
+}
+
+function sliderFor(name: string, text: string, [lower, upper]: [number, number]): HTMLInputElement {
+  return make("input", {
+    type: "range",
+    min: lower,
+    max: upper,
+    step: sliderStep(lower, upper),
+    "aria-label": `${text}, slider`,
+    "data-testid": `slider-${name}`,
+  });
+}
+
+/** A round step (1, 2 or 5 times a power of ten) that gives a slider 100 to 250 places. */
+export function sliderStep(lower: number, upper: number): number {
+  const finest = (upper - lower) / 250;
+  if (!(finest > 0) || !Number.isFinite(finest)) return 1;
+  const power = Math.floor(Math.log10(finest) + 1e-9);
+  const round = [1, 2, 5, 10].find((factor) => factor * 10 ** power >= finest * (1 - 1e-9)) ?? 10;
+  return Number((round * 10 ** power).toPrecision(3));
+}
+
+function mark(element: HTMLElement, pending: boolean): void {
+  element.classList.toggle("is-pending", pending);
+}
+
+function id(name: string): string {
+  return `parameter-${name.replaceAll(".", "-")}`;
+}

@@ -1,0 +1,78 @@
+import type { Gallery } from "../app/gallery";
+import type { Fault } from "../engine/engine";
+import { openingOverrides } from "../app/opening";
+import type { Session } from "../app/session";
+import { byId, make } from "./dom";
+
+const FILE_OPTION = "a file of yours";
+
+/** Choosing a scenario: from the gallery, from a file, or dropped on the page. */
+export class Scenarios {
+  private readonly select = byId<HTMLSelectElement>("gallery");
+  private shown = "";
+
+  constructor(
+    private readonly session: Session,
+    private readonly gallery: Gallery,
+  ) {
+    this.fill();
+    this.select.addEventListener("change", () => void this.openNamed(this.select.value));
+    const input = byId<HTMLInputElement>("file");
+    byId("open-file").addEventListener("click", () => input.click());
+    input.addEventListener("change", () => {
+      const file = input.files?.[0];
+      input.value = "";
+      if (file) void this.openFile(file);
+    });
+    this.acceptDrops();
+  }
+
+  async openNamed(name: string): Promise<boolean> {
+    try {
+      const source = await this.gallery.read(name);
+      if (await this.session.open(source, openingOverrides(name))) {
+        this.shown = name;
+        this.fill();
+        return true;
+      }
+    } catch (fault) {
+      this.session.report(fault as Fault);
+    }
+    this.select.value = this.shown;
+    return false;
+  }
+
+  private async openFile(file: File): Promise<void> {
+    const source = { text: await file.text(), file: file.name };
+    if (await this.session.open(source, {})) {
+      this.shown = FILE_OPTION;
+      this.fill(file.name);
+    }
+  }
+
+  private fill(fileName?: string): void {
+    const options = this.gallery.entries.map((entry) => make("option", { value: entry.name }, entry.title || entry.name));
+    if (fileName) options.push(make("option", { value: FILE_OPTION, disabled: true }, fileName));
+    this.select.replaceChildren(...options);
+    this.select.value = this.shown;
+  }
+
+  private acceptDrops(): void {
+    const veil = byId("drop");
+    let depth = 0;
+    const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
+    const show = (change: number) => {
+      depth = Math.max(0, depth + change);
+      veil.hidden = depth === 0;
+    };
+    addEventListener("dragenter", (event) => carriesFile(event) && show(1));
+    addEventListener("dragleave", (event) => carriesFile(event) && show(-1));
+    addEventListener("dragover", (event) => event.preventDefault());
+    addEventListener("drop", (event) => {
+      event.preventDefault();
+      show(-depth);
+      const file = event.dataTransfer?.files[0];
+      if (file) void this.openFile(file);
+    });
+  }
+}

@@ -1,0 +1,88 @@
+export type Vec3 = readonly [number, number, number];
+
+export function dot(a: Vec3, b: Vec3): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+export function cross(a: Vec3, b: Vec3): Vec3 {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
+export function unit(a: Vec3): Vec3 {
+  const length = Math.hypot(...a) || 1;
+  return [a[0] / length, a[1] / length, a[2] / length];
+}
+
+/** Rotates v by the unit quaternion w, x, y, z. */
+export function rotate([w, x, y, z]: readonly [number, number, number, number], v: Vec3): Vec3 {
+  const t = cross([x, y, z], v);
+  const u = cross([x, y, z], [t[0] + w * v[0], t[1] + w * v[1], t[2] + w * v[2]]);
+  return [v[0] + 2 * u[0], v[1] + 2 * u[1], v[2] + 2 * u[2]];
+}
+
+/** The eight corners of each body's box in the world; poses are x y z qw qx qy qz a body. */
+export function cornersOf(poses: ArrayLike<number>, halves: readonly Vec3[]): Vec3[] {
+  return halves.flatMap((half, body) => {
+    const at = 7 * body;
+    const turn = [poses[at + 3], poses[at + 4], poses[at + 5], poses[at + 6]] as const;
+    return SIGNS.map(([x, y, z]): Vec3 => {
+      const v = rotate(turn, [x * half[0], y * half[1], z * half[2]]);
+      return [poses[at] + v[0], poses[at + 1] + v[1], poses[at + 2] + v[2]];
+    });
+  });
+}
+
+const SIGNS: Vec3[] = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z): Vec3 => [x, y, z])));
+
+export function middleOf(points: readonly Vec3[]): Vec3 {
+  const middle = (i: number) => {
+    const values = points.map((point) => point[i]);
+    return (Math.min(...values) + Math.max(...values)) / 2;
+  };
+  return [middle(0), middle(1), middle(2)];
+}
+
+export interface Lens {
+  /** Vertical field of view, rad. */
+  fov: number;
+  /** Width over height. */
+  aspect: number;
+}
+
+/** A target and a distance at which the points fill the picture, with as much room on one side as on the other. */
+export function frame(points: readonly Vec3[], back: Vec3, up: Vec3, lens: Lens): { target: Vec3; distance: number } {
+  const right = unit(cross(up, back));
+  const top = cross(back, right);
+  let target = middleOf(points);
+  let distance = fitDistance(points, target, back, up, lens);
+  for (let i = 0; i < 8; i++) {
+    const seen = points.map((point) => {
+      const p: Vec3 = [point[0] - target[0], point[1] - target[1], point[2] - target[2]];
+      const depth = distance - dot(p, back);
+      return [dot(p, right) / depth, dot(p, top) / depth];
+    });
+    const off = [0, 1].map((k) => {
+      const values = seen.map((place) => place[k]);
+      return ((Math.min(...values) + Math.max(...values)) / 2) * distance;
+    });
+    target = [0, 1, 2].map((k) => target[k] + off[0] * right[k] + off[1] * top[k]) as unknown as Vec3;
+    distance = fitDistance(points, target, back, up, lens);
+  }
+  return { target, distance };
+}
+
+/**
+ * The least distance from `target`, along the unit vector `back` towards the eye, at which every
+ * point is in the picture. `up` need not be square to `back`.
+ */
+export function fitDistance(points: readonly Vec3[], target: Vec3, back: Vec3, up: Vec3, lens: Lens): number {
+  const right = unit(cross(up, back));
+  const top = cross(back, right);
+  const tanY = Math.tan(lens.fov / 2);
+  const tanX = tanY * lens.aspect;
+  return points.reduce((distance, point) => {
+    const p: Vec3 = [point[0] - target[0], point[1] - target[1], point[2] - target[2]];
+    const needed = dot(p, back) + Math.max(Math.abs(dot(p, right)) / tanX, Math.abs(dot(p, top)) / tanY);
+    return Math.max(distance, needed);
+  }, 0);
+}

@@ -1,0 +1,37 @@
+import { Color } from "three";
+
+/** Colours of the 3D view; they come from the page's theme, so that there is one place for them. */
+export interface Palette {
+  hull: Color;
+  bottom: Color;
+  stripe: Color;
+  deck: Color;
+  marking: Color;
+  load: Color;
+  plain: Color;
+  grid: Color;
+  axes: { x: Color; y: Color; z: Color };
+  label: string;
+  halo: string;
+  isDark: boolean;
+}
+
+export function readPalette(): Palette {
+  const style = getComputedStyle(document.documentElement);
+  const text = (name: string) => style.getPropertyValue(name).trim();
+  const colour = (name: string) => new Color(text(name));
+  return {
+    hull: colour("--scene-hull"),
+    bottom: colour("--scene-bottom"),
+    stripe: colour("--scene-stripe"),
+    deck: colour("--scene-deck"),
+    marking: colour("--scene-marking"),
+    load: colour("--scene-load"),
+    plain: colour("--scene-plain"),
+    grid: colour("--scene-grid"),
+    axes: { x: colour("--roll"), y: colour("--pitch"), z: colour("--yaw") },
+    label: text("--ink"),
+    halo: text("--surface"),
+    isDark: matchMedia("(prefers-color-scheme: dark)").matches,
+  };
+}

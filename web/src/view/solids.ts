@@ -1,0 +1,86 @@
+import { Color, LatheGeometry, Mesh, MeshStandardMaterial, SphereGeometry, Vector2 } from "three";
+import type { BufferGeometry, Object3D } from "three";
+import { RoundedBoxGeometry } from "three/addons/geometries/RoundedBoxGeometry.js";
+import type { BodyInfo, Shape } from "../engine/engine";
+import { hullOf } from "./hull";
+import type { Palette } from "./palette";
+
+/** Density that a point's ball is drawn with, kg/m3: a tonne is 1.2 m across. */
+const BALL_DENSITY = 1100;
+
+/** What a body looks like, about its own frame: x forward, y to port, z up. */
+export function solidOf(body: BodyInfo, palette: Palette, isShip: boolean): Object3D {
+  const { shape } = body;
+  if (shape?.kind === "box" && isShip) return hullOf(shape, withHull(palette, body.colour));
+  const geometry = shape && geometryOf(shape, body.mass_kg);
+  const colour = body.colour ?? (shape?.kind === "point" ? palette.load : palette.plain);
+  return painted(geometry ?? ballOf(body.mass_kg), colour);
+}
+
+function withHull(palette: Palette, colour: string | null): Palette {
+  return colour ? { ...palette, hull: new Color(colour) } : palette;
+}
+
+function painted(geometry: BufferGeometry, colour: Color | string): Mesh {
+  const material = new MeshStandardMaterial({ roughness: 0.5, metalness: 0.08 });
+  material.color.set(colour);
+  const mesh = new Mesh(geometry, material);
+  mesh.castShadow = mesh.receiveShadow = true;
+  return mesh;
+}
+
+function geometryOf(shape: Shape, mass_kg: number): BufferGeometry {
+  switch (shape.kind) {
+    case "box": {
+      const edge = 0.03 * Math.min(shape.length_m, shape.width_m, shape.height_m);
+      return new RoundedBoxGeometry(shape.length_m, shape.width_m, shape.height_m, 2, edge);
+    }
+    case "cylinder":
+      return cylinderOf(shape.radius_m, shape.length_m, shape.axis);
+    case "sphere":
+      return new SphereGeometry(shape.radius_m, 40, 24);
+    case "point":
+      return ballOf(mass_kg);
+  }
+}
+
+/** A cylinder about its centre with slightly broken edges. */
+function cylinderOf(radius: number, length: number, axis: "x" | "y" | "z"): BufferGeometry {
+  const [half, edge] = [length / 2, 0.12 * Math.min(radius, length)];
+  const corner = (sign: number) =>
+    [0, 0.5, 1].map((part) => {
+      const angle = (part * Math.PI) / 2;
+      return new Vector2(radius - edge + edge * Math.sin(angle), sign * (half - edge + edge * Math.cos(angle)));
+    });
+  const profile = [new Vector2(0, -half), ...corner(-1), ...corner(1).reverse(), new Vector2(0, half)];
+  const geometry = new LatheGeometry(profile, 40);
+  if (axis === "x") geometry.rotateZ(-Math.PI / 2);
+  if (axis === "z") geometry.rotateX(Math.PI / 2);
+  return geometry;
+}
+
+/** A point has no size: it is drawn as a ball as large as its mass suggests. */
+function ballOf(mass_kg: number): BufferGeometry {
+  return new SphereGeometry(ballRadius(mass_kg), 36, 24);
+}
+
+export function ballRadius(mass_kg: number): number {
+  return Math.cbrt((3 * mass_kg) / (4 * Math.PI * BALL_DENSITY));
+}
+
+/** Half sizes of the box around a body, body axes. */
+export function halfSizes(body: BodyInfo): [number, number, number] {
+  const { shape } = body;
+  switch (shape?.kind) {
+    case "box":
+      return [shape.length_m / 2, shape.width_m / 2, shape.height_m / 2];
+    case "cylinder":
+      return [..."xyz"].map((axis) => (axis === shape.axis ? shape.length_m / 2 : shape.radius_m)) as [number, number, number];
+    case "sphere":
+      return [shape.radius_m, shape.radius_m, shape.radius_m];
+    default: {
+      const radius = ballRadius(body.mass_kg);
+      return [radius, radius, radius];
+    }
+  }
+}

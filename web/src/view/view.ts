@@ -1,0 +1,160 @@
+import { DirectionalLight, Group, HemisphereLight, Mesh, PCFShadowMap, Scene, Sprite, WebGLRenderer } from "three";
+import type { Material, Object3D } from "three";
+import type { ModelInfo } from "../engine/engine";
+import { Eye } from "./camera";
+import type { Vec3 } from "./fit";
+import { Ground } from "./ground";
+import { readPalette } from "./palette";
+import type { Palette } from "./palette";
+import { halfSizes, solidOf } from "./solids";
+import { labelScale, triadOf } from "./triad";
+
+/** Height of a label of a body frame, pixels, at most. */
+const LABEL_PX = 58;
+
+/** The 3D picture: world z up, a body's object at the pose that the engine gives. Drawn on demand. */
+export class View {
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly eye: Eye;
+  private readonly ground = new Ground();
+  private readonly sun = new DirectionalLight(0xffffff);
+  private readonly sky = new HemisphereLight();
+  private readonly world = new Group();
+  private bodies: Group[] = [];
+  private palette: Palette = readPalette();
+  private model: ModelInfo | null = null;
+  private poses: ArrayLike<number> = [];
+  private framesShown = false;
+  private stale = true;
+
+  /** Throws where the browser has no WebGL. */
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.eye = new Eye(canvas, () => (this.stale = true));
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    this.sun.shadow.bias = -0.0005;
+    this.sun.shadow.normalBias = 0.03;
+    this.scene.add(this.ground, this.sky, this.sun, this.sun.target, this.world);
+    this.light();
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
+  }
+
+  /** Builds the bodies; `refit` when it is another model and not the same one reset. */
+  build(model: ModelInfo, poses: ArrayLike<number>, refit: boolean): void {
+    this.model = model;
+    this.poses = poses;
+    this.clear();
+    this.bodies = model.bodies.map((body, i) => {
+      const group = new Group();
+      const isShip = model.joints[i]?.kind === "floating";
+      group.add(solidOf(body, this.palette, isShip));
+      return group;
+    });
+    this.world.add(...this.bodies);
+    const halves = model.bodies.map((body): Vec3 => halfSizes(body));
+    this.eye.watch(halves, poses);
+    this.addFrames();
+    this.place(poses);
+    if (refit) this.eye.fit();
+    this.stale = true;
+  }
+
+  show(poses: ArrayLike<number>): void {
+    this.poses = poses;
+    this.eye.follow(poses);
+    this.place(poses);
+  }
+
+  showFrames(shown: boolean): void {
+    this.framesShown = shown;
+    if (this.model) this.build(this.model, this.poses, false);
+  }
+
+  fit(): void {
+    this.eye.fit();
+  }
+
+  draw(): void {
+    this.eye.update();
+    if (!this.stale) return;
+    this.stale = false;
+    this.renderer.render(this.scene, this.eye.camera);
+  }
+
+  private place(poses: ArrayLike<number>): void {
+    this.bodies.forEach((body, i) => {
+      const at = 7 * i;
+      body.position.set(poses[at], poses[at + 1], poses[at + 2]);
+      body.quaternion.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 3]);
+    });
+    this.lightFrom(poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0);
+    this.stale = true;
+  }
+
+  /** The sun goes with the ship, so that the shadow stays sharp wherever it drifts. */
+  private lightFrom(x: number, y: number, z: number): void {
+    const size = this.eye.size();
+    this.sun.target.position.set(x, y, z);
+    this.sun.position.set(x - 0.7 * size, y - 0.9 * size, z + 2 * size);
+    this.ground.reachFrom(x, y, size);
+    const shadow = this.sun.shadow.camera;
+    shadow.left = shadow.bottom = -1.1 * size;
+    shadow.right = shadow.top = 1.1 * size;
+    shadow.far = 6 * size;
+    shadow.updateProjectionMatrix();
+  }
+
+  private addFrames(): void {
+    if (!this.framesShown) return;
+    const length = 0.16 * this.eye.size();
+    const height = this.canvas.clientHeight || 1;
+    const scale = labelScale(Math.min(LABEL_PX, 0.14 * height), height, this.eye.fov);
+    this.bodies.forEach((body, i) => body.add(triadOf(length, `(${i + 1})`, scale, this.palette)));
+    this.world.add(triadOf(1.8 * length, "I", scale, this.palette));
+  }
+
+  private light(): void {
+    this.ground.paint(this.palette);
+    this.sun.intensity = this.palette.isDark ? 2.2 : 2.4;
+    this.sky.intensity = this.palette.isDark ? 1.1 : 1.5;
+    this.sky.color.set(0xffffff);
+    this.sky.groundColor.set(this.palette.isDark ? 0x46566a : 0x9aa8b5);
+    this.sky.position.set(0, 0, 1);
+  }
+
+  private repaint(): void {
+    this.palette = readPalette();
+    this.light();
+    if (this.model) this.build(this.model, this.poses, false);
+    this.stale = true;
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement!;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.setSize(width, height, false);
+    this.eye.resize(width, height);
+    if (this.framesShown && this.model) this.build(this.model, this.poses, false);
+    this.stale = true;
+    this.draw();
+  }
+
+  private clear(): void {
+    this.world.traverse(dispose);
+    this.world.clear();
+  }
+}
+
+function dispose(object: Object3D): void {
+  if (object instanceof Sprite) object.material.map?.dispose();
+  if (object instanceof Mesh || object instanceof Sprite) {
+    object.geometry.dispose();
+    (object.material as Material).dispose();
+  }
+}

@@ -1,0 +1,60 @@
+import { describe, expect, it } from "vitest";
+import { cornersOf, fitDistance, frame, middleOf, rotate, unit } from "../src/view/fit";
+import type { Vec3 } from "../src/view/fit";
+import { halfSizes } from "../src/view/solids";
+
+const quarterAboutZ = [Math.SQRT1_2, 0, 0, Math.SQRT1_2] as const;
+
+it("turns vectors by a quaternion w, x, y, z", () => {
+  const turned = rotate(quarterAboutZ, [1, 0, 0]);
+  [0, 1, 0].forEach((value, i) => expect(turned[i]).toBeCloseTo(value, 12));
+});
+
+it("puts the corners of a body's box in the world", () => {
+  const corners = cornersOf([5, 0, 0, ...quarterAboutZ], [[2, 1, 1]]);
+  expect(corners.length).toBe(8);
+  expect(Math.max(...corners.map(([x]) => x))).toBeCloseTo(6, 12);
+  expect(Math.max(...corners.map(([, y]) => y))).toBeCloseTo(2, 12);
+  expect(middleOf(corners).map((value) => Math.round(value))).toEqual([5, 0, 0]);
+});
+
+it("knows how far a body reaches from its centre", () => {
+  const body = { name: "arm", parent: "tower", colour: null, mass_kg: 500 };
+  expect(halfSizes({ ...body, shape: { kind: "cylinder", radius_m: 0.5, length_m: 7, axis: "x" } })).toEqual([3.5, 0.5, 0.5]);
+});
+
+describe("fitting the camera", () => {
+  const back = unit([-0.6, -1, 0.6]);
+  const points = cornersOf([0, 0, 0, 1, 0, 0, 0], [[10, 5, 2.5]]);
+
+  it.each([0.46, 1, 2.4])("has every point in the picture, and one at its edge, at aspect %f", (aspect) => {
+    const lens = { fov: 0.6, aspect };
+    const distance = fitDistance(points, [0, 0, 0], back, [0, 0, 1], lens);
+    const edge = Math.max(...points.map((point) => fill(point, distance, lens)));
+    expect(edge).toBeCloseTo(1, 9);
+  });
+
+  it("leaves as much room on one side as on the other", () => {
+    const lens = { fov: 0.6, aspect: 1.6 };
+    const { target, distance } = frame(points, back, [0, 0, 1], lens);
+    const shifted = points.map((point): Vec3 => [point[0] - target[0], point[1] - target[1], point[2] - target[2]]);
+    const fills = shifted.map((point) => fill(point, distance, lens));
+    expect(Math.max(...fills)).toBeCloseTo(1, 9);
+    expect(fills.filter((value) => value > 0.999).length).toBeGreaterThanOrEqual(2);
+    expect(distance).toBeLessThan(fitDistance(points, [0, 0, 0], back, [0, 0, 1], lens));
+  });
+
+  /** How far from the middle of the picture a point is, 1 at its edge. */
+  function fill(point: Vec3, distance: number, lens: { fov: number; aspect: number }): number {
+    const side = unit([-back[1], back[0], 0]);
+    const top: Vec3 = [
+      back[1] * side[2] - back[2] * side[1],
+      back[2] * side[0] - back[0] * side[2],
+      back[0] * side[1] - back[1] * side[0],
+    ];
+    const along = (axis: Vec3) => point[0] * axis[0] + point[1] * axis[1] + point[2] * axis[2];
+    const depth = distance - along(back);
+    const tan = Math.tan(lens.fov / 2);
+    return Math.max(Math.abs(along(side)) / (depth * tan * lens.aspect), Math.abs(along(top)) / (depth * tan));
+  }
+});

@@ -1,0 +1,37 @@
+import { expect, it } from "vitest";
+import { duration, fixed, scientific } from "../src/app/format";
+import { principalInertia } from "../src/app/accuracy";
+import { sliderStep } from "../src/ui/items";
+
+it("writes numbers with a true minus, and no minus zero", () => {
+  expect(fixed(-1.005, 2)).toBe("−1.00");
+  expect(fixed(-0.0001, 2)).toBe("0.00");
+  expect(fixed(NaN, 2)).toBe("–");
+});
+
+it("writes errors as a power of ten", () => {
+  expect(scientific(1.87e-7)).toBe("1.9×10⁻⁷");
+  expect(scientific(0.0244)).toBe("2.4×10⁻²");
+  expect(scientific(123456)).toBe("1.2×10⁵");
+  expect(scientific(0)).toBe("0");
+  expect(scientific(NaN)).toBe("–");
+});
+
+it("writes steps in ms or s", () => {
+  expect(duration(0.001)).toBe("1 ms");
+  expect(duration(0.00025)).toBe("0.25 ms");
+  expect(duration(2)).toBe("2 s");
+});
+
+it("gives sliders round steps", () => {
+  expect(sliderStep(-10, 10)).toBe(0.1);
+  expect(sliderStep(-5, 5)).toBe(0.05);
+  expect(sliderStep(0, 250)).toBe(1);
+  expect(sliderStep(0, 0)).toBe(1);
+});
+
+it("knows the inertia of solids", () => {
+  expect(principalInertia({ kind: "box", length_m: 20, width_m: 10, height_m: 5 }, 12)).toEqual([125, 425, 500]);
+  expect(principalInertia({ kind: "cylinder", radius_m: 2, length_m: 3, axis: "x" }, 12)).toEqual([24, 21, 21]);
+  expect(principalInertia({ kind: "point" }, 12)).toEqual([0, 0, 0]);
+});

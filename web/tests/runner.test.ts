@@ -1,0 +1,79 @@
+import { describe, expect, it } from "vitest";
+import { Runner } from "../src/engine/runner";
+import { FakeEngine } from "./fake";
+
+function opened(engine = new FakeEngine(), now = () => 0) {
+  const runner = new Runner(() => engine, now);
+  return { runner, engine, opened: runner.open("text", "file.yaml", {}) };
+}
+
+const times = (rows: Float64Array, width = 13) =>
+  Array.from({ length: rows.length / width }, (_, i) => Number(rows[i * width].toFixed(9)));
+
+describe("the runner", () => {
+  it("opens with the first row recorded", () => {
+    const { opened: answer } = opened();
+    expect(times(answer.frame.rows)).toEqual([0]);
+    expect(answer.model.bodies[0].shape).toEqual({ kind: "box", length_m: 2, width_m: 1, height_m: 1 });
+  });
+
+  it("steps from one recording time to the next", () => {
+    const { runner } = opened();
+    for (let i = 1; i <= 50; i++) expect(times(runner.step().rows)).toEqual([Number((i * 0.01).toFixed(9))]);
+  });
+
+  it("keeps to wall time times speed and records at the recording times only", () => {
+    const { runner, engine } = opened();
+    const rows = Array.from({ length: 60 }, () => times(runner.advance(1 / 60, 1).rows)).flat();
+    expect(engine.time_s()).toBeCloseTo(1, 9);
+    expect(rows).toEqual(Array.from({ length: 100 }, (_, i) => Number(((i + 1) * 0.01).toFixed(9))));
+  });
+
+  it("carries parts of a step at a slow speed", () => {
+    const { runner, engine } = opened();
+    for (let i = 0; i < 60; i++) runner.advance(1 / 60, 0.1);
+    expect(engine.time_s()).toBeCloseTo(0.1, 9);
+  });
+
+  it("slows down rather than catching up after a long frame", () => {
+    const { runner, engine } = opened();
+    runner.advance(30, 1);
+    expect(engine.time_s()).toBeCloseTo(0.25, 9);
+  });
+
+  it("gives up what it owes when a frame's budget is spent", () => {
+    let now = 0;
+    const { runner, engine } = opened(new FakeEngine(), () => (now += 10));
+    runner.advance(0.2, 1);
+    const reached = engine.time_s();
+    expect(reached).toBeLessThan(0.2);
+    runner.advance(0.001, 1);
+    expect(engine.time_s()).toBeCloseTo(reached + 0.001, 9);
+  });
+
+  it("steps on from a recording time when a step is longer than the recording interval", () => {
+    const { runner } = opened(new FakeEngine({}, 0.05));
+    expect(times(runner.step().rows)).toEqual([0.05]);
+  });
+
+  it("reports divergence, keeps the last good row and steps no more", () => {
+    const { runner, engine } = opened(new FakeEngine({}, 0.001, 0.01, 0.0355));
+    const frame = runner.advance(0.1, 1);
+    expect(frame.fault).toMatchObject({ kind: "diverged", body: "ship" });
+    expect(times(frame.rows).slice(-2)).toEqual([0.03, 0.035]);
+    const { length } = engine.taken;
+    expect(runner.step().fault?.kind).toBe("diverged");
+    expect(engine.taken.length).toBe(length);
+  });
+
+  it("keeps the engine in hand when another scenario does not open", () => {
+    const engine = new FakeEngine();
+    const runner = new Runner((text) => {
+      if (text === "bad") throw { kind: "scenario", message: "no" };
+      return engine;
+    }, () => 0);
+    runner.open("good", "a.yaml", {});
+    expect(() => runner.open("bad", "b.yaml", {})).toThrow();
+    expect(times(runner.step().rows)).toEqual([0.01]);
+  });
+});

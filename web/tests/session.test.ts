@@ -1,0 +1,115 @@
+import { beforeEach, describe, expect, it } from "vitest";
+import { Session } from "../src/app/session";
+import type { EngineClient } from "../src/engine/client";
+import type { Fault, Values } from "../src/engine/engine";
+import { Runner } from "../src/engine/runner";
+import { FakeEngine } from "./fake";
+
+/** The client without its worker: the runner answers a moment later. */
+function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
+  const runner = new Runner(
+    (text, file, json) => {
+      const overrides = JSON.parse(json) as Values;
+      if (text === "bad" || overrides.load === "no") {
+        throw { kind: "scenario", message: `${file}:1:1: text: found bad, allowed: good`, file, line: 1, column: 1 };
+      }
+      openings.push(overrides);
+      return new FakeEngine(overrides, 0.001, 0.01, divergesAt_s);
+    },
+    () => 0,
+  );
+  const later = <T>(work: () => T) => new Promise<T>((resolve, reject) => setTimeout(() => {
+    try {
+      resolve(work());
+    } catch (fault) {
+      reject(fault);
+    }
+  }));
+  return {
+    open: (text: string, file: string, overrides: Values) => later(() => runner.open(text, file, overrides)),
+    advance: (wall_s: number, speed: number) => later(() => runner.advance(wall_s, speed)),
+    step: () => later(() => runner.step()),
+    input: (name: string, value: number) => later(() => (runner.input(name, value), null)),
+  } as unknown as EngineClient;
+}
+
+const good = { text: "good", file: "good.yaml" };
+const settled = () => new Promise((resolve) => setTimeout(resolve, 20));
+
+describe("the session", () => {
+  let openings: Values[];
+  let session: Session;
+  let faults: (Fault | null)[];
+
+  beforeEach(async () => {
+    openings = [];
+    faults = [];
+    session = new Session(clientOf(openings));
+    session.listen({ faulted: (fault) => faults.push(fault) });
+    await session.open(good, {});
+  });
+
+  it("follows a value at once at the start, in as few openings as keep up", async () => {
+    for (const load of [true, false, true]) session.set("load", load);
+    await settled();
+    expect(openings.at(-1)).toEqual({ load: true });
+    expect(openings.length).toBeLessThanOrEqual(3);
+    expect(session.pending()).toEqual([]);
+  });
+
+  it("keeps a value for the reset while a run is under way", async () => {
+    await session.step();
+    session.set("load", true);
+    await settled();
+    expect(openings.length).toBe(1);
+    expect(session.pending()).toEqual(["load"]);
+    session.set("load", false);
+    expect(session.pending()).toEqual([]);
+    session.set("load", true);
+    await session.reset();
+    expect(openings.at(-1)).toEqual({ load: true });
+    expect(session.status).toBe("idle");
+    expect(session.pending()).toEqual([]);
+  });
+
+  it("shows why a scenario does not read and goes on with the one in hand", async () => {
+    expect(await session.open({ text: "bad", file: "bad.yaml" }, {})).toBe(false);
+    expect(faults.at(-1)).toMatchObject({ kind: "scenario", file: "bad.yaml", line: 1 });
+    await session.step();
+    expect(session.run!.columns.read(session.lastFrame!.row, "time")).toBeCloseTo(0.01, 12);
+    await session.reset();
+    expect(session.status).toBe("idle");
+  });
+
+  it("goes back to the value in hand when the engine refuses one", async () => {
+    session.set("load", true);
+    await settled();
+    session.set("load", "no");
+    await settled();
+    expect(session.value("load")).toBe(true);
+    expect(session.fault?.kind).toBe("scenario");
+  });
+
+  it("stops where the run diverges, and starts again after a reset", async () => {
+    session = new Session(clientOf(openings, 0.0155));
+    await session.open(good, {});
+    await session.step();
+    await session.step();
+    expect(session.status).toBe("stopped");
+    expect(session.fault).toMatchObject({ kind: "diverged", body: "ship" });
+    session.start();
+    expect(session.status).toBe("stopped");
+    await session.reset();
+    expect(session.status).toBe("idle");
+    expect(session.fault).toBeNull();
+  });
+
+  it("runs on past the duration until it is paused", async () => {
+    session.start();
+    for (let i = 0; i < 40; i++) await session.advance(0.1);
+    expect(session.run!.columns.read(session.lastFrame!.row, "time")).toBeCloseTo(4, 9);
+    session.pause();
+    await session.advance(0.1);
+    expect(session.run!.columns.read(session.lastFrame!.row, "time")).toBeCloseTo(4, 9);
+  });
+});
