@@ -17,6 +17,8 @@ from models import tree
 REPETITIONS = {"forward": 20000, "rk4_step": 1000, "rk4_step_ledger": 1000}
 CHECK_STEPS = 1000
 COUNTED = (100, 1100)
+# of the ship, in q and v one after another
+ORIENTATION = slice(3, 7)
 
 
 @dataclass(frozen=True)
@@ -90,7 +92,12 @@ def check_values(engine: Engine, operation: str) -> tree.Array:
     """The acceleration at the state, or q and v after 1,000 steps, in Kingpost's coordinates."""
     count = 1 if operation == "forward" else CHECK_STEPS
     values = np.array([float(line) for line in _lines(engine, [operation, "check", str(count)])])
-    return engine.acceleration(values) if operation == "forward" else engine.state(values)
+    if operation == "forward":
+        return engine.acceleration(values)
+    state = engine.state(values)
+    # a quaternion and its negative are one orientation
+    state[ORIENTATION] *= np.copysign(1.0, state[ORIENTATION.start])
+    return state
 
 
 def agreement(engines: Sequence[Engine]) -> list[tuple[str, str, float]]:

@@ -23,9 +23,7 @@ TRUTH_ANGLES = [1.7159, 0.0632]
 TRUTH_STEPS, TRUTH_STEP_S = 500, 0.001
 
 
-@pytest.mark.parametrize(
-    ("hold_translation", "hold_rotation"), [(False, False), (True, False), (False, True)]
-)
+@pytest.mark.parametrize(("hold_translation", "hold_rotation"), cases.HOLDS)
 def test_translators_agree_on_every_feature(hold_translation: bool, hold_rotation: bool) -> None:
     tree = read(cases.every_feature(hold_translation=hold_translation, hold_rotation=hold_rotation))
     first, second = MujocoPeer(tree), PinocchioPeer(tree)

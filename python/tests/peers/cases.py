@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from itertools import product
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -20,13 +20,8 @@ EXTRA_FORCE = 1e5
 SWITCHES = ("load", "motors", "gravity", "damping", "corner", "hold_centre")
 CASES = [dict(zip(SWITCHES, values, strict=True)) for values in product((False, True), repeat=len(SWITCHES))]
 
-
-class Accelerates(Protocol):
-    """What every engine here offers."""
-
-    def acceleration(self, q: Array, v: Array, extra: Array | None = None) -> Array:
-        """Accelerations of the free coordinates."""
-        ...
+# of the floating body's translation and rotation
+HOLDS = [(False, False), (True, False), (False, True)]
 
 
 def name(case: Mapping[str, bool]) -> str:
@@ -62,9 +57,12 @@ def difference(found: Array, expected: Array) -> float:
 
 
 def every_feature(*, hold_translation: bool, hold_rotation: bool) -> dict[str, Any]:
-    """A resolved scenario with every joint, shape, inertia, load and drive that the peers take."""
+    """A scenario with every joint, shape, inertia, load and drive that the peers take."""
     turned = [0.3, -0.2, 0.5]
     return {
+        "version": 1,
+        "title": "Every feature that the peers take",
+        "simulation": {"integrator": "rk4", "step_s": 0.001, "duration_s": 1.0, "record_every_s": 0.01},
         "bodies": {
             "winch": _body(
                 "deck", {"sphere": {"radius_m": 0.8}}, 300.0, "fixed", position=[4, 2, 1.5], turn=turned
