@@ -2,7 +2,7 @@
 
 use crate::Outcome;
 use kingpost::drives::{Clock, Drive};
-use kingpost::dynamics::{Kinematics, Loads, forward};
+use kingpost::dynamics::{LinkKinematics, Loads, forward};
 use kingpost::integrate::{Interval, Scheme, System};
 use kingpost::model::Model;
 use kingpost::plant::Plant;
@@ -58,7 +58,7 @@ fn numbers(text: &str, word: &str) -> Outcome<Vec<f64>> {
 /// Forward dynamics under constant loads: sine and cosine, kinematics, accelerations.
 struct Forward {
     model: Model,
-    links: Kinematics,
+    links: LinkKinematics,
     loads: Loads,
     work: forward::Workspace,
     q: Vec<f64>,
@@ -73,7 +73,7 @@ impl Forward {
         let mut loads = Loads::new(&model);
         let clock = Clock { time_s: 0.0, middle_s: 0.0 };
         drives.iter().for_each(|drive: &Drive| drive.apply(clock, &q, &v, &[], &mut loads));
-        let links = Kinematics::new(&model.links);
+        let links = LinkKinematics::new(&model);
         let work = forward::Workspace::new(&model);
         let v_dot = vec![0.0; v.len()];
         Self { model, links, loads, work, q, v, v_dot }
@@ -88,7 +88,7 @@ impl Operation for Forward {
     fn repeat(&mut self, times: usize) -> Outcome<()> {
         for _ in 0..times {
             let Self { model, links, loads, work, q, v, v_dot } = black_box(&mut *self);
-            links.update(&model.links, q, v);
+            links.update(model, q, v);
             forward::forward_dynamics(model, links, v, loads, work, v_dot);
         }
         Ok(())

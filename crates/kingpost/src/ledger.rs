@@ -11,9 +11,9 @@
 //! What the bodies really have is computed from the state; the differences are the errors of the
 //! scheme, or of the equations.
 
-use crate::dynamics::{Kinematics, Loads};
-use crate::model::{JointKind, Mode, Model, Tree};
-use crate::spatial::{Vector3, Wrench};
+use crate::dynamics::{LinkKinematics, Loads};
+use crate::model::{JointKind, Mode, Model, Node, Tree};
+use crate::spatial::{Frame, Vector3, Wrench};
 
 /// Entry of s: energy at the start, J.
 pub const INITIAL_ENERGY: usize = 0;
@@ -38,66 +38,73 @@ pub fn reference_point(model: &Model, q: &[f64]) -> Vector3 {
     node.map_or(Vector3::zero(), |node| Vector3::from_slice(&q[node.positions..]))
 }
 
-/// One form of the tree, with what its joints carry.
-pub struct JointWrenches<'a, F: Fn(usize) -> Wrench> {
-    /// The tree.
+/// What a joint carries to its child.
+pub struct JointLoad {
+    /// World frame that the wrench is seen from.
+    pub frame: Frame,
+    /// About that frame's origin, in its axes.
+    pub wrench: Wrench,
+    /// Along the joint's own axis, N or N m; zero for joints that have none.
+    pub along_axis: f64,
+}
+
+/// What the rates of the ledger are made of.
+pub struct Entries<'a> {
+    /// The mechanical model.
+    pub model: &'a Model,
+    /// The form of its tree that was solved.
     pub tree: &'a Tree,
-    /// Its kinematics.
-    pub kinematics: &'a Kinematics,
-    /// The wrench that the joint of a node carries to it, node axes.
-    pub wrench: F,
+    /// Kinematics of its links.
+    pub links: &'a LinkKinematics,
+    /// Velocities.
+    pub v: &'a [f64],
+    /// The loads.
+    pub loads: &'a Loads,
+    /// The point that angular momentum is about, m, world.
+    pub centre: Vector3,
 }
 
-/// Writes the rates of the ledger's entries.
-pub fn rates<F: Fn(usize) -> Wrench>(
-    model: &Model,
-    links: &Kinematics,
-    v: &[f64],
-    loads: &Loads,
-    joints: &JointWrenches<'_, F>,
-    centre: Vector3,
-    s_dot: &mut [f64],
-) {
-    let (mut force, mut moment) = (Vector3::zero(), Vector3::zero());
-    let mut add = |frame: &crate::spatial::Frame, wrench: &Wrench| {
-        let f = frame.rotation * wrench.force;
-        force += f;
-        moment += frame.rotation * wrench.moment + (frame.position - centre).cross(f);
-    };
-    for (body, wrench) in loads.wrench.iter().enumerate() {
-        if *wrench != Wrench::zero() {
-            add(&links.body_frame(model, body), wrench);
+impl Entries<'_> {
+    /// Writes the rates; `joint` says what the joint of a node of the tree carries.
+    pub fn rates(&self, joint: impl Fn(usize) -> JointLoad, s_dot: &mut [f64]) {
+        let (mut force, mut moment) = (Vector3::zero(), Vector3::zero());
+        let mut add = |frame: &Frame, wrench: &Wrench| {
+            let f = frame.rotation * wrench.force;
+            force += f;
+            moment += frame.rotation * wrench.moment + (frame.position - self.centre).cross(f);
+        };
+        for (body, wrench) in &self.loads.wrenches {
+            add(&self.links.body_frame(self.model, *body), wrench);
         }
+        let mut prescribed_power = 0.0;
+        for (i, node) in self.tree.nodes.iter().enumerate() {
+            if node.parent.is_none() {
+                let carried = joint(i);
+                add(&carried.frame, &self.reaction_of_the_world(node, &carried));
+            }
+            if node.mode == Mode::Prescribed {
+                let at = node.velocities;
+                prescribed_power += (joint(i).along_axis - self.loads.force[at]) * self.v[at];
+            }
+        }
+        let power = &self.loads.power;
+        s_dot[INITIAL_ENERGY] = 0.0;
+        s_dot[WORK_BY_DRIVES] = power.drives + prescribed_power;
+        s_dot[WORK_BY_OUTSIDE] = power.outside;
+        s_dot[ENERGY_DISSIPATED] = power.dissipated;
+        force.write_to(&mut s_dot[LINEAR_MOMENTUM..]);
+        moment.write_to(&mut s_dot[ANGULAR_MOMENTUM..]);
     }
-    let mut prescribed_power = 0.0;
-    for (i, node) in joints.tree.nodes.iter().enumerate() {
-        if node.parent.is_none() {
-            add(&joints.kinematics.world[i], &reaction_of_the_world(joints, i, loads));
-        }
-        if let (Mode::Prescribed, Some(axis)) = (node.mode, node.kind.axis_twist()) {
-            let applied = loads.force[node.velocities];
-            prescribed_power += ((joints.wrench)(i).dot(axis) - applied) * v[node.velocities];
-        }
-    }
-    s_dot[INITIAL_ENERGY] = 0.0;
-    s_dot[WORK_BY_DRIVES] = loads.power.drives + prescribed_power;
-    s_dot[WORK_BY_OUTSIDE] = loads.power.outside;
-    s_dot[ENERGY_DISSIPATED] = loads.power.dissipated;
-    force.write_to(&mut s_dot[LINEAR_MOMENTUM..]);
-    moment.write_to(&mut s_dot[ANGULAR_MOMENTUM..]);
-}
 
-/// What a joint to the world carries. Along the free directions of a floating joint nothing can be
-/// carried, and the rounding of the recursion must not appear as a load.
-fn reaction_of_the_world<F: Fn(usize) -> Wrench>(joints: &JointWrenches<'_, F>, i: usize, loads: &Loads) -> Wrench {
-    let node = &joints.tree.nodes[i];
-    let JointKind::Floating(floating) = node.kind else { return (joints.wrench)(i) };
-    let applied = &loads.force[node.velocities..];
-    let rotation = &joints.kinematics.world[i].rotation;
-    let held = if floating.hold_translation || floating.hold_rotation { (joints.wrench)(i) } else { Wrench::zero() };
-    let force = rotation.transpose_times(Vector3::from_slice(applied));
-    Wrench {
-        moment: if floating.hold_rotation { held.moment } else { Vector3::from_slice(&applied[3..]) },
-        force: if floating.hold_translation { held.force } else { force },
+    /// What a joint to the world carries. Along the free directions of a floating joint nothing can
+    /// be carried, and the rounding of the recursion must not appear as a load.
+    fn reaction_of_the_world(&self, node: &Node, carried: &JointLoad) -> Wrench {
+        let JointKind::Floating(floating) = node.kind else { return carried.wrench };
+        let applied = &self.loads.force[node.velocities..];
+        let force = carried.frame.rotation.transpose_times(Vector3::from_slice(applied));
+        Wrench {
+            moment: if floating.hold_rotation { carried.wrench.moment } else { Vector3::from_slice(&applied[3..]) },
+            force: if floating.hold_translation { carried.wrench.force } else { force },
+        }
     }
 }

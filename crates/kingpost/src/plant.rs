@@ -2,10 +2,10 @@
 
 use crate::drives::{Clock, Drive};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
-use crate::dynamics::{Kinematics, Loads, energy, forward, inverse::InverseDynamics};
+use crate::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
 use crate::forces::Force;
 use crate::integrate::{Interval, Sizes, Stage, System};
-use crate::ledger::{self, JointWrenches};
+use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{JointKind, Model};
 use crate::spatial::Vector3;
 
@@ -34,7 +34,7 @@ pub struct Plant {
     pub keeps_ledger: bool,
     /// The point that angular momentum is about, m, world.
     pub centre: Vector3,
-    links: Kinematics,
+    links: LinkKinematics,
     bodies: Kinematics,
     loads: Loads,
     work: forward::Workspace,
@@ -56,7 +56,7 @@ impl Plant {
             .collect();
         Self {
             centre: ledger::reference_point(&model, q),
-            links: Kinematics::new(&model.links),
+            links: LinkKinematics::new(&model),
             bodies: Kinematics::new(&model.tree),
             loads: Loads::new(&model),
             work: forward::Workspace::new(&model),
@@ -74,7 +74,7 @@ impl Plant {
     fn evaluate_loads(&mut self, at: Stage<'_>) {
         let middle_s = 0.5 * (at.interval.start_s + at.interval.end_s);
         let clock = Clock { time_s: at.time_s, middle_s };
-        self.links.update(&self.model.links, at.q, at.v);
+        self.links.update(&self.model, at.q, at.v);
         self.loads.clear();
         for force in &self.forces {
             force.apply(&self.model, &self.links, at.v, &mut self.loads);
@@ -133,15 +133,16 @@ impl Plant {
 
     /// Kinetic and potential energy, J.
     pub fn energy(&mut self, q: &[f64], v: &[f64]) -> (f64, f64) {
-        self.links.update(&self.model.links, q, v);
+        self.links.update(&self.model, q, v);
         let potential = self.forces.iter().map(|force| force.potential_energy(&self.model, &self.links)).sum();
-        (energy::kinetic_energy(&self.model.links, &self.links), potential)
+        self.bodies.update(&self.model.tree, q, v);
+        (energy::kinetic_energy(&self.model.tree, &self.bodies), potential)
     }
 
     /// Linear momentum and angular momentum about `centre`, world.
     pub fn momentum(&mut self, q: &[f64], v: &[f64]) -> (Vector3, Vector3) {
-        self.links.update(&self.model.links, q, v);
-        energy::momentum(&self.model.links, &self.links, self.centre)
+        self.bodies.update(&self.model.tree, q, v);
+        energy::momentum(&self.model.tree, &self.bodies, self.centre)
     }
 
     /// The ledger's entries for a run that begins here.
@@ -183,17 +184,24 @@ impl System for Plant {
             return;
         }
         let Self { model, links, bodies, loads, work, inverse, centre, .. } = self;
+        let tree = if self.form == Form::Recursive { &model.links } else { &model.tree };
+        let entries = Entries { model, tree, links, v: at.v, loads, centre: *centre };
         match self.form {
-            Form::Recursive => {
-                let wrench = |i: usize| work.joint_wrench(i);
-                let joints = JointWrenches { tree: &model.links, kinematics: links, wrench };
-                ledger::rates(model, links, at.v, loads, &joints, *centre, s_dot);
-            }
-            Form::MovingFrame(_) => {
-                let wrench = |i: usize| inverse.joint_wrench[i];
-                let joints = JointWrenches { tree: &model.tree, kinematics: bodies, wrench };
-                ledger::rates(model, links, at.v, loads, &joints, *centre, s_dot);
-            }
+            Form::Recursive => entries.rates(
+                |i| {
+                    let (frame, wrench) = (links.root_in_world[model.roots[i]], work.joint_wrench(i));
+                    JointLoad { frame, wrench, along_axis: wrench.dot(&links.axis[i]) }
+                },
+                s_dot,
+            ),
+            Form::MovingFrame(_) => entries.rates(
+                |i| {
+                    let wrench = inverse.joint_wrench[i];
+                    let along_axis = tree.nodes[i].kind.axis_twist().map_or(0.0, |axis| wrench.dot(axis));
+                    JointLoad { frame: bodies.world[i], wrench, along_axis }
+                },
+                s_dot,
+            ),
         }
     }
 

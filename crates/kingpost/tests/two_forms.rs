@@ -4,7 +4,7 @@ mod common;
 
 use common::{Random, relative_difference};
 use kingpost::dynamics::moving_frame::{MovingFrame, Variation};
-use kingpost::dynamics::{Kinematics, Loads, energy, forward, inverse::InverseDynamics};
+use kingpost::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
 use kingpost::model::{Mode, Model};
 
 const STATES: u64 = 1000;
@@ -38,8 +38,8 @@ fn accelerations_agree_over_random_trees_and_states() {
         let matrices = MovingFrame::assemble(&model, &q, &v, &loads, Variation::Restricted);
         let expected = matrices.acceleration().expect("M* is positive definite");
 
-        let mut links = Kinematics::new(&model.links);
-        links.update(&model.links, &q, &v);
+        let mut links = LinkKinematics::new(&model);
+        links.update(&model, &q, &v);
         let (mut work, mut v_dot) = (forward::Workspace::new(&model), vec![0.0; v.len()]);
         forward::forward_dynamics(&model, &links, &v, &loads, &mut work, &mut v_dot);
         let difference = relative_difference(&free_part(&model, &v_dot), expected.as_slice());

@@ -44,9 +44,11 @@ impl<S: Scalar> InverseDynamics<S> {
                     .map_or(Twist::zero(), |axis| *axis * v_dot[at] + twist.cross(&bodies.joint_twist[i])),
             };
             self.acceleration[i] = carried + own;
-            self.joint_wrench[i] = node.inertia.times(&self.acceleration[i])
-                + twist.cross_momentum(&node.inertia.times(twist))
-                - loads.wrench[i];
+            self.joint_wrench[i] =
+                node.inertia.times(&self.acceleration[i]) + twist.cross_momentum(&node.inertia.times(twist));
+        }
+        for (body, wrench) in &loads.wrenches {
+            self.joint_wrench[*body] -= *wrench;
         }
         for (body, added) in &loads.added_inertia {
             let twist = &bodies.twist[*body];

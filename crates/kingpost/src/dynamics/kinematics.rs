@@ -1,6 +1,6 @@
 //! Frames and twists of every node of a tree (eqs. 24-29, 36-43).
 
-use crate::model::{JointKind, Model, Tree, joint::Floating};
+use crate::model::{JointKind, Tree, joint::Floating};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist};
 
@@ -47,19 +47,5 @@ impl<S: Scalar> Kinematics<S> {
             self.joint_twist[i] = own;
             self.twist[i] = carried + own;
         }
-    }
-}
-
-impl<S: Scalar> Kinematics<S> {
-    /// World frame of a body, where `self` is the kinematics of `model.links`.
-    pub fn body_frame(&self, model: &Model<S>, body: usize) -> Frame<S> {
-        let body = &model.bodies[body];
-        body.link.map_or(body.in_link, |link| self.world[link].times(&body.in_link))
-    }
-
-    /// Twist of a body in its own axes, where `self` is the kinematics of `model.links`.
-    pub fn body_twist(&self, model: &Model<S>, body: usize) -> Twist<S> {
-        let body = &model.bodies[body];
-        body.link.map_or(Twist::zero(), |link| body.in_link.twist_to_child(&self.twist[link]))
     }
 }

@@ -7,8 +7,8 @@ use crate::spatial::{SpatialInertia, Wrench};
 /// The paper's {F} (eq. 59), the motors, and what moves with the water.
 #[derive(Clone, Debug)]
 pub struct Loads<S = f64> {
-    /// From outside on each body, in body axes about its centre of mass.
-    pub wrench: Vec<Wrench<S>>,
+    /// From outside on a body, in body axes about its centre of mass; a body may be named often.
+    pub wrenches: Vec<(usize, Wrench<S>)>,
     /// Along each coordinate of v, N or N m, with its reaction on the parent.
     pub force: Vec<S>,
     /// Of each prescribed coordinate, m/s^2 or rad/s^2; ignored for others.
@@ -34,7 +34,7 @@ impl<S: Scalar> Loads<S> {
     /// No loads on a model.
     pub fn new(model: &Model<S>) -> Self {
         Self {
-            wrench: vec![Wrench::zero(); model.bodies.len()],
+            wrenches: Vec::with_capacity(4 * model.bodies.len()),
             force: vec![S::ZERO; model.velocity_count],
             acceleration: vec![S::ZERO; model.velocity_count],
             added_inertia: Vec::with_capacity(model.bodies.len()),
@@ -44,7 +44,7 @@ impl<S: Scalar> Loads<S> {
 
     /// Takes all loads off.
     pub fn clear(&mut self) {
-        self.wrench.fill(Wrench::zero());
+        self.wrenches.clear();
         self.force.fill(S::ZERO);
         self.acceleration.fill(S::ZERO);
         self.added_inertia.clear();

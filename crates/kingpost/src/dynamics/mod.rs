@@ -10,8 +10,10 @@ pub mod energy;
 pub mod forward;
 pub mod inverse;
 mod kinematics;
+mod link_kinematics;
 mod loads;
 pub mod moving_frame;
 
 pub use kinematics::Kinematics;
+pub use link_kinematics::LinkKinematics;
 pub use loads::{Loads, Power};

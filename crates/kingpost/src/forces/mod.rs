@@ -10,7 +10,7 @@ pub use gravity::Gravity;
 pub use joint_damping::JointDamping;
 pub use viscous_damping::ViscousDamping;
 
-use crate::dynamics::{Kinematics, Loads};
+use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::Model;
 use crate::scalar::Scalar;
 
@@ -27,7 +27,7 @@ pub enum Force<S = f64> {
 
 impl<S: Scalar> Force<S> {
     /// Adds this force to the loads; `links` is the kinematics of `model.links`.
-    pub fn apply(&self, model: &Model<S>, links: &Kinematics<S>, v: &[S], loads: &mut Loads<S>) {
+    pub fn apply(&self, model: &Model<S>, links: &LinkKinematics<S>, v: &[S], loads: &mut Loads<S>) {
         match self {
             Force::Gravity(gravity) => gravity.apply(model, links, loads),
             Force::ViscousDamping(damping) => damping.apply(model, links, loads),
@@ -36,7 +36,7 @@ impl<S: Scalar> Force<S> {
     }
 
     /// Potential energy, J; zero for forces that have none.
-    pub fn potential_energy(&self, model: &Model<S>, links: &Kinematics<S>) -> S {
+    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
         match self {
             Force::Gravity(gravity) => gravity.potential_energy(model, links),
             Force::ViscousDamping(_) | Force::JointDamping(_) => S::ZERO,

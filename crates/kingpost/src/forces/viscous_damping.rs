@@ -1,9 +1,9 @@
 //! The paper's fictitious damping in place of the water: a moment against the ship's body rates.
 
-use crate::dynamics::{Kinematics, Loads};
+use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::spatial::Vector3;
+use crate::spatial::{Vector3, Wrench};
 
 /// `F = -c v` and `M = -zeta omega`, component by component in body axes.
 #[derive(Clone, Copy, Debug)]
@@ -18,13 +18,11 @@ pub struct ViscousDamping<S = f64> {
 
 impl<S: Scalar> ViscousDamping<S> {
     /// Adds the damping and the heat that it makes.
-    pub fn apply(&self, model: &Model<S>, links: &Kinematics<S>, loads: &mut Loads<S>) {
+    pub fn apply(&self, model: &Model<S>, links: &LinkKinematics<S>, loads: &mut Loads<S>) {
         let twist = links.body_twist(model, self.body);
         let against = |c: Vector3<S>, rate: Vector3<S>| Vector3(core::array::from_fn(|i| c[i] * rate[i]));
         let (moment, force) = (against(self.angular, twist.angular), against(self.linear, twist.linear));
         loads.power.dissipated += moment.dot(twist.angular) + force.dot(twist.linear);
-        let load = &mut loads.wrench[self.body];
-        load.moment -= moment;
-        load.force -= force;
+        loads.wrenches.push((self.body, -Wrench { moment, force }));
     }
 }

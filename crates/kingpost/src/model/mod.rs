@@ -12,7 +12,7 @@ pub use shape::{Axis, Shape};
 pub use tree::{Node, Tree};
 
 use crate::scalar::Scalar;
-use crate::spatial::{Frame, SpatialInertia, Vector3};
+use crate::spatial::{Frame, RigidInertia, SpatialInertia, Vector3};
 
 /// A body as it is handed to [`Model::new`].
 #[derive(Clone, Debug)]
@@ -61,6 +61,10 @@ pub struct Model<S = f64> {
     pub tree: Tree<S>,
     /// One node a link.
     pub links: Tree<S>,
+    /// The link at the foot of each link's branch.
+    pub roots: Vec<usize>,
+    /// The inertia of each link in ten numbers, where its bodies are rigid.
+    pub rigid_links: Vec<Option<RigidInertia<S>>>,
     /// Length of q.
     pub position_count: usize,
     /// Length of v.
@@ -102,7 +106,13 @@ impl<S: Scalar> Model<S> {
             joints.push(joint);
             bodies.push(Body { name, mass, link, in_link, points });
         }
-        Self { bodies, joints, tree, links, position_count: positions, velocity_count: velocities, modes }
+        let mut roots: Vec<usize> = Vec::with_capacity(links.nodes.len());
+        for (i, link) in links.nodes.iter().enumerate() {
+            roots.push(link.parent.map_or(i, |p| roots[p]));
+        }
+        let rigid_links = links.nodes.iter().map(|link| RigidInertia::from_spatial(&link.inertia)).collect();
+        let (position_count, velocity_count) = (positions, velocities);
+        Self { bodies, joints, tree, links, roots, rigid_links, position_count, velocity_count, modes }
     }
 
     /// Index of the body of this name.

@@ -57,6 +57,13 @@ impl<S: Scalar> Frame<S> {
         Twist { angular: self.rotation.transpose_times(parent.angular), linear: self.rotation.transpose_times(linear) }
     }
 
+    /// A twist about the child's origin in child components, moved to the parent's.
+    #[inline]
+    pub fn twist_to_parent(&self, child: &Twist<S>) -> Twist<S> {
+        let angular = self.rotation * child.angular;
+        Twist { angular, linear: self.rotation * child.linear + self.position.cross(angular) }
+    }
+
     /// A wrench about the child's origin in child components, moved to the parent's: the dual of
     /// [`Frame::twist_to_child`].
     #[inline]
@@ -86,6 +93,8 @@ mod tests {
         let (child, parent): (f64, f64) =
             (wrench.dot(&e.twist_to_child(&twist)), e.wrench_to_parent(&wrench).dot(&twist));
         assert!((child - parent).abs() < 1e-13);
+        let there = e.twist_to_parent(&e.twist_to_child(&twist)) - twist;
+        assert!(there.angular.norm() + there.linear.norm() < 1e-14);
         let back = e.wrench_to_child(&e.wrench_to_parent(&wrench));
         assert!((back.moment - wrench.moment).norm() + (back.force - wrench.force).norm() < 1e-13);
     }

@@ -2,7 +2,7 @@
 
 use super::Vector3;
 use crate::scalar::Scalar;
-use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 /// Omega of eq. 29: a body's velocity in body components, about the body's origin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -118,5 +118,12 @@ impl<S: Scalar> AddAssign for Wrench<S> {
     #[inline]
     fn add_assign(&mut self, b: Self) {
         *self = *self + b;
+    }
+}
+
+impl<S: Scalar> SubAssign for Wrench<S> {
+    #[inline]
+    fn sub_assign(&mut self, b: Self) {
+        *self = *self - b;
     }
 }

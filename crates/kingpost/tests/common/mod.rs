@@ -124,7 +124,9 @@ impl Random {
     /// Loads of every kind that the dynamics takes.
     pub fn loads(&mut self, model: &Model) -> Loads {
         let mut loads = Loads::new(model);
-        loads.wrench.iter_mut().for_each(|w| *w = Wrench { moment: self.vector(5.0), force: self.vector(5.0) });
+        for body in 0..model.bodies.len() {
+            loads.wrenches.push((body, Wrench { moment: self.vector(5.0), force: self.vector(5.0) }));
+        }
         loads.force.iter_mut().for_each(|f| *f = self.uniform(-5.0, 5.0));
         loads.acceleration.iter_mut().for_each(|a| *a = self.uniform(-3.0, 3.0));
         for body in 0..model.bodies.len() {

@@ -171,8 +171,8 @@ pub(super) fn d_matrix(model: &Model, frames: &[Frame], x_dot: &DVector<f64>, lo
 /// on the child and, reversed, on the parent.
 pub(super) fn force_list(model: &Model, frames: &[Frame], loads: &Loads) -> DVector<f64> {
     let mut f = DVector::zeros(6 * frames.len());
-    for (body, wrench) in loads.wrench.iter().enumerate() {
-        add(&mut f, body, frames[body].rotation * wrench.force, wrench.moment);
+    for (body, wrench) in &loads.wrenches {
+        add(&mut f, *body, frames[*body].rotation * wrench.force, wrench.moment);
     }
     for (body, node) in model.tree.nodes.iter().enumerate() {
         let tau = &loads.force[node.velocities..];
