@@ -25,7 +25,7 @@ impl Simulation {
         let overrides: Map<String, Value> = serde_json::from_str(overrides_json).map_err(thrown::input)?;
         let overrides: Vec<(String, Value)> = overrides.into_iter().collect();
         let scenario = scenario::read(text, file, &overrides).map_err(thrown::scenario)?;
-        let inner = kingpost::Simulation::new(&scenario).map_err(thrown::scenario)?;
+        let inner = kingpost::Simulation::new(scenario.setup().map_err(thrown::scenario)?);
         Ok(Self { scenario, inner })
     }
 
@@ -46,7 +46,7 @@ impl Simulation {
 
     /// Step, s.
     pub fn step_s(&self) -> f64 {
-        self.inner.step_s()
+        self.inner.settings().step_s
     }
 
     /// What a row holds: a list of channels, each with variable, unit, labels, offset and len.
@@ -56,7 +56,9 @@ impl Simulation {
 
     /// The values of all channels now.
     pub fn row(&mut self) -> Box<[f64]> {
-        self.inner.row().into()
+        let mut row = Vec::with_capacity(self.inner.columns());
+        self.inner.write_row(&mut row);
+        row.into()
     }
 
     /// Position (m) and unit quaternion (w, x, y, z) of every body, world: seven numbers a body.
@@ -85,8 +87,8 @@ impl Simulation {
     }
 
     /// What the model is: title, bodies with their shapes, joints, parameters, settings.
-    pub fn model_json(&self) -> JsString {
-        self.scenario.model_json().into()
+    pub fn model_json(&self) -> Result<JsString, JsValue> {
+        json(&self.scenario.describe().map_err(thrown::scenario)?)
     }
 
     /// The scenario with defaults, parameters and overrides in place; it reads back to the same.
