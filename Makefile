@@ -15,8 +15,6 @@ DONE := target/make
 WASM := web/src/engine/pkg/kingpost_wasm_bg.wasm
 APP := web/dist/index.html
 NODE_MODULES := web/node_modules/.package-lock.json
-SCHEMA := schema/scenario.schema.json
-TYPES := web/src/generated/scenario.d.ts
 GALLERY := $(wildcard scenarios/*.yaml)
 sources = $(shell find $(1) -type f -not -path '*/pkg/*' -not -path '*/__pycache__/*' 2>/dev/null)
 ENGINE := Cargo.toml Cargo.lock $(call sources,crates/kingpost/src crates/kingpost/Cargo.toml)
@@ -64,7 +62,9 @@ wheel: $(APP) $(UV_FILE) | need-python need-rust ## a Python wheel with the app 
 
 develop: $(DONE)/develop ## .venv with the package as it stands here, and what its tests want
 
-schema: $(TYPES) ## the scenario's JSON schema and TypeScript types, from the Rust types
+schema: $(NODE_MODULES) | need-rust ## the scenario's JSON schema and TypeScript types, from the Rust types
+	cargo run --quiet --locked --package kingpost --features schema --example write_schema
+	cd web && npm run --silent types
 
 lint: $(NODE_MODULES) $(WASM) $(DONE)/develop | need-lint ## formats, clippy, ruff, TypeScript
 	tools/lint.sh
