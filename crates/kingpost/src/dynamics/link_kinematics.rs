@@ -40,7 +40,8 @@ impl<S: Scalar> LinkKinematics<S> {
             let relative = node.kind.relative(&q[node.positions..]);
             let (axis, carried) = match node.parent {
                 Some(p) => {
-                    self.in_root[i] = self.in_root[p].times(&relative);
+                    let on_root = model.links.nodes[p].parent.is_none();
+                    self.in_root[i] = if on_root { relative } else { self.in_root[p].times(&relative) };
                     let own = node.kind.axis_twist().map_or(Twist::zero(), |t| self.in_root[i].twist_to_parent(t));
                     (own, self.twist[p])
                 }
