@@ -23,14 +23,18 @@ pub fn parse_assignment(text: &str) -> Result<(String, Value), ScenarioError> {
         "on" | "true" => Value::Bool(true),
         "off" | "false" => Value::Bool(false),
         list if list.starts_with('[') => serde_json::from_str(list).unwrap_or_else(|_| Value::String(list.to_owned())),
-        other => match (other.parse::<i64>(), other.parse::<f64>()) {
-            (Ok(whole), _) => Value::from(whole),
-            (_, Ok(number)) => match Number::from_f64(number) {
-                Some(number) => Value::Number(number),
-                None => return Err(fault(name, other.to_owned(), wording::FINITE)),
-            },
-            _ => Value::String(other.to_owned()),
+        other => match number(other) {
+            Some(Value::Null) => return Err(fault(name, other.to_owned(), wording::FINITE)),
+            Some(number) => number,
+            None => Value::String(other.to_owned()),
         },
     };
     Ok((name.to_owned(), value))
+}
+
+/// The number that a text is, null where it is not finite.
+fn number(text: &str) -> Option<Value> {
+    let whole = text.parse::<i64>().map(Value::from).or_else(|_| text.parse::<u64>().map(Value::from));
+    let number = || text.parse::<f64>().map(|number| Number::from_f64(number).map_or(Value::Null, Value::Number));
+    whole.ok().or_else(|| number().ok())
 }

@@ -1,6 +1,6 @@
 //! What a view needs to draw a scenario and to offer its parameters.
 
-use super::schema::{self, Parameter, ParameterKind, Scenario};
+use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -99,7 +99,6 @@ impl Scenario {
             kind: self.bodies[body.name.as_str()].joint.kind(),
             free_coordinates: joint.coordinate_names().into_iter().filter(|name| free.contains(name)).collect(),
         };
-        let tree = serde_json::to_value(self).unwrap_or_default();
         Ok(Description {
             title: self.title.clone(),
             description: self.description.clone(),
@@ -109,20 +108,14 @@ impl Scenario {
             integrator: self.simulation.integrator,
             bodies: model.bodies.iter().map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
-            parameters: self.parameters.iter().map(|parameter| describe_parameter(parameter, &tree)).collect(),
+            parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
         })
     }
 }
 
-/// The value of a parameter is what stands at the first path that it writes.
-fn describe_parameter(parameter: &Parameter, tree: &Value) -> ParameterDescription {
-    let pointer = parameter.writes.first().map_or(String::new(), |path| format!("/{}", path.replace('.', "/")));
-    let value = tree.pointer(&pointer).cloned().unwrap_or_default();
-    let kind = match value {
-        Value::Bool(_) => ParameterKind::Boolean,
-        Value::Number(_) => ParameterKind::Number,
-        _ => ParameterKind::Choice,
-    };
+fn describe_parameter((parameter, value): (&Parameter, Option<ParameterValue>)) -> ParameterDescription {
+    let kind = value.as_ref().map_or(ParameterKind::Choice, ParameterValue::kind);
+    let value = value.as_ref().map(ParameterValue::to_json).unwrap_or_default();
     ParameterDescription {
         name: parameter.name.to_string(),
         label: parameter.shown().to_owned(),

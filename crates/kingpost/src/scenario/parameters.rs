@@ -229,10 +229,10 @@ fn put(tree: &mut Node, whole: &Value, path: &Path<'_>, node: Node) {
         Content::Fields(fields) => {
             let new = || Field::new(place.clone(), Node::from_value(below, place));
             let field = fields.entry(segment.clone()).or_insert_with(new);
-            if si.is_empty() || segment != name {
+            if si.is_empty() {
                 field.name_place = place.clone();
-                field.written = (segment != name).then(|| name.clone());
             }
+            field.written = (segment != name).then(|| name.clone());
             put(&mut field.node, below, &rest, node);
         }
         Content::List(entries) => {

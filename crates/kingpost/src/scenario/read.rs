@@ -120,7 +120,7 @@ fn kind_fault(tree: &Node, path: &[String], message: &str) -> Option<Fault> {
     let (kind, parent) = path.split_last()?;
     let allowed = match message.split_once(", expected ")?.1 {
         "newtype variant" => wording::with_fields(kind),
-        "unit variant" => wording::without_fields(kind),
+        "unit" | "unit variant" => wording::without_fields(kind),
         _ => return None,
     };
     let node = tree.at(parent)?;

@@ -145,7 +145,7 @@ pub(super) fn syntax(message: &str) -> (String, String) {
         ("a tab in the indentation", "spaces")
     } else if message.contains("unexpected character") {
         return (shortened_syntax(message).replace(['`', '\''], ""), SCENARIO.to_owned());
-    } else if message.contains("recursion limit") {
+    } else if message.contains("recursion limit") || message.contains("budget breached") {
         return too_much();
     } else if message.contains("unclosed quote") || message.contains("multiline quoted scalar") {
         ("a quote that is not closed", "a closing quote")
