@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import difflib
+import json
 from dataclasses import dataclass
 from pathlib import Path
 
+from . import _engine
 from .errors import ScenarioError
 
 ENDINGS = (".yaml", ".yml", ".json")
@@ -40,10 +42,13 @@ def names() -> list[str]:
 
 def entries() -> list[Entry]:
     """The gallery, each scenario with the title that its file gives."""
-    from .simulate import load
-
     found = (folder() / f"{name}.yaml" for name in names())
-    return [Entry(path.stem, load(path).title, path) for path in found]
+    return [Entry(path.stem, _title(path), path) for path in found]
+
+
+def _title(path: Path) -> str:
+    resolved: str = _engine.read(read_text(path), str(path), "{}")
+    return json.loads(resolved)["title"]
 
 
 def find(path_or_name: str | Path) -> Path:
@@ -58,7 +63,7 @@ def find(path_or_name: str | Path) -> Path:
     'paper.yaml'
     """
     text = str(path_or_name)
-    if Path(text).is_file():
+    if Path(text).exists() and not Path(text).is_dir():
         return Path(text)
     gallery = names()
     if text in gallery:

@@ -44,33 +44,79 @@ fn module_of(path: &Path, folder: &Path) -> String {
     first.split('.').next().unwrap_or_default().to_owned()
 }
 
-/// Names that follow each `marker` in the code, comments left out.
-fn names_after(code: &str, marker: &str) -> BTreeSet<String> {
+/// Holds every file below `folder` to the order of modules under a heading; `imports` finds the
+/// modules that a file's text names.
+fn hold_to_order(heading: &str, folder: &str, ending: &str, imports: impl Fn(&str, usize) -> BTreeSet<String>) {
+    let (order, folder) = (order_under(heading), root().join(folder));
+    let place_of = |name: &str, path: &Path| {
+        let place = order.iter().position(|m| m == name);
+        place.unwrap_or_else(|| panic!("{}: ARCHITECTURE.md does not name {name}", path.display()))
+    };
+    let mut seen = BTreeSet::new();
+    for path in files_below(&folder, ending) {
+        let module = module_of(&path, &folder);
+        if ["lib", "__init__", "__main__"].contains(&module.as_str())
+            || path.components().any(|c| c.as_os_str() == "pkg")
+        {
+            continue;
+        }
+        let depth = path.strip_prefix(&folder).expect("below the folder").components().count() - 1;
+        for used in imports(&read(&path), depth) {
+            let after = place_of(&used, &path) > place_of(&module, &path);
+            assert!(!after, "{} imports {used}, which comes after {module}", path.display());
+        }
+        seen.insert(module);
+    }
+    assert_eq!(seen, order.into_iter().collect(), "ARCHITECTURE.md names modules that are gone");
+}
+
+fn word(text: &str) -> String {
+    text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+}
+
+/// `crate::module` in code, comments left out.
+fn rust_imports(code: &str, _depth: usize) -> BTreeSet<String> {
     let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));
-    let name = |rest: &str| rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
-    lines.flat_map(|line| line.split(marker).skip(1).map(name).collect::<Vec<_>>()).filter(|n| !n.is_empty()).collect()
+    lines.flat_map(|line| line.split("crate::").skip(1).map(word).collect::<Vec<_>>()).collect()
+}
+
+/// `from .module import` and `from . import module`; one dot more in a folder.
+fn python_imports(code: &str, depth: usize) -> BTreeSet<String> {
+    let package = format!("from {}", ".".repeat(depth + 1));
+    let mut found = BTreeSet::new();
+    for rest in code.lines().filter_map(|line| line.trim_start().strip_prefix(&package)) {
+        match rest.strip_prefix(" import ") {
+            Some(names) => {
+                found.extend(names.split(',').map(|name| word(name.trim())).filter(|n| !n.starts_with("__")))
+            }
+            None if !rest.starts_with('.') => {
+                found.insert(word(rest));
+            }
+            None => {}
+        }
+    }
+    found
+}
+
+/// `from '../folder/file'`, or `from './folder/file'` at the top.
+fn typescript_imports(code: &str, depth: usize) -> BTreeSet<String> {
+    let up = if depth == 0 { "from './" } else { "from '../" };
+    code.lines().filter_map(|line| line.split(up).nth(1)).map(word).filter(|name| !name.is_empty()).collect()
 }
 
 #[test]
 fn every_module_of_the_engine_imports_only_those_before_it() {
-    let (order, source) = (order_under("## The engine's modules"), root().join("crates/kingpost/src"));
-    let mut seen = BTreeSet::new();
-    for path in files_below(&source, ".rs") {
-        let module = module_of(&path, &source);
-        if module == "lib" {
-            continue;
-        }
-        let place = order.iter().position(|m| *m == module);
-        let place = place.unwrap_or_else(|| panic!("ARCHITECTURE.md does not name {module}"));
-        seen.insert(module.clone());
-        for used in names_after(&read(&path), "crate::") {
-            // Types that lib.rs lifts to the top are named by their modules inside the crate.
-            let used_place = order.iter().position(|m| *m == used);
-            let used_place = used_place.unwrap_or_else(|| panic!("{}: crate::{used} is no module", path.display()));
-            assert!(used_place <= place, "{} imports {used}, which comes after {module}", path.display());
-        }
-    }
-    assert_eq!(seen, order.into_iter().collect(), "ARCHITECTURE.md names modules that are gone");
+    hold_to_order("## The engine's modules", "crates/kingpost/src", ".rs", rust_imports);
+}
+
+#[test]
+fn every_module_of_the_python_package_imports_only_those_before_it() {
+    hold_to_order("## The Python package's modules", "python/kingpost", ".py", python_imports);
+}
+
+#[test]
+fn every_folder_of_the_app_imports_only_those_before_it() {
+    hold_to_order("## The app's folders", "web/src", ".ts", typescript_imports);
 }
 
 #[test]
