@@ -47,7 +47,7 @@ def entries() -> list[Entry]:
 
 
 def _title(path: Path) -> str:
-    resolved: str = _engine.read(read_text(path), str(path), "{}")
+    resolved: str = _engine.read(read_text(path), str(path), "[]")
     return json.loads(resolved)["title"]
 
 
