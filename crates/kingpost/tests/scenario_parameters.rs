@@ -187,6 +187,13 @@ fn a_path_through_a_list_or_a_single_value_is_checked() {
 }
 
 #[test]
+fn a_quantity_in_two_units_is_refused_in_an_override_too() {
+    let joint = json!({"revolute": {"axis": [0, 0, 1], "initial_angle_rad": 1, "initial_angle_deg": 2}});
+    let error = read(PAPER, "paper.yaml", &[("bodies.arm.joint".to_owned(), joint)]).unwrap_err();
+    assert_eq!(error.field, "bodies.arm.joint.revolute.initial_angle_deg");
+}
+
+#[test]
 fn an_override_may_be_any_json_and_never_panics() {
     let values =
         [Value::Null, json!([]), json!({}), json!({"a": [1]}), json!("x"), json!(1e300), json!(-1), json!(true)];

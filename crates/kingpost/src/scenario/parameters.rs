@@ -1,7 +1,7 @@
 //! Parameters and overrides: values written into the tree of a scenario before it is typed.
 
 use indexmap::IndexMap;
-use serde_json::{Number, Value};
+use serde_json::Value;
 
 use super::error::{Fault, Place};
 use super::schema::{Parameter, ParameterKind, ParameterValue, Scenario};
@@ -201,7 +201,10 @@ impl Target<'_> {
         let (si, factor) = units::si_path(&written);
         self.check(&si).map_err(|NoSuchField { found, allowed }| Fault::new(name_place, path, found, allowed))?;
         let mut node = Node::from_value(value, place);
-        units::to_si(&mut node)?;
+        units::to_si(&mut node).map_err(|mut fault| {
+            fault.error.field = format!("{path}.{}", fault.error.field);
+            fault
+        })?;
         if factor != 1.0 {
             units::convert(&mut node, factor);
         }
@@ -284,17 +287,6 @@ fn in_unit(value: &Value, factor: f64) -> Option<ParameterValue> {
         Value::Number(number) => Some(ParameterValue::Number(number.as_f64()? / factor)),
         Value::String(text) => Some(ParameterValue::Text(text.clone())),
         _ => None,
-    }
-}
-
-impl ParameterValue {
-    /// The value as JSON.
-    pub fn to_json(&self) -> Value {
-        match self {
-            Self::Boolean(value) => Value::Bool(*value),
-            Self::Number(value) => Number::from_f64(*value).map_or(Value::Null, Value::Number),
-            Self::Text(value) => Value::String(value.clone()),
-        }
     }
 }
 

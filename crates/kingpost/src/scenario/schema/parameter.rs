@@ -3,6 +3,7 @@
 use std::fmt;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Number, Value};
 
 use super::Name;
 use crate::scenario::wording::PARAMETER_VALUE;
@@ -73,6 +74,15 @@ impl ParameterValue {
             Self::Boolean(_) => ParameterKind::Boolean,
             Self::Number(_) => ParameterKind::Number,
             Self::Text(_) => ParameterKind::Choice,
+        }
+    }
+
+    /// The value as JSON.
+    pub fn to_json(&self) -> Value {
+        match self {
+            Self::Boolean(value) => Value::Bool(*value),
+            Self::Number(value) => Number::from_f64(*value).map_or(Value::Null, Value::Number),
+            Self::Text(value) => Value::String(value.clone()),
         }
     }
 }
