@@ -92,7 +92,7 @@ def _run(options: argparse.Namespace) -> int:
     from . import progress, report, results
 
     scenario = _scenario(options)
-    output = results.check_output(options.output) if options.output else None
+    output = results.check_output(options.output) if options.output is not None else None
     failure = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
         try:

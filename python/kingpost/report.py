@@ -63,11 +63,32 @@ def _ship(results: xarray.Dataset, body: str) -> list[str]:
     rows = [(body, *ANGLES)]
     angle = [np.degrees(results[name].sel(body=body).values) for name in ANGLES]
     rate = [results["angular_velocity"].sel(body=body, axis=axis).values for axis in "xyz"]
-    rows.append(("angle at the end, deg", *(f"{values[-1]:.4f}" for values in angle)))
-    rows.append(("largest angle, deg", *(f"{largest(values):.4f}" for values in angle)))
-    rows.append(("rate at the end, rad/s", *(f"{values[-1]:.6f}" for values in rate)))
-    rows.append(("largest rate, rad/s", *(f"{largest(values):.6f}" for values in rate)))
+    rows.append(("angle at the end, deg", *(fixed(values[-1], 4) for values in angle)))
+    rows.append(("largest angle, deg", *(fixed(largest(values), 4) for values in angle)))
+    rows.append(("rate at the end, rad/s", *(fixed(values[-1], 6) for values in rate)))
+    rows.append(("largest rate, rad/s", *(fixed(largest(values), 6) for values in rate)))
     return table(rows)
+
+
+def fixed(value: float, places: int) -> str:
+    """A number with a fixed count of decimals, and no sign on a zero.
+
+    >>> fixed(-0.00001, 4), fixed(-0.0617, 4)
+    ('0.0000', '-0.0617')
+    """
+    return f"{value:z.{places}f}"
+
+
+def joules(value: float) -> str:
+    """An energy with the prefix that suits its size.
+
+    >>> joules(171588.0), joules(-0.0)
+    ('171.588 kJ', '0 J')
+    """
+    for size, unit in ((1e9, "GJ"), (1e6, "MJ"), (1e3, "kJ")):
+        if abs(value) >= size:
+            return f"{value / size:.6g} {unit}"
+    return f"{value + 0.0:.6g} J"
 
 
 def largest(values: np.ndarray) -> float:
@@ -82,13 +103,11 @@ def largest(values: np.ndarray) -> float:
 def _joints(results: xarray.Dataset) -> list[str]:
     rows = [("joint", "position", "", "rate", "")]
     for name in results["coordinate"].values:
-        at = {"coordinate": name, "time": -1}
         position = results["joint_position"].sel(coordinate=name)
         rate = results["joint_velocity"].sel(coordinate=name)
-        unit, rate_unit = position.attrs["units"], rate.attrs["units"]
-        rows.append((str(at["coordinate"]), f"{position.values[-1]:.6f}", unit,
-                     f"{rate.values[-1]:.6f}", rate_unit))  # fmt: skip
-    return table(rows)
+        rows.append((str(name), fixed(position.values[-1], 6), position.attrs["units"],
+                     fixed(rate.values[-1], 6), rate.attrs["units"]))  # fmt: skip
+    return table(rows, "<><><")
 
 
 def _ledger(results: xarray.Dataset) -> list[str]:
@@ -97,10 +116,10 @@ def _ledger(results: xarray.Dataset) -> list[str]:
     error = float(last["energy_error"])
     relative = f" ({error / work:+.2e} of the work done)" if work else ""
     rows = [
-        ("kinetic energy", f"{float(last['kinetic_energy']):.6g} J"),
-        ("potential energy", f"{float(last['potential_energy']) + 0.0:.6g} J"),
-        ("work done", f"{work:.6g} J"),
-        ("energy dissipated", f"{float(last['energy_dissipated']):.6g} J"),
+        ("kinetic energy", joules(float(last["kinetic_energy"]))),
+        ("potential energy", joules(float(last["potential_energy"]))),
+        ("work done", joules(work)),
+        ("energy dissipated", joules(float(last["energy_dissipated"]))),
         ("energy error", f"{error:+.3e} J{relative}"),
         ("momentum error", f"{float(last['momentum_error']):.3e} N m s"),
     ]

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import re
 import signal
 import subprocess
 import sys
-import time
+import threading
 
 import kingpost
 import pytest
@@ -95,16 +97,39 @@ def command(*arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="signals are POSIX's")
-def test_ctrl_c_ends_a_long_run_with_one_line():
+def test_ctrl_c_ends_a_long_run_with_one_line(capsys):
     """Source: the shell's convention, 128 + SIGINT."""
-    arguments = ["run", "paper", "--set", "motor_1=off", "--set", "simulation.duration_s=1e6",
-                 "--set", "simulation.record_every_s=1"]  # fmt: skip
-    started = subprocess.Popen(
-        [sys.executable, "-m", "kingpost", *arguments], stderr=subprocess.PIPE, text=True
-    )
-    time.sleep(2.5)
-    started.send_signal(signal.SIGINT)
-    _, errors = started.communicate(timeout=20)
-    assert errors == "error: interrupted\n"
-    assert started.returncode == 130
+    ctrl_c = threading.Timer(0.5, signal.raise_signal, [signal.SIGINT])
+    ctrl_c.start()
+    settings = [
+        "--set",
+        "motor_1=off",
+        "--set=simulation.duration_s=1e6",
+        "--set=simulation.record_every_s=1",
+    ]
+    assert main(["run", "paper", *settings]) == 130
+    assert capsys.readouterr().err == "error: interrupted\n"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="terminals are POSIX's")
+def test_a_long_run_shows_a_progress_bar_on_a_terminal():
+    """Source: the public contract; the bar is drawn on stderr and taken away at the end."""
+    import pty
+    import termios
+
+    reader, terminal = pty.openpty()
+    termios.tcsetwinsize(terminal, (24, 80))
+    arguments = ["run", "paper", "--set", "motor_1=off", "--set", "simulation.duration_s=60"]
+    with subprocess.Popen(
+        [sys.executable, "-m", "kingpost", *arguments], stdout=subprocess.DEVNULL, stderr=terminal
+    ) as started:
+        os.close(terminal)
+        shown = b""
+        # Linux ends a terminal that nobody holds any more by an error, others by an empty read.
+        with contextlib.suppress(OSError):
+            while part := os.read(reader, 100_000):
+                shown += part
+        os.close(reader)
+    assert started.returncode == 0
+    assert b"%|" in shown
+    assert b"/60 s" in shown
