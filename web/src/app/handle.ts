@@ -4,6 +4,8 @@ import type { Session } from "./session";
 export interface Sample {
   status: string;
   time_s: number;
+  /** Names of values that wait for a reset. */
+  pending: string[];
   /** The last row by column name, as in the CSV files. */
   row: Record<string, number>;
   /** Per body x y z qw qx qy qz, world frame. */
@@ -23,6 +25,7 @@ export function exposeHandle(session: Session): void {
       if (!run || !lastFrame) return null;
       return {
         status,
+        pending: session.pending(),
         time_s: run.columns.read(lastFrame.row, "time"),
         row: run.columns.byName(lastFrame.row),
         poses: Array.from(lastFrame.poses),

@@ -133,7 +133,7 @@ export class Plot {
   }
 
   private line(label: string, stroke: string): uPlot.Series {
-    const series: uPlot.Series = { label, stroke, width: 2, points: { show: false } };
+    const series: uPlot.Series = { label, stroke, width: 2, pxAlign: 0, points: { show: false } };
     if (!this.kind.wraps) return series;
     series.gaps = (u, seriesIndex, first, last) => {
       const values = u.data[seriesIndex] as unknown as Float64Array;

@@ -36,10 +36,7 @@ export class Controls {
   }
 
   private item(parameter: ParameterInfo): Item {
-    const set = (value: boolean | number | string) => {
-      this.session.set(parameter.name, value);
-      if (parameter.live && typeof value === "number") void this.session.setInput(parameter.name, value);
-    };
+    const set = (value: boolean | number | string) => this.session.set(parameter.name, value);
     switch (parameter.kind) {
       case "boolean":
         return checkbox(parameter, set);
@@ -53,8 +50,8 @@ export class Controls {
   /** A lever acts at once, at any time. */
   private lever(name: string): HTMLElement {
     const input = this.session.run!.inputs.find((one) => one.name === name)!;
-    const info = { name, label: name.replaceAll("_", " "), unit: input.unit, range: [input.lower, input.upper] };
-    const lever = number(info as Pick<ParameterInfo, "name" | "label" | "unit" | "range">, (value) => {
+    const range: [number, number] = [input.lower, input.upper];
+    const lever = number({ name: `input-${name}`, label: name.replaceAll("_", " "), unit: input.unit, range }, (value) => {
       void this.session.setInput(name, value);
       lever.show(value, false);
     });

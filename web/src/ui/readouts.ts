@@ -19,7 +19,6 @@ export class Readouts {
         setText(byTestId("integrator"), name.replace(/ \(.*/, ""));
         byTestId("integrator").title = name;
         setText(byTestId("title"), run.model.title);
-        byTestId("title").title = run.model.title;
         this.show(run, frame);
       },
       advanced: (run, frame) => this.show(run, frame),

@@ -65,6 +65,7 @@ export class Eye {
     this.isTaken = false;
     const points = cornersOf(this.poses, this.halves);
     if (points.length === 0) return;
+    this.stopSwinging();
     const back = unit(FIRST_VIEW);
     const { target, distance } = frame(points, back, UP, this.lens());
     this.orbit.target.set(...target);
@@ -93,6 +94,14 @@ export class Eye {
 
   private lens() {
     return { fov: this.fov, aspect: this.camera.aspect };
+  }
+
+  /** Without damping an update drops what is left of a drag. */
+  private stopSwinging(): void {
+    const { enableDamping } = this.orbit;
+    this.orbit.enableDamping = false;
+    this.orbit.update();
+    this.orbit.enableDamping = enableDamping;
   }
 
   private stepBack(share: number): void {

@@ -1,0 +1,42 @@
+// Takes the pictures of the README from the built app: docs/images/app.png and app-phone.png.
+import { mkdirSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { findBrowser, launch } from "./browser.mjs";
+import { serve } from "./serve.mjs";
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const PICTURES = [
+  { file: "app.png", viewport: { width: 1440, height: 900 }, scale: 1, time_s: 2 },
+  { file: "app-phone.png", viewport: { width: 390, height: 844 }, scale: 2, time_s: 1.2, panel: "plots" },
+];
+
+const executable = findBrowser();
+if (!executable) throw new Error("there is no Chromium on this machine (CHROMIUM=path names one)");
+const folder = here("../../docs/images/");
+mkdirSync(folder, { recursive: true });
+const { address, stop } = await serve(here("../dist"), "/");
+const browser = await launch(executable);
+for (const { file, viewport, scale, time_s, panel } of PICTURES) {
+  const context = await browser.newContext({ viewport, deviceScaleFactor: scale, colorScheme: "light" });
+  const page = await context.newPage();
+  await page.goto(address);
+  await page.waitForFunction(() => window.kingpost?.sample());
+  if (panel) await page.getByTestId(`show-${panel}`).click();
+  await page.evaluate(runTo, time_s);
+  await page.waitForTimeout(2000);
+  await page.screenshot({ path: folder + file });
+  console.log(`docs/images/${file}`);
+  await context.close();
+}
+await browser.close();
+await stop();
+
+/** In the page: presses Step until the time is reached. */
+async function runTo(until) {
+  const now = () => window.kingpost.sample().time_s;
+  while (now() < until - 1e-9) {
+    const last = now();
+    document.querySelector("[data-testid=step]").click();
+    while (now() === last) await new Promise((resolve) => setTimeout(resolve, 1));
+  }
+}

@@ -1,0 +1,113 @@
+// How the tests drive the app: open a page, set controls, read numbers.
+import assert from "node:assert/strict";
+
+export const PHONE = { width: 390, height: 844 };
+export const DESKTOP = { width: 1440, height: 900 };
+
+/** Opens the app and waits until a scenario is there. */
+export async function openApp({ browser, address }, { query = "", colorScheme = "light", viewport = DESKTOP } = {}) {
+  const isPhone = viewport.width < 600;
+  const context = await browser.newContext({ viewport, colorScheme, hasTouch: isPhone, isMobile: isPhone });
+  const page = await context.newPage();
+  page.setDefaultTimeout(30_000);
+  const problems = [];
+  page.on("pageerror", (error) => problems.push(error.message));
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  await page.goto(address + query);
+  await page.waitForFunction(() => window.kingpost?.sample());
+  return {
+    page,
+    async close() {
+      await context.close();
+      assert.deepEqual(problems, [], "the browser's console is clean");
+    },
+  };
+}
+
+export const sample = (page) => page.evaluate(() => window.kingpost.sample());
+export const item = (page, name) => page.getByTestId(`parameter-${name}`);
+
+/** Waits until a reset has brought what a control says into the run. */
+export async function settle(page) {
+  await page.waitForTimeout(50);
+  await page.waitForFunction(() => {
+    const { status, pending } = window.kingpost.sample();
+    return status === "idle" && pending.length === 0;
+  });
+}
+
+export async function setNumber(page, name, value) {
+  await item(page, name).fill(String(value));
+  await item(page, name).blur();
+  await settle(page);
+}
+
+export async function setChecked(page, name, value) {
+  await item(page, name).setChecked(value);
+  await settle(page);
+}
+
+/** The paper's Figs. 9 to 11: crane at the centre, no load, constant torque. */
+export async function setFigures(page) {
+  await setChecked(page, "load", false);
+  await item(page, "torque_history").selectOption("constant");
+  await setNumber(page, "crane_x_m", 0);
+  await setNumber(page, "crane_y_m", 0);
+}
+
+export async function openFile(page, name, text) {
+  await page.getByTestId("file").setInputFiles({ name, mimeType: "text/yaml", buffer: Buffer.from(text) });
+}
+
+/** Presses Step until the time is reached: once as a person does, then from within the page, which is faster. */
+export async function stepTo(page, time_s) {
+  const before = (await sample(page)).time_s;
+  await page.getByTestId("step").click();
+  await page.waitForFunction((time) => window.kingpost.sample().time_s > time, before);
+  await page.evaluate(async (until) => {
+    const button = document.querySelector("[data-testid=step]");
+    const now = () => window.kingpost.sample().time_s;
+    while (now() < until - 1e-9) {
+      const last = now();
+      button.click();
+      while (now() === last) await new Promise((resolve) => setTimeout(resolve, 1));
+    }
+  }, time_s);
+}
+
+/** The numbers of a text, with the page's minus sign read as one. */
+export async function numberIn(page, testId) {
+  const text = await page.getByTestId(testId).textContent();
+  return Number.parseFloat(text.replace("−", "-"));
+}
+
+export function close(actual, expected, tolerance, what) {
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected} within ${tolerance}`);
+}
+
+/** Counts pixels of a picture of the canvas, and the box around those darker than the background. */
+export async function look(page) {
+  await page.addStyleTag({ content: ".scene-tools, .scene-note, .frames-legend, .hint, .alert { visibility: hidden }" });
+  const picture = (await page.getByTestId("canvas").screenshot()).toString("base64");
+  return page.evaluate(async (base64) => {
+    const blob = await (await fetch(`data:image/png;base64,${base64}`)).blob();
+    const bitmap = await createImageBitmap(blob);
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const pen = canvas.getContext("2d");
+    pen.drawImage(bitmap, 0, 0);
+    const { data, width, height } = pen.getImageData(0, 0, bitmap.width, bitmap.height);
+    const seen = { width, height, green: 0, grey: 0, left: width, right: 0, top: height, bottom: 0 };
+    for (let i = 0; i < data.length; i += 4) {
+      const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
+      const [x, y] = [(i / 4) % width, Math.floor(i / 4 / width)];
+      if (g > 1.35 * r && g > 1.35 * b && g < 170) seen.green += 1;
+      if (Math.max(r, g, b) - Math.min(r, g, b) < 22 && r > 60 && r < 150) seen.grey += 1;
+      if (0.3 * r + 0.6 * g + 0.1 * b > 95) continue;
+      seen.left = Math.min(seen.left, x);
+      seen.right = Math.max(seen.right, x);
+      seen.top = Math.min(seen.top, y);
+      seen.bottom = Math.max(seen.bottom, y);
+    }
+    return seen;
+  }, picture);
+}

@@ -1,0 +1,106 @@
+// Controls, the picture and the plots.
+import assert from "node:assert/strict";
+import { item, look, openApp, sample, setChecked, setNumber, settle, stepTo } from "./app.mjs";
+
+const TOWER = 7;
+
+export default {
+  async "moves the crane: at the start the picture follows the slider at once"(host) {
+    const { page, close } = await openApp(host);
+    const before = await look(page);
+    await page.getByTestId("slider-crane_x_m").fill("8");
+    await settle(page);
+    const { poses, time_s } = await sample(page);
+    assert.equal(time_s, 0);
+    assert.deepEqual([poses[TOWER], poses[TOWER + 1]], [8, -5]);
+    assert.equal(await item(page, "crane_x_m").inputValue(), "8");
+    await page.waitForTimeout(500);
+    const after = await look(page);
+    assert.notDeepEqual(after, before);
+    await close();
+  },
+
+  async "keeps a change under way for the reset, and says so"(host) {
+    const { page, close } = await openApp(host);
+    await stepTo(page, 0.02);
+    await item(page, "crane_y_m").fill("5");
+    await item(page, "crane_y_m").blur();
+    assert.match(await page.getByTestId("hint").textContent(), /Reset to apply/);
+    assert.equal((await sample(page)).poses[TOWER + 1].toFixed(1), "-5.0");
+    await page.getByTestId("reset").click();
+    await settle(page);
+    assert.equal((await sample(page)).poses[TOWER + 1], 5);
+    assert.equal(await page.getByTestId("hint").textContent(), "");
+    await close();
+  },
+
+  async "draws the gray tower and the green arm, and the load when it is on"(host) {
+    const { page, close } = await openApp(host);
+    const seen = await look(page);
+    assert.ok(seen.green > 1500, `green pixels: ${seen.green}`);
+    assert.ok(seen.grey > 1500, `gray pixels: ${seen.grey}`);
+    assert.equal((await sample(page)).poses.length, 4 * 7);
+    await setChecked(page, "load", false);
+    assert.equal((await sample(page)).poses.length, 3 * 7);
+    await close();
+  },
+
+  async "turns the view by keys, by dragging and back to the fit"(host) {
+    const { page, close } = await openApp(host);
+    const fitted = await look(page);
+    await page.getByTestId("canvas").focus();
+    for (let i = 0; i < 6; i++) await page.keyboard.press("ArrowLeft");
+    await page.getByTestId("canvas").blur();
+    await page.waitForTimeout(600);
+    const turned = await look(page);
+    assert.notDeepEqual(turned, fitted);
+    await page.getByTestId("canvas").focus();
+    const box = await page.getByTestId("canvas").boundingBox();
+    await page.mouse.move(box.x + 300, box.y + 200);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 420, box.y + 240, { steps: 4 });
+    await page.mouse.up();
+    await page.waitForTimeout(1500);
+    assert.notDeepEqual(await look(page), turned);
+    await page.keyboard.press("Home");
+    await page.getByTestId("canvas").blur();
+    await page.waitForTimeout(1000);
+    assert.deepEqual(await look(page), fitted);
+    await close();
+  },
+
+  async "draws the body frames on demand"(host) {
+    const { page, close } = await openApp(host);
+    const before = await look(page);
+    await page.getByTestId("frames").evaluate((button) => button.click());
+    await page.waitForTimeout(800);
+    assert.equal(await page.getByTestId("frames").getAttribute("aria-pressed"), "true");
+    assert.notDeepEqual(await look(page), before);
+    await close();
+  },
+
+  async "shows the values at the crosshair"(host) {
+    const { page, close } = await openApp(host);
+    await stepTo(page, 0.3);
+    await page.waitForTimeout(500);
+    const area = await page.locator("#plot-rates .u-over").boundingBox();
+    await page.mouse.move(area.x + 0.05 * area.width, area.y + 0.5 * area.height);
+    await page.waitForTimeout(500);
+    assert.match(await page.locator("#plot-rates .plot-at").textContent(), /^at 0\.\d\d s$/);
+    assert.match(await page.locator("#plot-angles .plot-at").textContent(), /^at 0\.\d\d s$/, "both plots follow");
+    await close();
+  },
+
+  async "changes integrator and step size from the advanced fold"(host) {
+    const { page, close } = await openApp(host);
+    await page.locator("#advanced summary").click();
+    await page.getByTestId("parameter-simulation.integrator").selectOption("midpoint_euler");
+    await settle(page);
+    await setNumber(page, "simulation.step_s", 0.002);
+    assert.equal(await page.getByTestId("integrator").textContent(), "Midpoint Euler");
+    assert.equal(await page.getByTestId("step-size").textContent(), "2 ms");
+    await stepTo(page, 0.01);
+    assert.equal((await sample(page)).time_s, 0.01);
+    await close();
+  },
+};

@@ -1,0 +1,106 @@
+// Nothing is cropped on a phone or a desktop; everything is labelled, reachable and large enough.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { DESKTOP, look, openApp, PHONE, settle, stepTo } from "./app.mjs";
+
+const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+const SCREENS = { phone: PHONE, "narrow phone": { width: 340, height: 640 }, "phone on its side": { width: 844, height: 390 }, desktop: DESKTOP };
+
+/** What a finger meets: a checkbox counts with its label. */
+function targets() {
+  const shown = [...document.querySelectorAll("button, select, input, summary, canvas, label.item-checkbox")];
+  return shown
+    .filter((element) => element.checkVisibility() && element.type !== "checkbox" && element.type !== "file")
+    .map((element) => {
+      const { left, right, top, bottom, width, height } = element.getBoundingClientRect();
+      const name = element.dataset.testid ?? element.id ?? element.textContent;
+      const fixed = element.closest(".panel, .plots") === null;
+      return { name: name || element.textContent.trim(), left, right, top, bottom, width, height, fixed };
+    });
+}
+
+async function assertUncropped(page, screen) {
+  const size = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
+  assert.ok(size[0] <= screen.width && size[1] <= screen.height, `the page is ${size}, the screen ${screen.width}`);
+  for (const { name, left, right, top, bottom, height, width, fixed } of await page.evaluate(targets)) {
+    assert.ok(left >= -0.5 && right <= screen.width + 0.5, `${name} ends at ${left}, ${right}`);
+    if (fixed) assert.ok(top >= -0.5 && bottom <= screen.height + 0.5, `${name} ends at ${top}, ${bottom}`);
+    assert.ok(height >= 43.5 && width >= 43.5, `${name} is ${width} x ${height}`);
+  }
+  const cropped = await page.evaluate(() =>
+    [...document.querySelectorAll(".button, .readouts dt, .readouts dd, .switcher button, .item label, .item-checkbox")]
+      .filter((element) => element.checkVisibility() && element.scrollWidth > element.clientWidth + 1 && element.clientWidth > 0)
+      .map((element) => element.textContent.trim()),
+  );
+  assert.deepEqual(cropped, [], "texts that do not fit");
+}
+
+const layouts = Object.entries(SCREENS).map(([name, viewport]) => [
+  `crops nothing on a ${name}, ${viewport.width}x${viewport.height}`,
+  async (host) => {
+    const { page, close } = await openApp(host, { viewport });
+    await assertUncropped(page, viewport);
+    if (await page.getByTestId("show-plots").isVisible()) {
+      await page.getByTestId("show-plots").click();
+      await assertUncropped(page, viewport);
+    }
+    const seen = await look(page);
+    assert.ok(seen.left > 3 && seen.right < seen.width - 4, `the ship is at ${seen.left} to ${seen.right} of ${seen.width}`);
+    assert.ok(seen.top > 3 && seen.bottom < seen.height - 4, `the ship is at ${seen.top} to ${seen.bottom} of ${seen.height}`);
+    assert.ok(seen.right - seen.left > 0.4 * Math.min(seen.width, 1.5 * seen.height), "the ship fills the picture");
+    await close();
+  },
+]);
+
+const accessible = ["light", "dark"].flatMap((colorScheme) =>
+  [PHONE, DESKTOP].map((viewport) => [
+    `passes axe, ${colorScheme}, ${viewport.width}x${viewport.height}`,
+    async (host) => {
+      const { page, close } = await openApp(host, { viewport, colorScheme, query: "?scenario=nonesuch" });
+      await stepTo(page, 0.01);
+      for (const fold of ["#advanced", "#about"]) await page.locator(`${fold} summary`).click();
+      await page.addScriptTag({ path: AXE });
+      const violations = await page.evaluate(async () => (await window.axe.run()).violations);
+      const found = violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`));
+      assert.deepEqual(found, []);
+      await close();
+    },
+  ]),
+);
+
+export default {
+  ...Object.fromEntries(layouts),
+  ...Object.fromEntries(accessible),
+
+  async "refits the ship when the window changes"(host) {
+    const { page, close } = await openApp(host);
+    await page.setViewportSize(PHONE);
+    await settle(page);
+    await page.waitForTimeout(1000);
+    await assertUncropped(page, PHONE);
+    const seen = await look(page);
+    assert.ok(seen.left > 3 && seen.right < seen.width - 4, `the ship is at ${seen.left} to ${seen.right} of ${seen.width}`);
+    await close();
+  },
+
+  async "reaches every control by the Tab key, with its focus in sight"(host) {
+    const { page, close } = await openApp(host);
+    const wanted = await page.evaluate(() => {
+      const all = [...document.querySelectorAll("button, select, input, summary, canvas")];
+      return all.filter((one) => one.checkVisibility() && !one.disabled).map((one) => one.dataset.testid ?? one.id ?? one.textContent);
+    });
+    const reached = new Set();
+    for (let i = 0; i < wanted.length + 12; i++) {
+      await page.keyboard.press("Tab");
+      const focus = await page.evaluate(() => {
+        const one = document.activeElement;
+        const framed = one.closest(".item-checkbox") ?? one;
+        return { name: one.dataset.testid ?? one.id ?? one.textContent, outline: getComputedStyle(framed).outlineStyle, isBody: one === document.body };
+      });
+      if (!focus.isBody) assert.equal(focus.outline, "solid", `${focus.name} shows its focus`);
+      reached.add(focus.name);
+    }
+    assert.deepEqual(wanted.filter((name) => !reached.has(name)), []);
+    await close();
+  },
+};

@@ -1,0 +1,101 @@
+// The app's numbers against the paper's truth row and the native golden runs.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { close, numberIn, openApp, sample, setChecked, setFigures, settle, stepTo } from "./app.mjs";
+
+const GOLDEN = fileURLToPath(new URL("../../../crates/kingpost/tests/golden/paper.json", import.meta.url));
+const goldens = JSON.parse(readFileSync(GOLDEN, "utf8"));
+const golden = (name) => goldens.find((one) => one.name === name);
+
+/** Ship's centre held, crane at the centre, no load, tower motor alone, t = 0.5 s. */
+const TRUTH = {
+  "ship.angular_velocity.y": 0.19709,
+  "ship.angular_velocity.z": -0.12348,
+  "ship.angular_velocity.x": -0.07719,
+  "slew.joint_velocity": 6.6699,
+  "luff.joint_velocity": 0.0338,
+  "slew.joint_position": 1.7159,
+  "luff.joint_position": 0.0632,
+};
+
+/** Half a unit of the last digit given, and no coarser than 1e-5 for the ship's rates. */
+const tolerance = (name) => (name.startsWith("ship.") ? 1e-5 : 5.001e-5);
+
+function assertBits(actual, expected) {
+  const values = Object.values(actual);
+  assert.equal(values.length, expected.length);
+  Object.keys(actual).forEach((name, i) => assert.ok(Object.is(values[i], expected[i]), `${name}: ${values[i]}, native ${expected[i]}`));
+}
+
+export default {
+  async "opens with the paper's page: stern corner, load on, pulse, motor 1"(host) {
+    const { page, close: done } = await openApp(host);
+    const says = async (name) => page.getByTestId(`parameter-${name}`);
+    for (const [name, checked] of [["motor_1", true], ["motor_2", false], ["load", true], ["hold_centre", true]]) {
+      assert.equal(await (await says(name)).isChecked(), checked, name);
+    }
+    assert.equal(await (await says("torque_history")).inputValue(), "pulse");
+    assert.equal(await (await says("crane_x_m")).inputValue(), "-10");
+    assert.equal(await (await says("crane_y_m")).inputValue(), "-5");
+    assert.equal((await sample(page)).time_s, 0);
+    await stepTo(page, 2);
+    assertBits((await sample(page)).row, golden("page").row);
+    await done();
+  },
+
+  async "meets the truth row: motor 1, crane at the centre, no load, 0.5 s"(host) {
+    const { page, close: done } = await openApp(host);
+    await setFigures(page);
+    await setChecked(page, "motor_1", false);
+    await setChecked(page, "motor_1", true);
+    await stepTo(page, 0.5);
+    const { row, time_s } = await sample(page);
+    assert.equal(time_s, 0.5);
+    for (const [name, value] of Object.entries(TRUTH)) close(row[name], value, tolerance(name), name);
+    assertBits(row, golden("truth").row);
+    await page.getByTestId("unit-rad").click();
+    await page.waitForTimeout(500);
+    close(await numberIn(page, "pitch-rates"), 0.19709, 1e-5, "pitch rate shown");
+    close(await numberIn(page, "yaw-rates"), -0.12348, 1e-5, "yaw rate shown");
+    close(await numberIn(page, "roll-rates"), -0.07719, 1e-5, "roll rate shown");
+    assert.equal(await page.getByTestId("time").textContent(), "0.50 s");
+    assert.equal(await page.getByTestId("step-size").textContent(), "1 ms");
+    assert.equal(await page.getByTestId("integrator").textContent(), "RK4");
+    assert.match(await page.getByTestId("energy-error").textContent(), /×10⁻/);
+    assert.match(await page.getByTestId("momentum-error").textContent(), /×10⁻/);
+    await done();
+  },
+
+  async "gives the same bits after running, pausing and stepping"(host) {
+    const { page, close: done } = await openApp(host);
+    await setFigures(page);
+    await page.getByTestId("speed").selectOption("0.1");
+    await page.getByTestId("start").click();
+    await page.waitForFunction(() => window.kingpost.sample().time_s > 0.1);
+    await page.getByTestId("start").click();
+    await page.waitForFunction(() => window.kingpost.sample().status === "paused");
+    await page.waitForTimeout(500);
+    const paused = (await sample(page)).time_s;
+    assert.ok(paused < 0.45, `paused at ${paused} s`);
+    await stepTo(page, 0.5);
+    assertBits((await sample(page)).row, golden("truth").row);
+    await done();
+  },
+
+  async "runs on past the scenario's duration until it is paused"(host) {
+    const { page, close: done } = await openApp(host);
+    await page.getByTestId("start").click();
+    await page.waitForFunction(() => window.kingpost.sample().time_s > 3.2);
+    assert.equal((await sample(page)).status, "running");
+    await page.getByTestId("start").click();
+    await page.waitForTimeout(500);
+    const { time_s } = await sample(page);
+    await page.waitForTimeout(500);
+    assert.equal((await sample(page)).time_s, time_s);
+    await page.getByTestId("reset").click();
+    await settle(page);
+    assert.equal((await sample(page)).time_s, 0);
+    await done();
+  },
+};

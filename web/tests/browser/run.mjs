@@ -1,0 +1,45 @@
+// Drives the built app in Chromium: node tests/browser/run.mjs [part of a test's name].
+import { existsSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { findBrowser, launch } from "../../scripts/browser.mjs";
+import { serve } from "../../scripts/serve.mjs";
+import controls from "./controls.mjs";
+import faults from "./faults.mjs";
+import layout from "./layout.mjs";
+import numbers from "./numbers.mjs";
+
+const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
+const LIMIT_MS = 120_000;
+
+const executable = findBrowser();
+if (!executable) {
+  console.log("browser: skipped, there is no Chromium on this machine (CHROMIUM=path names one)");
+  process.exit(0);
+}
+if (!existsSync(DIST)) {
+  console.error("web/dist is not there: npm run build makes it");
+  process.exit(1);
+}
+
+const wanted = process.argv[2] ?? "";
+const tests = Object.entries({ ...numbers, ...controls, ...faults, ...layout }).filter(([name]) => name.includes(wanted));
+// A sub-path, as on many a static host.
+const { address, stop } = await serve(DIST, "/a/folder/");
+const browser = await launch(executable);
+let failed = 0;
+for (const [name, test] of tests) {
+  const start = performance.now();
+  const limit = new Promise((_, reject) => setTimeout(() => reject(new Error(`took longer than ${LIMIT_MS / 1000} s`)), LIMIT_MS).unref());
+  try {
+    await Promise.race([test({ browser, address }), limit]);
+    console.log(`ok      ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    failed += 1;
+    console.log(`FAILED  ${name}\n${error.stack ?? error}`);
+    await Promise.all(browser.contexts().map((context) => context.close()));
+  }
+}
+await browser.close();
+await stop();
+console.log(`browser: ${tests.length - failed} passed, ${failed} failed`);
+process.exit(failed ? 1 : 0);
