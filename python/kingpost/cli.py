@@ -93,11 +93,13 @@ def _run(options: argparse.Namespace) -> int:
 
     scenario = _scenario(options)
     output = results.check_output(options.output) if options.output is not None else None
-    failure = None
+    failure: RunError | None = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
         try:
             recorded = Simulation(scenario).run(update)
         except RunError as error:
+            if error.results is None:
+                raise
             failure, recorded = error, error.results
     print(report.summary(recorded, scenario))
     if output:

@@ -11,13 +11,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray
 
 from . import _engine
 from .errors import KingpostError
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
     from numpy.typing import NDArray
 
     from .simulate import Scenario
@@ -50,6 +50,8 @@ def dataset(
         Dimension ``time`` (s) and those of the channels; every variable carries ``units``,
         ``long_name`` and ``frame``.
     """
+    import xarray
+
     coordinates: dict[str, Any] = {}
     variables: dict[str, Any] = {}
     for channel in channels:
@@ -78,6 +80,8 @@ def matrix(
     unit: str,
 ) -> xarray.DataArray:
     """One matrix of the moving frame method with its labels and unit."""
+    import xarray
+
     labels = {"row": row_labels, "column": column_labels}
     return xarray.DataArray(values, labels, ("row", "column"), name, {"units": unit})
 

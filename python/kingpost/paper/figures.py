@@ -109,10 +109,14 @@ def draw(folder: Path, figure: Figure) -> None:
             panel.xaxis.set_major_locator(MultipleLocator(1))
             panel.xaxis.set_minor_locator(MultipleLocator(0.5))
             if np.abs(figure.undamped[name]).max() < NOTHING:
-                panel.annotate("zero, by symmetry", (0.5, 0.9), xycoords="axes fraction", ha="center")
+                plain = {"facecolor": "white", "edgecolor": "none", "pad": 2}
+                panel.annotate(
+                    "zero, by symmetry", (0.5, 0.85), xycoords="axes fraction", ha="center", bbox=plain
+                )
         panels[0].set_ylabel("Angular velocity of the ship, rad/s")
         degrees = panels[-1].secondary_yaxis("right", functions=(np.degrees, np.radians))
         degrees.set_ylabel("degrees/s")
         drawn.legend(*panels[0].get_legend_handles_labels(), loc="outside upper right", ncols=2)
-        drawn.suptitle(f"Fig. {figure.case.number}: {figure.case.title}", x=0.01, ha="left")
+        title = f"Fig. {figure.case.number}: {figure.case.title}, crane at the centre, no load"
+        drawn.suptitle(title, x=0.01, ha="left")
         save(drawn, folder / figure.name)

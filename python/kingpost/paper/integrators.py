@@ -100,7 +100,7 @@ def angle(one: np.ndarray, other: np.ndarray) -> float:
     1e-09
     """
     w, v = one[0] * other[1:] - other[0] * one[1:], np.cross(one[1:], other[1:])
-    return float(2 * np.arcsin(min(1.0, np.linalg.norm(w - v))))
+    return float(2 * np.arcsin(min(1.0, float(np.linalg.norm(w - v)))))
 
 
 def write(folder: Path, found: list[Errors]) -> None:

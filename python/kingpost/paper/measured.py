@@ -118,8 +118,7 @@ def _printed_kinematics() -> tuple[float, float, float, float]:
     c2, j2, c3 = -_joint(scenario.resolved, "tower")[1], top, -root
     c21 = foot + c2
     e1, e2 = np.eye(3)[1], np.eye(3)[2]
-    *w1, slew, luff = simulation.state.v[3:8]
-    w1 = np.array(w1)
+    w1, (slew, luff) = np.split(simulation.state.v[3:8], [3])
     w2 = r21.T @ w1 + slew * e2
     w3 = r32.T @ w2 + luff * e1
 

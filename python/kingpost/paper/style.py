@@ -14,7 +14,7 @@ INTEGRATORS: dict[str, dict[str, Any]] = {
     "midpoint_euler": {"color": "#E69F00", "marker": "s"},
     "rk4": {"color": "#009E73", "marker": "D"},
 }
-_SETTINGS = {
+_SETTINGS: Any = {
     "figure.constrained_layout.use": True,
     "figure.dpi": 100,
     "savefig.dpi": 160,
