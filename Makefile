@@ -19,6 +19,9 @@ GALLERY := $(wildcard scenarios/*.yaml)
 sources = $(shell find $(1) -type f -not -path '*/pkg/*' -not -path '*/__pycache__/*' 2>/dev/null)
 ENGINE := Cargo.toml Cargo.lock $(call sources,crates/kingpost/src crates/kingpost/Cargo.toml)
 
+# By the Python tests, and by making the WASM module.
+TESTED_ELSEWHERE := --exclude kingpost-py --exclude xtask
+
 # uv: the one at hand, else from PyPI.
 UV := $(shell uv --version >/dev/null 2>&1 && echo uv || echo $(DONE)/uv/bin/uv)
 UV_FILE := $(filter-out uv,$(UV))
@@ -38,7 +41,7 @@ test: need-rust need-node need-python need-lint ## every test of every part, and
 	@$(PYTHON) tools/test.py
 
 test-rust: need-rust ## the engine's tests
-	cargo test --locked --workspace --exclude kingpost-py --all-features --no-fail-fast
+	cargo test --locked --workspace $(TESTED_ELSEWHERE) --all-features --no-fail-fast
 
 test-web: $(NODE_MODULES) $(WASM) ## the app's tests without a browser
 	cd web && npm test
