@@ -19,17 +19,13 @@ fn overrides(json: &str) -> PyResult<Vec<(String, Value)>> {
 #[pyfunction]
 fn read(text: &str, file: &str, overrides_json: &str) -> PyResult<String> {
     let pairs = overrides(overrides_json)?;
-    scenario::read(text, file, &pairs)
-        .map(|scenario| scenario.to_json())
-        .map_err(errors::scenario)
+    scenario::read(text, file, &pairs).map(|scenario| scenario.to_json()).map_err(errors::scenario)
 }
 
 /// `name=value` as a name and the value in JSON.
 #[pyfunction]
 fn parse_assignment(text: &str) -> PyResult<(String, String)> {
-    scenario::parse_assignment(text)
-        .map(|(name, value)| (name, value.to_string()))
-        .map_err(errors::scenario)
+    scenario::parse_assignment(text).map(|(name, value)| (name, value.to_string())).map_err(errors::scenario)
 }
 
 #[pymodule]

@@ -48,11 +48,7 @@ impl Simulation {
 
     /// Rows recorded from now to the end, and the error that ended the run or None.
     #[pyo3(signature = (progress=None))]
-    fn run<'py>(
-        &mut self,
-        py: Python<'py>,
-        progress: Option<Py<PyAny>>,
-    ) -> PyResult<(Matrix<'py>, Option<PyErr>)> {
+    fn run<'py>(&mut self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<(Matrix<'py>, Option<PyErr>)> {
         let mut stopped = None;
         let run = py.detach(|| {
             self.inner.run(|time_s| match report(time_s, progress.as_ref()) {
@@ -146,11 +142,7 @@ impl Simulation {
     }
 
     #[pyo3(signature = (tau=None))]
-    fn acceleration<'py>(
-        &mut self,
-        py: Python<'py>,
-        tau: Option<PyReadonlyArray1<'_, f64>>,
-    ) -> PyResult<Vector<'py>> {
+    fn acceleration<'py>(&mut self, py: Python<'py>, tau: Option<PyReadonlyArray1<'_, f64>>) -> PyResult<Vector<'py>> {
         let tau = tau.as_ref().map(|tau| tau.as_slice()).transpose()?;
         let acceleration = self.inner.acceleration(tau).map_err(errors::input)?;
         Ok(acceleration.into_pyarray(py))
