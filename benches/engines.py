@@ -68,10 +68,13 @@ def kingpost_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
     bare = None if quick else _wasm_program()
     if not packed and bare is None:
         raise NotHereError("the WASM package is not built")
-    operations = (*(("forward", "rk4_step") if bare else ()), *(("rk4_step_ledger",) if packed else ()))
+    measured = ("forward", "rk4_step", "rk4_step_ledger")
+    operations = tuple(name for name in measured if (packed if name == "rk4_step_ledger" else bare))
     path = models.write_kingpost(case, folder)
     command = (node, str(BENCHES / "wasm.mjs"), str(WASM_PACKAGE), str(bare), str(path))
     version = f"node {_output([node, '--version'])}"
+    if len(operations) < len(measured):
+        version += f"; not built here: {', '.join(name for name in measured if name not in operations)}"
     return Engine("kingpost-wasm", command, operations, False, version, same, same)
 
 

@@ -104,21 +104,13 @@ def agreement(engines: Sequence[Engine]) -> list[tuple[str, str, float]]:
     The accelerations agree to rounding; the steps to what each engine's RK4 does with the rotation.
     """
     rows = []
-    for operation in ("forward", "rk4_step"):
-        able = [engine for engine in engines if _matching(engine, operation)]
-        results = [check_values(engine, _matching(engine, operation)) for engine in able]
+    for operation in REPETITIONS:
+        able = [engine for engine in engines if operation in engine.operations]
+        results = [check_values(engine, operation) for engine in able]
         for engine, values in zip(able[1:], results[1:], strict=True):
             difference = np.abs(values - results[0]).max() / np.abs(results[0]).max()
             rows.append((f"{engine.name} - {able[0].name}", operation, float(difference)))
     return rows
-
-
-def _matching(engine: Engine, operation: str) -> str:
-    """The engine's operation that does the same work, or nothing."""
-    if operation in engine.operations:
-        return operation
-    ledger = f"{operation}_ledger"
-    return ledger if ledger in engine.operations else ""
 
 
 def _lines(engine: Engine, arguments: Sequence[str]) -> list[str]:
