@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { cornersOf, fitDistance, frame, middleOf, rotate, unit } from "../src/view/fit";
 import type { Vec3 } from "../src/view/fit";
-import { halfSizes } from "../src/view/solids";
+import { boxOf, halfSizes } from "../src/view/solids";
 
 const quarterAboutZ = [Math.SQRT1_2, 0, 0, Math.SQRT1_2] as const;
 
@@ -11,7 +11,7 @@ it("turns vectors by a quaternion w, x, y, z", () => {
 });
 
 it("puts the corners of a body's box in the world", () => {
-  const corners = cornersOf([5, 0, 0, ...quarterAboutZ], [[2, 1, 1]]);
+  const corners = cornersOf([5, 0, 0, ...quarterAboutZ], [{ low: [-2, -1, -1], high: [2, 1, 1] }]);
   expect(corners.length).toBe(8);
   expect(Math.max(...corners.map(([x]) => x))).toBeCloseTo(6, 12);
   expect(Math.max(...corners.map(([, y]) => y))).toBeCloseTo(2, 12);
@@ -21,11 +21,13 @@ it("puts the corners of a body's box in the world", () => {
 it("knows how far a body reaches from its centre", () => {
   const body = { name: "arm", parent: "tower", colour: null, mass_kg: 500 };
   expect(halfSizes({ ...body, shape: { kind: "cylinder", radius_m: 0.5, length_m: 7, axis: "x" } })).toEqual([3.5, 0.5, 0.5]);
+  const sphere = boxOf({ ...body, shape: { kind: "sphere", radius_m: 1 } }, 2);
+  expect(sphere).toEqual({ low: [-1, -1, -1], high: [2, 2, 2] });
 });
 
 describe("fitting the camera", () => {
   const back = unit([-0.6, -1, 0.6]);
-  const points = cornersOf([0, 0, 0, 1, 0, 0, 0], [[10, 5, 2.5]]);
+  const points = cornersOf([0, 0, 0, 1, 0, 0, 0], [{ low: [-10, -5, -2.5], high: [10, 5, 2.5] }]);
 
   it.each([0.46, 1, 2.4])("has every point in the picture, and one at its edge, at aspect %f", (aspect) => {
     const lens = { fov: 0.6, aspect };

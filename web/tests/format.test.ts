@@ -13,6 +13,7 @@ it("writes errors as a power of ten", () => {
   expect(scientific(1.87e-7)).toBe("1.9×10⁻⁷");
   expect(scientific(0.0244)).toBe("2.4×10⁻²");
   expect(scientific(123456)).toBe("1.2×10⁵");
+  expect(scientific(1.53)).toBe("1.5");
   expect(scientific(0)).toBe("0");
   expect(scientific(NaN)).toBe("–");
 });

@@ -22,7 +22,8 @@ export function scientific(value: number): string {
   if (value === 0) return "0";
   if (!Number.isFinite(value)) return "∞";
   const [mantissa, exponent] = value.toExponential(1).split("e");
-  return `${mantissa.replace("-", "−")}×10${superscript(Number(exponent))}`;
+  const power = Number(exponent) === 0 ? "" : `×10${superscript(Number(exponent))}`;
+  return mantissa.replace("-", "−") + power;
 }
 
 /** A step or an interval, in ms below a second. */

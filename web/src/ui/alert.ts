@@ -36,7 +36,7 @@ function facts(fault: Fault): [string, string][] {
     ["Field", fault.field],
     ["Found", fault.found],
     ["Allowed", fault.allowed],
-    ["Time", fault.time_s === undefined ? undefined : `${fault.time_s} s`],
+    ["Time", fault.time_s === undefined ? undefined : `${Number(fault.time_s.toPrecision(6))} s`],
     ["Body", fault.body],
   ];
   return pairs.filter((pair): pair is [string, string] => pair[1] !== undefined && pair[1] !== "");

@@ -16,7 +16,7 @@ export class Scenarios {
     private readonly gallery: Gallery,
   ) {
     this.fill();
-    this.select.addEventListener("change", () => void this.openNamed(this.select.value));
+    this.select.addEventListener("change", () => void this.choose(this.select.value));
     const input = byId<HTMLInputElement>("file");
     byId("open-file").addEventListener("click", () => input.click());
     input.addEventListener("change", () => {
@@ -40,6 +40,11 @@ export class Scenarios {
     }
     this.select.value = this.shown;
     return false;
+  }
+
+  /** What is chosen by hand stands in the address, so that a link to it can be sent. */
+  private async choose(name: string): Promise<void> {
+    if (await this.openNamed(name)) history.replaceState(null, "", `?scenario=${encodeURIComponent(name)}`);
   }
 
   private async openFile(file: File): Promise<void> {

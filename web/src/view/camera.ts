@@ -1,13 +1,17 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { cornersOf, fitDistance, frame, unit } from "./fit";
-import type { Vec3 } from "./fit";
+import type { Box, Vec3 } from "./fit";
 
 /** From the starboard quarter and above: the crane near, the bow away. */
 const FIRST_VIEW: Vec3 = [-0.62, -1, 0.62];
 const UP: Vec3 = [0, 0, 1];
 /** Room around what is fitted. */
-const MARGIN = 1.2;
+const MARGIN = 1.16;
+/** Room that is left before the eye steps back. */
+const EDGE = 1.06;
+/** How soon the eye steps back, ms. */
+const STEP_BACK_MS = 180;
 const KEY_TURN = Math.PI / 36;
 const KEY_ZOOM = 0.9;
 
@@ -16,10 +20,12 @@ export class Eye {
   readonly camera = new PerspectiveCamera(32, 1, 0.5, 3000);
   private readonly orbit: OrbitControls;
   private readonly isCalm = matchMedia("(prefers-reduced-motion: reduce)");
-  private halves: Vec3[] = [];
+  private boxes: Box[] = [];
   private poses: ArrayLike<number> = [];
   private root: Vec3 = [0, 0, 0];
-  private isTaken = false;
+  private last_ms = 0;
+  /** Whether the person has turned or zoomed the view; then it stays theirs until the next fit. */
+  isTaken = false;
 
   constructor(
     canvas: HTMLCanvasElement,
@@ -36,15 +42,15 @@ export class Eye {
   }
 
   /** What to keep in the picture. */
-  watch(halves: Vec3[], poses: ArrayLike<number>): void {
-    this.halves = halves;
+  watch(boxes: Box[], poses: ArrayLike<number>): void {
+    this.boxes = boxes;
     this.poses = poses;
     this.root = rootOf(poses);
     this.orbit.minDistance = 0.2 * this.size();
     this.orbit.maxDistance = 40 * this.size();
   }
 
-  /** Follows the ship's centre, and steps back where something leaves the picture. */
+  /** Follows the ship's centre. */
   follow(poses: ArrayLike<number>): void {
     this.poses = poses;
     const root = rootOf(poses);
@@ -52,7 +58,6 @@ export class Eye {
     this.root = root;
     this.camera.position.add(shift);
     this.orbit.target.add(shift);
-    if (!this.isTaken) this.stepBack(this.isCalm.matches ? 1 : 0.12);
   }
 
   resize(width: number, height: number): void {
@@ -63,7 +68,7 @@ export class Eye {
 
   fit(): void {
     this.isTaken = false;
-    const points = cornersOf(this.poses, this.halves);
+    const points = cornersOf(this.poses, this.boxes);
     if (points.length === 0) return;
     this.stopSwinging();
     const back = unit(FIRST_VIEW);
@@ -74,7 +79,11 @@ export class Eye {
     this.moved();
   }
 
-  update(): void {
+  /** Once a frame: what is left of a drag, and a step back while something is out of the picture. */
+  update(now_ms: number): void {
+    const passed_ms = Math.min(now_ms - this.last_ms, 250);
+    this.last_ms = now_ms;
+    if (!this.isTaken && this.boxes.length > 0) this.stepBack(this.isCalm.matches ? 1 : 1 - Math.exp(-passed_ms / STEP_BACK_MS));
     this.orbit.update();
   }
 
@@ -89,7 +98,7 @@ export class Eye {
 
   /** The longest diagonal of a body, m. */
   size(): number {
-    return Math.max(1, ...this.halves.map((half) => 2 * Math.hypot(...half)));
+    return Math.max(1, ...this.boxes.map(({ low, high }) => Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])));
   }
 
   private lens() {
@@ -104,13 +113,17 @@ export class Eye {
     this.orbit.enableDamping = enableDamping;
   }
 
+  /** Goes a share of the way to where everything is in the picture again, never nearer. */
   private stepBack(share: number): void {
+    const points = cornersOf(this.poses, this.boxes);
     const offset = this.camera.position.clone().sub(this.orbit.target);
+    const distance = offset.length();
     const back = unit([offset.x, offset.y, offset.z]);
     const target: Vec3 = [this.orbit.target.x, this.orbit.target.y, this.orbit.target.z];
-    const needed = 1.04 * fitDistance(cornersOf(this.poses, this.halves), target, back, UP, this.lens());
-    const missing = needed - offset.length();
-    if (missing > 0 && Number.isFinite(missing)) offset.setLength(offset.length() + share * missing);
+    if (!(EDGE * fitDistance(points, target, back, UP, this.lens()) > 1.001 * distance)) return;
+    const goal = frame(points, back, UP, this.lens());
+    this.orbit.target.lerp(new Vector3(...goal.target), share);
+    offset.setLength(distance + share * Math.max(0, EDGE * goal.distance - distance));
     this.camera.position.copy(this.orbit.target).add(offset);
   }
 

@@ -20,19 +20,25 @@ export function rotate([w, x, y, z]: readonly [number, number, number, number], 
   return [v[0] + 2 * u[0], v[1] + 2 * u[1], v[2] + 2 * u[2]];
 }
 
+/** A box in body axes, by its least and its greatest corner. */
+export interface Box {
+  low: Vec3;
+  high: Vec3;
+}
+
 /** The eight corners of each body's box in the world; poses are x y z qw qx qy qz a body. */
-export function cornersOf(poses: ArrayLike<number>, halves: readonly Vec3[]): Vec3[] {
-  return halves.flatMap((half, body) => {
+export function cornersOf(poses: ArrayLike<number>, boxes: readonly Box[]): Vec3[] {
+  return boxes.flatMap(({ low, high }, body) => {
     const at = 7 * body;
     const turn = [poses[at + 3], poses[at + 4], poses[at + 5], poses[at + 6]] as const;
-    return SIGNS.map(([x, y, z]): Vec3 => {
-      const v = rotate(turn, [x * half[0], y * half[1], z * half[2]]);
+    return CORNERS.map(([x, y, z]): Vec3 => {
+      const v = rotate(turn, [x ? high[0] : low[0], y ? high[1] : low[1], z ? high[2] : low[2]]);
       return [poses[at] + v[0], poses[at + 1] + v[1], poses[at + 2] + v[2]];
     });
   });
 }
 
-const SIGNS: Vec3[] = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z): Vec3 => [x, y, z])));
+const CORNERS = [0, 1].flatMap((x) => [0, 1].flatMap((y) => [0, 1].map((z) => [x, y, z])));
 
 export function middleOf(points: readonly Vec3[]): Vec3 {
   const middle = (i: number) => {

@@ -2,6 +2,7 @@ import { Color, LatheGeometry, Mesh, MeshStandardMaterial, SphereGeometry, Vecto
 import type { BufferGeometry, Object3D } from "three";
 import { RoundedBoxGeometry } from "three/addons/geometries/RoundedBoxGeometry.js";
 import type { BodyInfo, Shape } from "../engine/engine";
+import type { Box } from "./fit";
 import { hullOf } from "./hull";
 import type { Palette } from "./palette";
 
@@ -66,6 +67,12 @@ function ballOf(mass_kg: number): BufferGeometry {
 
 export function ballRadius(mass_kg: number): number {
   return Math.cbrt((3 * mass_kg) / (4 * Math.PI * BALL_DENSITY));
+}
+
+/** The box around a body, with room for a frame of a given length at its centre. */
+export function boxOf(body: BodyInfo, frame = 0): Box {
+  const [x, y, z] = halfSizes(body);
+  return { low: [-x, -y, -z], high: [Math.max(x, frame), Math.max(y, frame), Math.max(z, frame)] };
 }
 
 /** Half sizes of the box around a body, body axes. */

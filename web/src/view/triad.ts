@@ -23,11 +23,11 @@ const AXES = [
  * A body's frame (e1 e2 e3), drawn over everything; `mark` is its superscript, as in
  * Fig. 3, and `scale` the size of the labels as `labelScale` gives it.
  */
-export function triadOf(length: number, mark: string, scale: number, palette: Palette): Group {
+export function triadOf(length: number, mark: string, scale: number, palette: Palette, opacity = 1): Group {
   const group = new Group();
   for (const { axis, number } of AXES) {
     const colour = palette.axes[axis];
-    const arrow = arrowOf(length, colour);
+    const arrow = arrowOf(length, colour, opacity);
     if (axis === "x") arrow.rotation.z = -Math.PI / 2;
     if (axis === "z") arrow.rotation.x = Math.PI / 2;
     const label = labelOf(String(number), mark, scale, colour, palette);
@@ -38,9 +38,9 @@ export function triadOf(length: number, mark: string, scale: number, palette: Pa
 }
 
 /** An arrow along y from the origin. */
-function arrowOf(length: number, colour: Color): Group {
-  const material = new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true });
-  const stem = new Mesh(new CylinderGeometry(0.018 * length, 0.018 * length, 0.85 * length, 10), material);
+function arrowOf(length: number, colour: Color, opacity: number): Group {
+  const material = new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true, opacity });
+  const stem = new Mesh(new CylinderGeometry(0.016 * length, 0.016 * length, 0.85 * length, 10), material);
   stem.position.y = 0.425 * length;
   const head = new Mesh(new ConeGeometry(0.06 * length, 0.18 * length, 16), material);
   head.position.y = 0.91 * length;

@@ -2,15 +2,17 @@ import { DirectionalLight, Group, HemisphereLight, Mesh, PCFShadowMap, Scene, Sp
 import type { Material, Object3D } from "three";
 import type { ModelInfo } from "../engine/engine";
 import { Eye } from "./camera";
-import type { Vec3 } from "./fit";
 import { Ground } from "./ground";
 import { readPalette } from "./palette";
 import type { Palette } from "./palette";
-import { halfSizes, solidOf } from "./solids";
+import { boxOf, halfSizes, solidOf } from "./solids";
 import { labelScale, triadOf } from "./triad";
 
 /** Height of a label of a body frame, pixels, at most. */
 const LABEL_PX = 58;
+
+/** Length of a body frame, as a part of the longest diagonal of a body. */
+const FRAME_LENGTH = 0.14;
 
 /** The 3D picture: world z up, a body's object at the pose that the engine gives. Drawn on demand. */
 export class View {
@@ -56,9 +58,10 @@ export class View {
       return group;
     });
     this.world.add(...this.bodies);
-    const halves = model.bodies.map((body): Vec3 => halfSizes(body));
-    this.eye.watch(halves, poses);
-    this.addFrames();
+    const size = Math.max(...model.bodies.map((body) => 2 * Math.hypot(...halfSizes(body))));
+    const frame = this.framesShown ? FRAME_LENGTH * size : 0;
+    this.eye.watch(model.bodies.map((body) => boxOf(body, 1.3 * frame)), poses);
+    if (frame > 0) this.addFrames(frame);
     this.place(poses);
     if (refit) this.eye.fit();
     this.stale = true;
@@ -72,7 +75,7 @@ export class View {
 
   showFrames(shown: boolean): void {
     this.framesShown = shown;
-    if (this.model) this.build(this.model, this.poses, false);
+    if (this.model) this.build(this.model, this.poses, !this.eye.isTaken);
   }
 
   fit(): void {
@@ -80,7 +83,7 @@ export class View {
   }
 
   draw(): void {
-    this.eye.update();
+    this.eye.update(performance.now());
     if (!this.stale) return;
     this.stale = false;
     this.renderer.render(this.scene, this.eye.camera);
@@ -109,13 +112,11 @@ export class View {
     shadow.updateProjectionMatrix();
   }
 
-  private addFrames(): void {
-    if (!this.framesShown) return;
-    const length = 0.16 * this.eye.size();
+  private addFrames(length: number): void {
     const height = this.canvas.clientHeight || 1;
     const scale = labelScale(Math.min(LABEL_PX, 0.14 * height), height, this.eye.fov);
     this.bodies.forEach((body, i) => body.add(triadOf(length, `(${i + 1})`, scale, this.palette)));
-    this.world.add(triadOf(1.8 * length, "I", scale, this.palette));
+    this.world.add(triadOf(1.7 * length, "I", scale, this.palette, 0.6));
   }
 
   private light(): void {
