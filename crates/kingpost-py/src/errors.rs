@@ -28,7 +28,7 @@ pub fn scenario(error: EngineScenarioError) -> PyErr {
 pub fn run(error: EngineRunError) -> PyErr {
     let message = error.to_string();
     match error {
-        EngineRunError::Diverged { time_s, body, coordinate, value, limit } => {
+        EngineRunError::Diverged { time_s, body, coordinate, value, limit, .. } => {
             RunError::new_err((message, time_s, body, coordinate, value, limit))
         }
     }

@@ -23,7 +23,7 @@ pub fn scenario(error: ScenarioError) -> JsValue {
 pub fn run(error: RunError) -> JsValue {
     let message = error.to_string();
     match error {
-        RunError::Diverged { time_s, body, coordinate, value, limit } => object(&json!({
+        RunError::Diverged { time_s, body, coordinate, value, limit, .. } => object(&json!({
             "kind": "diverged",
             "message": message,
             "time_s": time_s,

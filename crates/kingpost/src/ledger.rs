@@ -31,7 +31,7 @@ pub const ANGULAR_MOMENTUM: usize = 7;
 pub const COUNT: usize = 10;
 
 /// The point that angular momentum is about: the centre of the first body that is held in place by
-/// its centre of mass, else the world's origin (m, world).
+/// its centre of mass, else the world's origin (m, world). It does not move.
 pub fn reference_point(model: &Model, q: &[f64]) -> Vector3 {
     let held = |kind: &JointKind| matches!(kind, JointKind::Floating(floating) if floating.hold_translation);
     let node = model.tree.nodes.iter().find(|node| held(&node.kind));
@@ -52,8 +52,10 @@ pub struct JointLoad {
 pub struct Entries<'a> {
     /// The mechanical model.
     pub model: &'a Model,
-    /// The form of its tree that was solved.
+    /// The form of its tree that was solved: `model.links`, or `model.tree`.
     pub tree: &'a Tree,
+    /// Whether that form holds bodies that are fixed to the world.
+    pub has_fixed: bool,
     /// Kinematics of its links.
     pub links: &'a LinkKinematics,
     /// Velocities.
@@ -73,12 +75,15 @@ impl Entries<'_> {
             force += f;
             moment += frame.rotation * wrench.moment + (frame.position - self.centre).cross(f);
         };
-        for (body, wrench) in &self.loads.wrenches {
+        // What acts on a body that is fixed to the world goes into the world, not into momentum.
+        let moves = |body: usize| self.model.bodies[body].link.is_some();
+        for (body, wrench) in self.loads.wrenches.iter().filter(|(body, _)| moves(*body)) {
             add(&self.links.body_frame(self.model, *body), wrench);
         }
         let mut prescribed_power = 0.0;
         for (i, node) in self.tree.nodes.iter().enumerate() {
-            if node.parent.is_none() {
+            let on_the_world = node.parent.is_none_or(|p| self.has_fixed && !moves(p));
+            if on_the_world && (!self.has_fixed || moves(i)) {
                 let carried = joint(i);
                 add(&carried.frame, &self.reaction_of_the_world(node, &carried));
             }

@@ -18,9 +18,11 @@ pub mod spatial;
 pub mod model;
 pub mod state;
 
-pub mod drives;
 pub mod dynamics;
+
 pub mod forces;
+
+pub mod drives;
 
 pub mod integrate;
 pub mod ledger;

@@ -6,7 +6,7 @@ use crate::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, invers
 use crate::forces::Force;
 use crate::integrate::{Interval, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
-use crate::model::{JointKind, Model};
+use crate::model::{JointKind, Mode, Model};
 use crate::spatial::Vector3;
 
 /// Which form of the equations of motion is solved.
@@ -32,8 +32,6 @@ pub struct Plant {
     pub form: Form,
     /// Whether the ledger's integrals are stepped.
     pub keeps_ledger: bool,
-    /// The point that angular momentum is about, m, world.
-    pub centre: Vector3,
     links: LinkKinematics,
     bodies: Kinematics,
     loads: Loads,
@@ -43,8 +41,8 @@ pub struct Plant {
 }
 
 impl Plant {
-    /// Puts a plant together; `q` is where the run begins.
-    pub fn new(model: Model, forces: Vec<Force>, drives: Vec<Drive>, q: &[f64]) -> Self {
+    /// Puts a plant together.
+    pub fn new(model: Model, forces: Vec<Force>, drives: Vec<Drive>) -> Self {
         let rotation_rates = model
             .tree
             .nodes
@@ -55,10 +53,9 @@ impl Plant {
             })
             .collect();
         Self {
-            centre: ledger::reference_point(&model, q),
             links: LinkKinematics::new(&model),
             bodies: Kinematics::new(&model.tree),
-            loads: Loads::new(&model),
+            loads: Loads::with_room_for(&model, forces.len()),
             work: forward::Workspace::new(&model),
             inverse: InverseDynamics::new(&model),
             rotation_rates,
@@ -92,7 +89,9 @@ impl Plant {
             }
             Form::MovingFrame(variation) => {
                 let matrices = MovingFrame::assemble(&self.model, q, v, &self.loads, variation);
-                v_dot.copy_from_slice(&self.loads.acceleration);
+                let given = |(mode, a): (&Mode, &f64)| if *mode == Mode::Prescribed { *a } else { 0.0 };
+                let accelerations = self.model.modes.iter().zip(&self.loads.acceleration).map(given);
+                v_dot.iter_mut().zip(accelerations).for_each(|(v_dot, given)| *v_dot = given);
                 let solved = matrices.acceleration();
                 for (k, &i) in matrices.free.iter().enumerate() {
                     v_dot[i] = solved.as_ref().map_or(f64::NAN, |a| a[k]);
@@ -109,7 +108,8 @@ impl Plant {
         self.accelerate(at.q, at.v, v_dot);
         self.bodies.update(&self.model.tree, at.q, at.v);
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
-        Observation { model: &self.model, bodies: &self.bodies, inverse: &self.inverse, loads: &self.loads }
+        let totals = self.totals_here(at.q);
+        Observation { model: &self.model, bodies: &self.bodies, inverse: &self.inverse, totals }
     }
 
     /// The loads and the matrices of the method at a state.
@@ -131,27 +131,43 @@ impl Plant {
         self.accelerate(at.q, at.v, v_dot);
     }
 
-    /// Kinetic and potential energy, J.
-    pub fn energy(&mut self, q: &[f64], v: &[f64]) -> (f64, f64) {
-        self.links.update(&self.model, q, v);
-        let potential = self.forces.iter().map(|force| force.potential_energy(&self.model, &self.links)).sum();
-        self.bodies.update(&self.model.tree, q, v);
-        (energy::kinetic_energy(&self.model.tree, &self.bodies), potential)
+    /// Gives prescribed coordinates the rate that they have at the start of an interval.
+    pub fn prescribe(&self, interval: Interval, v: &mut [f64]) {
+        let middle_s = 0.5 * (interval.start_s + interval.end_s);
+        for drive in &self.drives {
+            if let Drive::Prescribed(motion) = drive {
+                v[motion.coordinate] = motion.rate_at(Clock { time_s: interval.start_s, middle_s });
+            }
+        }
     }
 
-    /// Linear momentum and angular momentum about `centre`, world.
-    pub fn momentum(&mut self, q: &[f64], v: &[f64]) -> (Vector3, Vector3) {
+    /// Energy and momentum at a state.
+    pub fn totals(&mut self, q: &[f64], v: &[f64]) -> Totals {
+        self.links.update(&self.model, q, v);
         self.bodies.update(&self.model.tree, q, v);
-        energy::momentum(&self.model.tree, &self.bodies, self.centre)
+        self.totals_here(q)
+    }
+
+    /// The same, where the kinematics stands.
+    fn totals_here(&self, q: &[f64]) -> Totals {
+        let Self { model, links, bodies, .. } = self;
+        let centre = ledger::reference_point(model, q);
+        let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
+        Totals {
+            kinetic_energy: energy::kinetic_energy(&model.tree, bodies),
+            potential_energy: self.forces.iter().map(|force| force.potential_energy(model, links)).sum(),
+            linear_momentum,
+            angular_momentum,
+        }
     }
 
     /// The ledger's entries for a run that begins here.
     pub fn open_ledger(&mut self, q: &[f64], v: &[f64]) -> Vec<f64> {
         let mut s = vec![0.0; ledger::COUNT];
-        let ((kinetic, potential), (linear, angular)) = (self.energy(q, v), self.momentum(q, v));
-        s[ledger::INITIAL_ENERGY] = kinetic + potential;
-        linear.write_to(&mut s[ledger::LINEAR_MOMENTUM..]);
-        angular.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
+        let totals = self.totals(q, v);
+        s[ledger::INITIAL_ENERGY] = totals.kinetic_energy + totals.potential_energy;
+        totals.linear_momentum.write_to(&mut s[ledger::LINEAR_MOMENTUM..]);
+        totals.angular_momentum.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
         s
     }
 }
@@ -164,8 +180,21 @@ pub struct Observation<'a> {
     pub bodies: &'a Kinematics,
     /// Accelerations and joint wrenches of the bodies.
     pub inverse: &'a InverseDynamics,
-    /// The loads.
-    pub loads: &'a Loads,
+    /// Energy and momentum.
+    pub totals: Totals,
+}
+
+/// Energy and momentum of all bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Totals {
+    /// J.
+    pub kinetic_energy: f64,
+    /// J.
+    pub potential_energy: f64,
+    /// kg m/s, world.
+    pub linear_momentum: Vector3,
+    /// N m s about [`ledger::reference_point`], world.
+    pub angular_momentum: Vector3,
 }
 
 impl System for Plant {
@@ -183,9 +212,10 @@ impl System for Plant {
         if !self.keeps_ledger {
             return;
         }
-        let Self { model, links, bodies, loads, work, inverse, centre, .. } = self;
-        let tree = if self.form == Form::Recursive { &model.links } else { &model.tree };
-        let entries = Entries { model, tree, links, v: at.v, loads, centre: *centre };
+        let Self { model, links, bodies, loads, work, inverse, .. } = self;
+        let (has_fixed, centre) = (self.form != Form::Recursive, ledger::reference_point(model, at.q));
+        let tree = if has_fixed { &model.tree } else { &model.links };
+        let entries = Entries { model, tree, has_fixed, links, v: at.v, loads, centre };
         match self.form {
             Form::Recursive => entries.rates(
                 |i| {
@@ -216,9 +246,4 @@ impl System for Plant {
     fn is_rotation_rate(&self, coordinate: usize) -> bool {
         self.rotation_rates[coordinate]
     }
-}
-
-/// A stage at an instant: the interval that begins there decides which pieces of laws hold.
-pub fn instant<'a>(time_s: f64, step_s: f64, q: &'a [f64], v: &'a [f64], d: &'a [f64]) -> Stage<'a> {
-    Stage { time_s, interval: Interval { start_s: time_s, end_s: time_s + step_s }, q, v, s: &[], d }
 }

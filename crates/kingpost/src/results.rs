@@ -73,14 +73,6 @@ pub struct Sample<'a> {
     pub s: &'a [f64],
     /// Bodies, reactions and loads.
     pub observed: Observation<'a>,
-    /// Kinetic energy, J.
-    pub kinetic_energy: f64,
-    /// Potential energy, J.
-    pub potential_energy: f64,
-    /// Linear momentum, kg m/s, world.
-    pub linear_momentum: Vector3,
-    /// Angular momentum, N m s, world.
-    pub angular_momentum: Vector3,
 }
 
 struct Entry {
@@ -129,19 +121,19 @@ static TABLE: [Entry; 26] = [
         write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
     Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
         write: |x, out| each_point(x, out, |frame, twist, p| frame.rotation * (twist.linear + twist.angular.cross(p))) },
-    Entry { variable: "kinetic_energy", long_name: "kinetic energy", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.kinetic_energy) },
-    Entry { variable: "potential_energy", long_name: "potential energy", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.potential_energy) },
+    Entry { variable: "kinetic_energy", long_name: "kinetic energy", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.observed.totals.kinetic_energy) },
+    Entry { variable: "potential_energy", long_name: "potential energy", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.observed.totals.potential_energy) },
     Entry { variable: "work_done", long_name: "work by drives and by everything outside", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(work_done(x)) },
     Entry { variable: "work_by_drives", long_name: "work by motors, servos and prescribed motions", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
     Entry { variable: "work_by_outside", long_name: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
     Entry { variable: "energy_dissipated", long_name: "energy turned into heat", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
-    Entry { variable: "linear_momentum", long_name: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], write: |x, out| out.extend(x.linear_momentum.0) },
+    Entry { variable: "linear_momentum", long_name: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], write: |x, out| out.extend(x.observed.totals.linear_momentum.0) },
     Entry { variable: "angular_momentum", long_name: "angular momentum about the world's origin, or the held centre", unit: Plain("N m s"), frame: World, dims: &[Axis],
-        write: |x, out| out.extend(x.angular_momentum.0) },
+        write: |x, out| out.extend(x.observed.totals.angular_momentum.0) },
     Entry { variable: "energy_error", long_name: "energy less what work and heat leave of it", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(energy_error(x)) },
     Entry { variable: "momentum_error", long_name: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Scalar, dims: &[], write: |x, out| out.push(momentum_error(x)) },
     Entry { variable: "linear_momentum_error", long_name: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Scalar, dims: &[],
-        write: |x, out| out.push((x.linear_momentum - Vector3::from_slice(&x.s[ledger::LINEAR_MOMENTUM..])).norm()) },
+        write: |x, out| out.push((x.observed.totals.linear_momentum - Vector3::from_slice(&x.s[ledger::LINEAR_MOMENTUM..])).norm()) },
 ];
 
 /// The channels of a model, in the order of a row.
@@ -268,9 +260,9 @@ fn work_done(x: &Sample<'_>) -> f64 {
 
 fn energy_error(x: &Sample<'_>) -> f64 {
     let expected = x.s[ledger::INITIAL_ENERGY] + work_done(x) - x.s[ledger::ENERGY_DISSIPATED];
-    x.kinetic_energy + x.potential_energy - expected
+    x.observed.totals.kinetic_energy + x.observed.totals.potential_energy - expected
 }
 
 fn momentum_error(x: &Sample<'_>) -> f64 {
-    (x.angular_momentum - Vector3::from_slice(&x.s[ledger::ANGULAR_MOMENTUM..])).norm()
+    (x.observed.totals.angular_momentum - Vector3::from_slice(&x.s[ledger::ANGULAR_MOMENTUM..])).norm()
 }

@@ -28,6 +28,14 @@ pub enum SnapshotError {
         /// The version that can be read.
         allowed: u8,
     },
+    /// It was taken from a simulation with another setup: another scenario, or other parameters.
+    #[error("the snapshot is of another setup: its fingerprint is {found:016x}, this one's {allowed:016x}")]
+    Setup {
+        /// Of the snapshot.
+        found: u64,
+        /// Of this simulation.
+        allowed: u64,
+    },
     /// It was taken from a run of another structure.
     #[error("the snapshot has {found} numbers in {part}, this simulation has {allowed}")]
     Shape {
@@ -50,6 +58,12 @@ pub enum SnapshotError {
 
 const MAGIC: [u8; 7] = *b"kingpst";
 const VERSION: u8 = 1;
+
+/// Bytes before the numbers: the magic word and the version.
+const HEADER: usize = MAGIC.len() + 1;
+
+/// Words before the parts: the fingerprint and the steps.
+const LEAD: usize = 2;
 const PARTS: [&str; 5] = ["q", "v", "s", "d", "memory"];
 
 impl State {
@@ -70,9 +84,11 @@ impl State {
     }
 
     /// The state as bytes, little endian; [`State::restore`] gives back the same bits.
-    pub fn snapshot(&self) -> Vec<u8> {
+    /// `fingerprint` says which setup it belongs to.
+    pub fn snapshot(&self, fingerprint: u64) -> Vec<u8> {
         let mut bytes = Vec::from(MAGIC);
         bytes.push(VERSION);
+        bytes.extend(fingerprint.to_le_bytes());
         bytes.extend(self.steps.to_le_bytes());
         for part in self.parts() {
             bytes.extend((part.len() as u64).to_le_bytes());
@@ -81,34 +97,12 @@ impl State {
         bytes
     }
 
-    /// Overwrites this state with a snapshot of the same shape; on an error nothing changes.
-    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
-        let header = MAGIC.len() + 1;
-        if bytes.len() < header || bytes[..7] != MAGIC || bytes[7] != VERSION {
-            return Err(SnapshotError::Format { allowed: VERSION });
-        }
-        let words: Vec<u64> = bytes[header..]
-            .chunks_exact(8)
-            .map(|w| w.iter().rev().fold(0, |sum, byte| (sum << 8) | u64::from(*byte)))
-            .collect();
-        let lengths = self.parts().map(Vec::len);
-        let allowed = header + 8 * (1 + lengths.iter().map(|n| n + 1).sum::<usize>());
-        if bytes.len() < header + 8 {
-            return Err(SnapshotError::Length { found: bytes.len(), allowed });
-        }
-        let mut at = 1;
-        for (part, &length) in PARTS.iter().copied().zip(&lengths) {
-            let found = *words.get(at).ok_or(SnapshotError::Length { found: bytes.len(), allowed })?;
-            if found != length as u64 {
-                return Err(SnapshotError::Shape { part, found, allowed: length });
-            }
-            at += 1 + length;
-        }
-        if bytes.len() != allowed {
-            return Err(SnapshotError::Length { found: bytes.len(), allowed });
-        }
-        self.steps = words[0];
-        let mut numbers = words[1..].iter();
+    /// Overwrites this state with a snapshot of the same setup and shape; on an error nothing
+    /// changes.
+    pub fn restore(&mut self, bytes: &[u8], fingerprint: u64) -> Result<(), SnapshotError> {
+        let words = self.words(bytes, fingerprint)?;
+        self.steps = words[1];
+        let mut numbers = words[LEAD..].iter();
         for part in self.parts_mut() {
             numbers.next();
             for (x, bits) in part.iter_mut().zip(&mut numbers) {
@@ -116,6 +110,31 @@ impl State {
             }
         }
         Ok(())
+    }
+
+    /// The words of a snapshot, once it is known to fit.
+    fn words(&self, bytes: &[u8], fingerprint: u64) -> Result<Vec<u64>, SnapshotError> {
+        if bytes.len() < HEADER || bytes[..MAGIC.len()] != MAGIC || bytes[MAGIC.len()] != VERSION {
+            return Err(SnapshotError::Format { allowed: VERSION });
+        }
+        let word = |w: &[u8]| w.iter().rev().fold(0, |sum, byte| (sum << 8) | u64::from(*byte));
+        let words: Vec<u64> = bytes[HEADER..].chunks_exact(8).map(word).collect();
+        let lengths = self.parts().map(Vec::len);
+        let allowed = HEADER + 8 * (LEAD + lengths.iter().map(|n| n + 1).sum::<usize>());
+        let wrong_length = SnapshotError::Length { found: bytes.len(), allowed };
+        let found = *words.first().ok_or(wrong_length.clone())?;
+        if found != fingerprint {
+            return Err(SnapshotError::Setup { found, allowed: fingerprint });
+        }
+        let mut at = LEAD;
+        for (part, &length) in PARTS.iter().copied().zip(&lengths) {
+            let found = *words.get(at).ok_or(wrong_length.clone())?;
+            if found != length as u64 {
+                return Err(SnapshotError::Shape { part, found, allowed: length });
+            }
+            at += 1 + length;
+        }
+        if bytes.len() == allowed { Ok(words) } else { Err(wrong_length) }
     }
 }
 
@@ -138,7 +157,7 @@ mod tests {
     fn a_snapshot_gives_back_the_same_bits() {
         let mut other = state();
         other.q[1] = 9.0;
-        other.restore(&state().snapshot()).unwrap();
+        other.restore(&state().snapshot(5), 5).unwrap();
         assert_eq!(other, state());
         assert!(other.q[1].is_sign_negative());
     }
@@ -147,11 +166,13 @@ mod tests {
     fn a_snapshot_of_another_shape_is_refused_and_changes_nothing() {
         let mut other = State { v: vec![0.0; 2], ..state() };
         let before = other.clone();
-        let refused = other.restore(&state().snapshot());
+        let refused = other.restore(&state().snapshot(5), 5);
         assert_eq!(refused, Err(SnapshotError::Shape { part: "v", found: 1, allowed: 2 }));
-        assert_eq!(other.restore(b"nonsense"), Err(SnapshotError::Format { allowed: 1 }));
-        let short = &state().snapshot()[..20];
-        assert!(matches!(other.restore(short), Err(SnapshotError::Length { .. })));
+        assert_eq!(other.restore(b"nonsense", 5), Err(SnapshotError::Format { allowed: 1 }));
+        let short = &state().snapshot(5)[..28];
+        assert!(matches!(other.restore(short, 5), Err(SnapshotError::Length { .. })));
+        let foreign = other.restore(&state().snapshot(4), 5);
+        assert_eq!(foreign, Err(SnapshotError::Setup { found: 4, allowed: 5 }));
         assert_eq!(other, before);
     }
 }

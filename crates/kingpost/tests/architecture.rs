@@ -110,6 +110,13 @@ fn every_module_of_the_engine_imports_only_those_before_it() {
 }
 
 #[test]
+fn lib_rs_lists_the_modules_in_reading_order() {
+    let lib = read(root().join("crates/kingpost/src/lib.rs"));
+    let listed: Vec<String> = lib.lines().filter_map(|line| line.strip_prefix("pub mod ")).map(word).collect();
+    assert_eq!(listed, order_under("## The engine's modules"));
+}
+
+#[test]
 fn every_module_of_the_python_package_imports_only_those_before_it() {
     hold_to_order("## The Python package's modules", "python/kingpost", ".py", python_imports);
 }
@@ -125,9 +132,20 @@ fn the_engine_has_no_clock_no_output_and_no_input() {
     for path in files_below(&source, ".rs") {
         let code = read(&path);
         for line in code.lines().filter(|line| !line.trim_start().starts_with("//")) {
-            for forbidden in
-                ["std::time", "std::fs", "std::io", "std::thread", "std::env", "println!", "eprintln!", "dbg!"]
-            {
+            for forbidden in [
+                "std::time",
+                "std::fs",
+                "std::io",
+                "std::thread",
+                "std::env",
+                "print!",
+                "println!",
+                "eprint!",
+                "dbg!",
+                "HashMap",
+                "std::net",
+                "std::process",
+            ] {
                 assert!(!line.contains(forbidden), "{}: {forbidden}", path.display());
             }
         }

@@ -3,7 +3,8 @@
 mod common;
 
 use common::paper;
-use kingpost::simulation::{InputError, RunError};
+use kingpost::simulation::{InputError, PROGRESS_STEPS, RunError};
+use kingpost::state::SnapshotError;
 use serde_json::json;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -48,6 +49,14 @@ fn a_step_allocates_nothing() {
         simulation.step(1000).unwrap();
         assert_eq!(ALLOCATIONS.with(Cell::get), before, "{integrator}");
     }
+}
+
+#[test]
+fn a_step_allocates_nothing_with_every_joint_force_and_drive() {
+    let mut simulation = common::simulation(&common::everything("recursive"));
+    let before = ALLOCATIONS.with(Cell::get);
+    simulation.step(1000).unwrap();
+    assert_eq!(ALLOCATIONS.with(Cell::get), before);
 }
 
 #[test]
@@ -149,4 +158,45 @@ fn a_lever_scales_its_motor_from_the_next_step_on() {
     simulation.step(10).unwrap();
     let full = simulation.state().v[6];
     assert!(half > 0.0 && (full / half - 2.0).abs() < 1e-3, "{half} {full}");
+}
+
+#[test]
+fn what_is_recorded_between_edges_is_what_the_motor_does_then() {
+    // A step of 0.04 s holds the edge at 0.25 s; at 0.24 s the ramp has reached 96 %.
+    let mut simulation = paper(&[("torque_history", json!("pulse")), ("simulation.step_s", json!(0.04))]);
+    simulation.step(6).unwrap();
+    let torque = common::values(&mut simulation, "joint_force")[0];
+    assert!((torque - 96_000.0).abs() < 1e-6, "{torque}");
+}
+
+#[test]
+fn a_prescribed_rate_that_was_tampered_with_is_set_right_by_the_next_step() {
+    let mut simulation = common::simulation(&common::everything("recursive"));
+    simulation.step(300).unwrap();
+    let mut other = simulation.clone();
+    let (q, mut v) = (simulation.state().q.clone(), simulation.state().v.clone());
+    let turned = simulation.model().tree.nodes[simulation.model().joint("turned").unwrap()].velocities;
+    v[turned] = 7.0;
+    other.set_state(&q, &v, None).unwrap();
+    simulation.step(10).unwrap();
+    other.step(10).unwrap();
+    assert!((simulation.state().v[turned] - other.state().v[turned]).abs() < 1e-12);
+}
+
+#[test]
+fn a_snapshot_of_another_setup_is_refused() {
+    let mut simulation = paper(&[]);
+    let other = paper(&[("crane_x_m", json!(0.0))]);
+    assert!(matches!(simulation.restore(&other.snapshot()), Err(SnapshotError::Setup { .. })));
+}
+
+#[test]
+fn a_long_run_without_rows_can_be_stopped() {
+    let mut simulation = paper(&[
+        ("simulation.duration_s", json!(1e6)),
+        ("simulation.record_every_s", json!(1e6)),
+        ("motor_1", json!(false)),
+    ]);
+    let run = simulation.run(|_| false);
+    assert_eq!((run.rows.len() / run.columns, simulation.state().steps), (1, PROGRESS_STEPS));
 }

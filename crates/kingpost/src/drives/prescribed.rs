@@ -21,8 +21,8 @@ impl PrescribedMotion {
         loads.acceleration[self.coordinate] = self.rate * self.profile.slope_per_s(clock);
     }
 
-    /// The rate with which a run begins, rad/s or m/s.
-    pub fn initial_rate(&self) -> f64 {
-        self.rate * self.profile.value(Clock { time_s: 0.0, middle_s: 0.0 })
+    /// The rate, rad/s or m/s.
+    pub fn rate_at(&self, clock: Clock) -> f64 {
+        self.rate * self.profile.value(clock)
     }
 }

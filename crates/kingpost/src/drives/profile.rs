@@ -80,14 +80,6 @@ impl Profile {
         self.piece(clock).slope_per_s
     }
 
-    /// Whether the value never jumps.
-    pub fn is_continuous(&self) -> bool {
-        self.pieces.windows(2).all(|pair| {
-            let reached = pair[0].start + pair[0].slope_per_s * (pair[1].start_s - pair[0].start_s);
-            (reached - pair[1].start).abs() < 1e-12
-        })
-    }
-
     /// Where one piece ends and the next begins, s, in order.
     pub fn edges(&self) -> &[f64] {
         &self.edges
@@ -120,7 +112,6 @@ mod tests {
             assert!((profile.value(at(time)) - value).abs() < 1e-12, "at {time} s");
         }
         assert_eq!(profile.edges(), [0.25, 0.75, 1.25, 1.75, 2.0]);
-        assert!(profile.is_continuous());
     }
 
     #[test]
@@ -128,6 +119,5 @@ mod tests {
         let profile = Profile::pulse(Pulse { rise_s: 0.0, hold_s: 1.0, reverse_s: 1.0 });
         assert_eq!(profile.value(Clock { time_s: 1.0, middle_s: 0.95 }), 1.0);
         assert_eq!(profile.value(Clock { time_s: 1.0, middle_s: 1.05 }), -1.0);
-        assert!(!profile.is_continuous());
     }
 }

@@ -40,6 +40,11 @@ impl<S: Scalar> Workspace<S> {
         Self { links: vec![Articulated::default(); model.links.nodes.len()] }
     }
 
+    /// Inertia of a link with all that hangs on it and gives way, root axes.
+    pub fn articulated_inertia(&self, link: usize) -> SpatialInertia<S> {
+        self.links[link].inertia
+    }
+
     /// The wrench that the joint of a link carries to it, about the root's origin, root axes.
     pub fn joint_wrench(&self, link: usize) -> Wrench<S> {
         let link = &self.links[link];

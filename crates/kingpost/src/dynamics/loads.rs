@@ -13,7 +13,8 @@ pub struct Loads<S = f64> {
     pub force: Vec<S>,
     /// Of each prescribed coordinate, m/s^2 or rad/s^2; ignored for others.
     pub acceleration: Vec<S>,
-    /// Inertia added to a body, in body axes about its centre of mass.
+    /// Inertia added to a body, in body axes about its centre of mass. Its energy and momentum are
+    /// those of what adds it: the bodies' own do not contain them.
     pub added_inertia: Vec<(usize, SpatialInertia<S>)>,
     /// Who does the work.
     pub power: Power<S>,
@@ -33,8 +34,13 @@ pub struct Power<S = f64> {
 impl<S: Scalar> Loads<S> {
     /// No loads on a model.
     pub fn new(model: &Model<S>) -> Self {
+        Self::with_room_for(model, 1)
+    }
+
+    /// No loads, with room for so many wrenches on every body before memory must grow.
+    pub fn with_room_for(model: &Model<S>, wrenches: usize) -> Self {
         Self {
-            wrenches: Vec::with_capacity(4 * model.bodies.len()),
+            wrenches: Vec::with_capacity(wrenches * model.bodies.len()),
             force: vec![S::ZERO; model.velocity_count],
             acceleration: vec![S::ZERO; model.velocity_count],
             added_inertia: Vec::with_capacity(model.bodies.len()),

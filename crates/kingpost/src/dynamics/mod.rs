@@ -13,6 +13,7 @@ mod kinematics;
 mod link_kinematics;
 mod loads;
 pub mod moving_frame;
+pub mod pivots;
 
 pub use kinematics::Kinematics;
 pub use link_kinematics::LinkKinematics;

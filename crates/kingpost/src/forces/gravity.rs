@@ -15,7 +15,7 @@ pub struct Gravity<S = f64> {
 impl<S: Scalar> Gravity<S> {
     /// Adds each body's weight at its centre of mass.
     pub fn apply(&self, model: &Model<S>, links: &LinkKinematics<S>, loads: &mut Loads<S>) {
-        for (i, body) in model.bodies.iter().enumerate().filter(|(_, body)| body.link.is_some()) {
+        for (i, body) in model.bodies.iter().enumerate() {
             let weight = Vector3::new(S::ZERO, S::ZERO, -(body.mass * self.acceleration));
             let force = links.to_body_axes(model, i, weight);
             loads.wrenches.push((i, Wrench { moment: Vector3::zero(), force }));

@@ -5,15 +5,21 @@ mod drives;
 
 pub use super::error::FieldError;
 use super::schema::{EquationForm, Force as ForceSchema, Integrator, Scenario};
+use crate::dynamics::LinkKinematics;
 use crate::dynamics::moving_frame::Variation;
+use crate::dynamics::pivots::massless_coordinate;
 use crate::forces::{Force, Gravity, JointDamping, ViscousDamping};
-use crate::model::Model;
-use crate::plant::{Form, Plant, instant};
+use crate::model::{Model, Node};
+use crate::plant::Form;
+use crate::results::channels;
 use crate::simulation::{SchemeName, Settings, Setup};
 use crate::spatial::Vector3;
 
-/// Rows that one run may record: more would not fit in the memory of an ordinary machine.
-const MOST_ROWS: f64 = 1e7;
+/// Numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
+const MOST_NUMBERS: f64 = 2.5e8;
+
+/// Steps that one run may take: beyond it the count would no longer be exact in the time.
+const MOST_STEPS: f64 = 1e15;
 
 /// Builds the model, forces, drives, settings and initial state.
 pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
@@ -25,6 +31,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     );
     let drives::Drives { drives, inputs } = drives::build(scenario, &model, &mut v)?;
     let setup = Setup { model, forces, drives, inputs, settings, q, v };
+    check_recording(&setup)?;
     check_mass_matrix(scenario, &setup)?;
     Ok(setup)
 }
@@ -37,10 +44,9 @@ fn settings(scenario: &Scenario) -> Result<Settings, FieldError> {
         let allowed = format!("at most simulation.duration_s, {duration_s}");
         return Err(FieldError::new("simulation.step_s", step_s, allowed));
     }
-    let rows = duration_s / record_every_s.max(step_s);
-    if rows > MOST_ROWS {
-        let allowed = format!("at least {} s, for {MOST_ROWS} rows", duration_s / MOST_ROWS);
-        return Err(FieldError::new("simulation.record_every_s", record_every_s, allowed));
+    if duration_s / step_s > MOST_STEPS {
+        let allowed = format!("at least {:e} s, for {MOST_STEPS:e} steps", duration_s / MOST_STEPS);
+        return Err(FieldError::new("simulation.step_s", step_s, allowed));
     }
     let scheme = match given.integrator {
         Integrator::ForwardEuler => SchemeName::ForwardEuler,
@@ -54,6 +60,19 @@ fn settings(scenario: &Scenario) -> Result<Settings, FieldError> {
     };
     let rate_limit = given.rate_limit.get();
     Ok(Settings { scheme, step_s, duration_s, record_every_s, rate_limit, form })
+}
+
+/// What a run records must fit in memory.
+fn check_recording(setup: &Setup) -> Result<(), FieldError> {
+    let Settings { step_s, duration_s, record_every_s, .. } = setup.settings;
+    let columns: usize = channels(&setup.model).iter().map(|channel| channel.len).sum();
+    let rows = duration_s / record_every_s.max(step_s);
+    if rows * columns as f64 > MOST_NUMBERS {
+        let least = duration_s * columns as f64 / MOST_NUMBERS;
+        let allowed = format!("at least {least:.3e} s, for {MOST_NUMBERS:e} numbers in all");
+        return Err(FieldError::new("simulation.record_every_s", record_every_s, allowed));
+    }
+    Ok(())
 }
 
 /// The forces that are on, on bodies that are there.
@@ -93,36 +112,21 @@ fn known<'a>(field: &str, found: &str, names: impl Iterator<Item = &'a str>) -> 
 /// too far apart for the arithmetic, would give accelerations that are no numbers.
 fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let Setup { model, q, v, .. } = setup;
-    let mut plant = Plant::new(model.clone(), Vec::new(), Vec::new(), q);
-    let m_star = plant.matrices(instant(0.0, setup.settings.step_s, q, v, &[])).m_star;
-    let names = model.coordinate_names();
-    let free = model.free_coordinates();
-    let scale: Vec<f64> = (0..free.len()).map(|i| libm::sqrt(m_star[(i, i)])).collect();
-    let allowed = "a mass or an inertia that its joint moves, greater than 0";
-    let refuse = |i: usize| {
-        let body = model.joints.iter().position(|joint| joint.coordinate_names().contains(&names[free[i]]));
-        let body = body.map_or_else(String::new, |body| model.bodies[body].name.clone());
-        let inertia =
-            if scenario.bodies.get(body.as_str()).is_some_and(|b| b.inertia.is_some()) { "inertia" } else { "shape" };
-        let found = format!("no inertia along {}", names[free[i]]);
-        FieldError::new(format!("bodies.{body}.{inertia}"), found, allowed)
-    };
-    if let Some(i) = scale.iter().position(|s| !(s.is_finite() && *s > 0.0)) {
-        return Err(refuse(i));
+    let mut links = LinkKinematics::new(model);
+    links.update(model, q, v);
+    let Some(coordinate) = massless_coordinate(model, &links, v) else { return Ok(()) };
+    let owner = |node: &&Node| node.velocities + node.kind.velocity_count() > coordinate;
+    let body = model.tree.nodes.iter().position(|node| owner(&node)).unwrap_or_default();
+    let (name, coordinate) = (&model.bodies[body].name, &model.coordinate_names()[coordinate]);
+    let given = scenario.bodies.get(name.as_str()).is_some_and(|body| body.inertia.is_some());
+    let field = format!("bodies.{name}.{}", if given { "inertia" } else { "shape" });
+    if q.iter().chain(v).any(|x| !x.is_finite()) {
+        return Err(FieldError::new(
+            format!("bodies.{name}.joint"),
+            "a position that is not finite",
+            "finite positions",
+        ));
     }
-    // Cholesky of the matrix scaled to a unit diagonal: a pivot is what a coordinate moves that
-    // those before it do not.
-    let n = free.len();
-    let mut l = vec![0.0; n * n];
-    for i in 0..n {
-        for j in 0..=i {
-            let sum: f64 = (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum();
-            let rest = m_star[(i, j)] / (scale[i] * scale[j]) - sum;
-            if i == j && (rest.is_nan() || rest <= 1e-13) {
-                return Err(refuse(i));
-            }
-            l[i * n + j] = if i == j { libm::sqrt(rest) } else { rest / l[j * n + j] };
-        }
-    }
-    Ok(())
+    let found = format!("no inertia along {coordinate} that a number of 16 digits could tell from zero");
+    Err(FieldError::new(field, found, "a mass or an inertia that its joint moves, greater than 0"))
 }

@@ -5,9 +5,10 @@ use thiserror::Error;
 /// Why a run stopped early.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum RunError {
-    /// A rate is not finite, or passes the limit.
+    /// A number is not finite, or a rate passes the limit.
     #[error(
-        "diverged at {time_s} s: {coordinate} of body {body} moves at {value}, allowed: at most {limit} rad/s or m/s"
+        "diverged at {time_s} s: the {quantity} {coordinate} of body {body} is {value:.4e}, \
+         allowed: finite, and rates of at most {limit} rad/s or m/s"
     )]
     Diverged {
         /// End of the step that failed, s.
@@ -16,7 +17,9 @@ pub enum RunError {
         body: String,
         /// The coordinate.
         coordinate: String,
-        /// Its rate.
+        /// `rate` or `position`.
+        quantity: &'static str,
+        /// What it is.
         value: f64,
         /// `rate_limit`.
         limit: f64,

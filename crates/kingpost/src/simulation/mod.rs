@@ -1,5 +1,6 @@
 //! A run: the plant, an integrator and the state, stepped in time and recorded.
 
+mod edges;
 mod errors;
 mod setup;
 
@@ -7,13 +8,17 @@ pub use errors::{InputError, RunError};
 pub use setup::{Input, SchemeName, Settings, Setup};
 
 use crate::dynamics::moving_frame::MovingFrame;
-use crate::integrate::{Interval, Scheme, Stage, System};
+use crate::integrate::{Scheme, Stage, System};
 use crate::model::{Mode, Model};
-use crate::plant::{Plant, instant};
+use crate::plant::Plant;
 use crate::results::{self, Channel, Sample};
 use crate::spatial::{Frame, Quaternion};
 use crate::state::{SnapshotError, State};
+use edges::Edges;
 use errors::check_array;
+
+/// Steps after which a run reports progress even if no row is due.
+pub const PROGRESS_STEPS: u64 = 10_000;
 
 /// Recorded rows, and how the run ended.
 #[derive(Clone, Debug)]
@@ -48,19 +53,19 @@ pub struct Simulation {
     /// The state before the step under way: what is kept when that step diverges.
     last_good: State,
     v_dot: Vec<f64>,
-    /// Times at which steps end, s, in order.
-    edges: Vec<f64>,
+    edges: Edges,
+    /// Of the setup: a snapshot carries it.
+    fingerprint: u64,
 }
 
 impl Simulation {
     /// Puts a simulation together at time 0.
     pub fn new(setup: Setup) -> Self {
+        let fingerprint = setup.fingerprint();
         let Setup { model, forces, drives, inputs, settings, q, v } = setup;
-        let mut edges: Vec<f64> = drives.iter().flat_map(|drive| drive.edges()).copied().collect();
-        edges.sort_by(f64::total_cmp);
-        edges.dedup();
+        let edges = Edges::new(&drives, settings.step_s);
         let channels = results::channels(&model);
-        let mut plant = Plant::new(model, forces, drives, &q);
+        let mut plant = Plant::new(model, forces, drives);
         plant.form = settings.form;
         let d = inputs.iter().map(|input| input.value).collect();
         let s = plant.open_ledger(&q, &v);
@@ -68,7 +73,7 @@ impl Simulation {
         let state = State { steps: 0, q, v, s, d, memory: Vec::new() };
         let scheme = settings.scheme.scheme(plant.sizes());
         let (initial, last_good) = (state.clone(), state.clone());
-        Self { plant, scheme, settings, inputs, channels, state, initial, last_good, v_dot, edges }
+        Self { plant, scheme, settings, inputs, channels, state, initial, last_good, v_dot, edges, fingerprint }
     }
 
     /// Time, s.
@@ -113,15 +118,14 @@ impl Simulation {
     }
 
     /// One step, cut where a law changes its form.
-    fn advance(&mut self, start: f64, end: f64) {
-        let slack = 1e-9 * self.settings.step_s;
-        let mut from = start;
-        let first = self.edges.partition_point(|&edge| edge <= start + slack);
-        for edge in self.edges[first..].iter().copied().take_while(|&edge| edge < end - slack) {
-            self.scheme.step(&mut self.plant, Interval { start_s: from, end_s: edge }, &mut self.state);
-            from = edge;
+    fn advance(&mut self, start_s: f64, end_s: f64) {
+        let mut from = start_s;
+        while from < end_s {
+            let interval = self.edges.interval(from, end_s);
+            self.plant.prescribe(interval, &mut self.state.v);
+            self.scheme.step(&mut self.plant, interval, &mut self.state);
+            from = interval.end_s;
         }
-        self.scheme.step(&mut self.plant, Interval { start_s: from, end_s: end }, &mut self.state);
     }
 
     /// Where a number stops being one, or a rate passes the limit.
@@ -131,22 +135,27 @@ impl Simulation {
             let rates = &self.state.v[node.velocities..][..node.kind.velocity_count()];
             let positions = &self.state.q[node.positions..][..node.kind.position_count()];
             let fast = rates.iter().position(|rate| rate.is_nan() || rate.abs() > limit);
-            let lost = positions.iter().any(|x| !x.is_finite()).then_some(0);
-            if let Some(i) = fast.or(lost) {
-                return Err(RunError::Diverged {
-                    time_s,
-                    body: self.plant.model.bodies[body].name.clone(),
-                    coordinate: self.plant.model.joints[body].coordinate_names().swap_remove(i),
-                    value: rates[i],
-                    limit,
-                });
-            }
+            let lost = positions.iter().position(|x| !x.is_finite());
+            let (quantity, i, value) = match (fast, lost) {
+                (Some(i), _) => ("rate", i, rates[i]),
+                (None, Some(i)) => ("position", i.min(rates.len() - 1), positions[i]),
+                (None, None) => continue,
+            };
+            return Err(RunError::Diverged {
+                time_s,
+                body: self.plant.model.bodies[body].name.clone(),
+                coordinate: self.plant.model.joints[body].coordinate_names().swap_remove(i),
+                quantity,
+                value,
+                limit,
+            });
         }
         Ok(())
     }
 
     /// Steps to the end of the run, recording a row now, then at each recording time, and at the
-    /// end. `progress` hears the time after each row and may stop the run by returning false.
+    /// end. `progress` hears the time after each row, and at least every [`PROGRESS_STEPS`] steps;
+    /// it may stop the run by returning false.
     pub fn run(&mut self, mut progress: impl FnMut(f64) -> bool) -> Run {
         let Settings { step_s, duration_s, record_every_s, .. } = self.settings;
         let last = libm::ceil(duration_s / step_s - 1e-9) as u64;
@@ -157,15 +166,16 @@ impl Simulation {
         while self.state.steps < last {
             let due = libm::ceil((recorded + 1.0) * record_every_s / step_s - 1e-9) as u64;
             let target = due.clamp(self.state.steps + 1, last);
-            let status = self.step((target - self.state.steps) as usize);
+            let steps = (target - self.state.steps).min(PROGRESS_STEPS);
+            let status = self.step(steps as usize);
+            let written = rows[rows.len() - columns];
+            if self.state.steps == target || (status.is_err() && written < self.time_s()) {
+                self.write_row(&mut rows);
+                recorded = libm::floor(self.time_s() / record_every_s + 1e-9).max(recorded + 1.0);
+            }
             if status.is_err() {
-                if rows[rows.len() - columns] < self.time_s() {
-                    self.write_row(&mut rows);
-                }
                 return Run { rows, columns, status };
             }
-            self.write_row(&mut rows);
-            recorded = libm::floor(self.time_s() / record_every_s + 1e-9).max(recorded + 1.0);
             if !progress(self.time_s()) {
                 break;
             }
@@ -185,20 +195,15 @@ impl Simulation {
 
     /// Appends the values of all channels now.
     pub fn write_row(&mut self, out: &mut Vec<f64>) {
-        let time_s = self.time_s();
         let State { q, v, s, .. } = &self.state;
-        let (kinetic_energy, potential_energy) = self.plant.energy(q, v);
-        let (linear_momentum, angular_momentum) = self.plant.momentum(q, v);
-        let at = now(&self.settings, &self.state);
+        let at = now(&self.settings, &self.edges, &self.state);
         let observed = self.plant.observe(at, &mut self.v_dot);
-        let sample =
-            Sample { time_s, q, v, s, observed, kinetic_energy, potential_energy, linear_momentum, angular_momentum };
-        results::write_row(&sample, out);
+        results::write_row(&Sample { time_s: at.time_s, q, v, s, observed }, out);
     }
 
     /// Position (m) and unit quaternion (w, x, y, z) of every body, world; seven numbers a body.
     pub fn poses(&mut self) -> Vec<f64> {
-        let at = now(&self.settings, &self.state);
+        let at = now(&self.settings, &self.edges, &self.state);
         let observed = self.plant.observe(at, &mut self.v_dot);
         let pose = |frame: &Frame| {
             let [x, y, z] = frame.position.0;
@@ -208,43 +213,59 @@ impl Simulation {
         observed.bodies.world.iter().flat_map(pose).collect()
     }
 
-    /// Replaces q, v and, where given, s. Without s the ledger begins anew here.
+    /// Replaces q, v and, where given, s. Without s the ledger begins anew here. The rate of a
+    /// prescribed coordinate holds until the next step, which sets it as prescribed.
     pub fn set_state(&mut self, q: &[f64], v: &[f64], s: Option<&[f64]>) -> Result<(), InputError> {
-        check_array("q", q, self.state.q.len())?;
-        check_array("v", v, self.state.v.len())?;
-        if let Some(s) = s {
-            check_array("s", s, self.state.s.len())?;
-        }
-        let held = |i: &usize| self.plant.model.modes[*i] == Mode::Held && v[*i] != 0.0;
-        if let Some(index) = (0..v.len()).find(held) {
-            let allowed = "0, for a coordinate that is held";
-            return Err(InputError::Entry { name: "v", index, found: v[index], allowed });
-        }
-        let mut unit = q.to_vec();
+        let mut next = self.state.clone();
+        next.q = q.to_vec();
+        next.v = v.to_vec();
+        self.check_motion(&next)?;
         for node in self.plant.model.tree.nodes.iter().filter(|node| node.kind.position_count() == 7) {
-            let quaternion = &mut unit[node.positions + 3..node.positions + 7];
-            let norm = quaternion.iter().map(|x| x * x).sum::<f64>();
-            if (norm - 1.0).abs() > 1e-6 {
-                let allowed = "the first entry of a unit quaternion";
-                return Err(InputError::Entry { name: "q", index: node.positions + 3, found: quaternion[0], allowed });
-            }
-            let scaled = Quaternion::from_slice(quaternion).normalized();
-            quaternion.copy_from_slice(&scaled.0);
+            let quaternion = &mut next.q[node.positions + 3..node.positions + 7];
+            let unit = Quaternion::from_slice(quaternion).normalized();
+            quaternion.copy_from_slice(&unit.0);
         }
-        self.state.s = s.map_or_else(|| self.plant.open_ledger(&unit, v), <[f64]>::to_vec);
-        self.state.q = unit;
-        self.state.v.copy_from_slice(v);
+        next.s = match s {
+            Some(s) => s.to_vec(),
+            None => self.plant.open_ledger(&next.q, v),
+        };
+        check_array("s", &next.s, self.state.s.len())?;
+        self.state = next;
+        Ok(())
+    }
+
+    /// An error unless q and v are a motion of this model.
+    fn check_motion(&self, state: &State) -> Result<(), InputError> {
+        let State { q, v, .. } = state;
+        let model = &self.plant.model;
+        check_array("q", q, model.position_count)?;
+        check_array("v", v, model.velocity_count)?;
+        let entry = |name, index, found, allowed| Err(InputError::Entry { name, index, found, allowed });
+        if let Some(i) = (0..v.len()).find(|&i| model.modes[i] == Mode::Held && v[i] != 0.0) {
+            return entry("v", i, v[i], "0, for a coordinate that is held");
+        }
+        for node in model.tree.nodes.iter().filter(|node| node.kind.position_count() == 7) {
+            let first = node.positions + 3;
+            let norm = libm::sqrt(q[first..first + 4].iter().map(|x| x * x).sum());
+            if (norm - 1.0).abs() > 1e-6 {
+                return entry("length of the quaternion that begins at q", first, norm, "1");
+            }
+        }
         Ok(())
     }
 
     /// The state as bytes.
     pub fn snapshot(&self) -> Vec<u8> {
-        self.state.snapshot()
+        self.state.snapshot(self.fingerprint)
     }
 
-    /// Continues from a snapshot, to the same bits.
+    /// Continues from a snapshot of a simulation with the same setup, to the same bits; on an error
+    /// nothing changes.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
-        self.state.restore(bytes)
+        let mut next = self.state.clone();
+        next.restore(bytes, self.fingerprint)?;
+        self.state = next;
+        Ok(())
     }
 
     /// The table of inputs with their values now.
@@ -282,14 +303,14 @@ impl Simulation {
             check_array("tau", tau, free.len())?;
             free.iter().zip(tau).for_each(|(&i, tau)| everywhere[i] = *tau);
         }
-        let at = now(&self.settings, &self.state);
+        let at = now(&self.settings, &self.edges, &self.state);
         self.plant.acceleration(at, Some(&everywhere), &mut self.v_dot);
         Ok(free.iter().map(|&i| self.v_dot[i]).collect())
     }
 
     /// Every matrix of the moving frame method now.
     pub fn moving_frame(&mut self) -> MovingFrame {
-        let at = now(&self.settings, &self.state);
+        let at = now(&self.settings, &self.edges, &self.state);
         self.plant.matrices(at)
     }
 
@@ -304,8 +325,9 @@ impl Simulation {
     }
 }
 
-/// Where the right-hand side stands between two steps.
-fn now<'a>(settings: &Settings, state: &'a State) -> Stage<'a> {
+/// Where the right-hand side stands between two steps: at the start of the next interval.
+fn now<'a>(settings: &Settings, edges: &Edges, state: &'a State) -> Stage<'a> {
     let time_s = state.steps as f64 * settings.step_s;
-    instant(time_s, settings.step_s, &state.q, &state.v, &state.d)
+    let interval = edges.interval(time_s, time_s + settings.step_s);
+    Stage { time_s, interval, q: &state.q, v: &state.v, s: &state.s, d: &state.d }
 }

@@ -69,6 +69,14 @@ pub struct Setup {
     pub v: Vec<f64>,
 }
 
+impl Setup {
+    /// A number that two setups share only if they are the same, by FNV-1a over every field.
+    pub fn fingerprint(&self) -> u64 {
+        let byte = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        format!("{self:?}").bytes().fold(0xcbf2_9ce4_8422_2325, byte)
+    }
+}
+
 impl SchemeName {
     /// The scheme with its working memory.
     pub fn scheme(self, sizes: Sizes) -> Scheme {

@@ -14,7 +14,7 @@ mod twist;
 mod vector;
 
 pub use frame::Frame;
-pub use inertia::{SpatialInertia, TriangleInequality};
+pub use inertia::SpatialInertia;
 pub use matrix::{Matrix3, Symmetric3};
 pub use quaternion::Quaternion;
 pub use rigid_inertia::RigidInertia;

@@ -74,9 +74,23 @@ impl<S: Scalar> Quaternion<S> {
 }
 
 impl Quaternion<f64> {
-    /// The unit quaternion of a rotation matrix, with w >= 0.
+    /// The unit quaternion of a rotation matrix, with w >= 0, from its largest component
+    /// (Shepperd 1978).
     pub fn from_matrix(r: &Matrix3<f64>) -> Self {
-        Self::exp(super::log(r)).normalized()
+        let m = &r.0;
+        let squares = [
+            1.0 + m[0][0] + m[1][1] + m[2][2],
+            1.0 + m[0][0] - m[1][1] - m[2][2],
+            1.0 - m[0][0] + m[1][1] - m[2][2],
+            1.0 - m[0][0] - m[1][1] + m[2][2],
+        ];
+        let largest = (1..4).fold(0, |best, i| if squares[i] > squares[best] { i } else { best });
+        let [wx, wy, wz] = [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]];
+        let [xy, xz, yz] = [m[0][1] + m[1][0], m[0][2] + m[2][0], m[1][2] + m[2][1]];
+        let products =
+            [[squares[0], wx, wy, wz], [wx, squares[1], xy, xz], [wy, xy, squares[2], yz], [wz, xz, yz, squares[3]]];
+        let quaternion = Self(products[largest]).normalized();
+        if quaternion.0[0] < 0.0 { Self(quaternion.0.map(|x| -x)) } else { quaternion }
     }
 }
 

@@ -24,6 +24,27 @@ pub fn paper(overrides: &[(&str, Value)]) -> Simulation {
     Simulation::new(paper_setup(overrides))
 }
 
+/// A simulation of a scenario's text.
+pub fn simulation(text: &str) -> Simulation {
+    let scenario = kingpost::scenario::read(text, "test.yaml", &[]).expect("the scenario reads");
+    Simulation::new(scenario.setup().expect("the scenario builds"))
+}
+
+/// The value of a channel now.
+pub fn values(simulation: &mut Simulation, variable: &str) -> Vec<f64> {
+    let mut row = Vec::new();
+    simulation.write_row(&mut row);
+    let channel = simulation.channels().iter().find(|c| c.variable == variable).expect("a channel");
+    row[channel.offset..][..channel.len].to_vec()
+}
+
+/// Everything at once: two ships, one held in its rotation and one in its place, prescribed and
+/// driven joints of both kinds, bodies fixed to bodies and to the world, a chain on the world,
+/// gravity, damping of a body and of joints.
+pub fn everything(form: &str) -> String {
+    include_str!("everything.yaml").replace("form: recursive", &format!("form: {form}"))
+}
+
 /// A source of random models; the seed makes a failure repeatable.
 pub struct Random(StdRng);
 
@@ -76,17 +97,18 @@ impl Random {
         }))
     }
 
-    fn joint(&mut self, i: usize) -> (JointKind, Mode) {
+    fn joint(&mut self, root: bool) -> (JointKind, Mode) {
         let mode = match self.below(6) {
             0 => Mode::Held,
             1 => Mode::Prescribed,
             _ => Mode::Free,
         };
         let (placement, axis, to_child) = (self.frame(), self.unit(), self.vector(1.5));
-        match self.below(if i == 0 { 8 } else { 5 }) {
+        match self.below(if root { 8 } else { 5 }) {
             0 | 1 => (JointKind::Revolute(Revolute::new(placement, axis, to_child)), mode),
             2 | 3 => (JointKind::Prismatic(Prismatic::new(placement, axis, to_child)), mode),
             4 => (JointKind::Fixed(Fixed::new(placement, to_child)), Mode::Free),
+            // Only a root can float.
             _ => {
                 let floating = Floating { hold_translation: self.chance(0.3), hold_rotation: self.chance(0.2) };
                 (JointKind::Floating(floating), Mode::Free)
@@ -98,10 +120,10 @@ impl Random {
     pub fn model(&mut self) -> Model {
         let n = 1 + self.below(12);
         let describe = |i: usize| {
-            let (kind, mode) = self.joint(i);
+            let parent = (i > 0 && self.chance(0.9)).then(|| self.below(i));
+            let (kind, mode) = self.joint(parent.is_none());
             let (mass, rigid) = self.rigid();
             let inertia = if self.chance(0.3) { self.full_inertia() } else { rigid };
-            let parent = (i > 0 && self.chance(0.95)).then(|| self.below(i));
             let joint = Joint { name: format!("joint_{i}"), kind, mode };
             BodyDescription { name: format!("body_{i}"), parent, joint, mass, inertia, points: Vec::new() }
         };
@@ -138,10 +160,11 @@ impl Random {
     }
 }
 
-/// Largest difference over the largest entry of the first.
-pub fn relative_difference<'a>(a: impl IntoIterator<Item = &'a f64>, b: impl IntoIterator<Item = &'a f64>) -> f64 {
+/// Largest difference over the largest entry of both.
+pub fn relative_difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
     let (mut largest, mut difference) = (f64::MIN_POSITIVE, 0.0_f64);
-    for (a, b) in a.into_iter().zip(b) {
+    for (a, b) in a.iter().zip(b) {
         largest = largest.max(a.abs()).max(b.abs());
         difference = difference.max((a - b).abs());
         assert!(a.is_finite() && b.is_finite());

@@ -4,9 +4,8 @@ use super::super::schema::{self, Inertia, PrismaticMode, RevoluteMode, Scenario}
 use super::{FieldError, known};
 use crate::model::joint::{Fixed, Floating, Prismatic, Revolute};
 use crate::model::{Axis, BodyDescription, Joint, JointKind, Mode, Model, Shape};
-use crate::spatial::{
-    Frame, Quaternion, SpatialInertia, Symmetric3, TriangleInequality, Vector3, rotation_from_roll_pitch_yaw,
-};
+use crate::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, rotation_from_roll_pitch_yaw};
+use std::collections::HashSet;
 
 /// The model and where it begins.
 pub struct Bodies {
@@ -27,10 +26,6 @@ pub fn build(scenario: &Scenario) -> Result<Bodies, FieldError> {
         let parent_index = parent.and_then(|parent| descriptions.iter().position(|d| d.name == parent));
         let parent_centre = parent.map_or(Vector3::zero(), |parent| Vector3(scenario.bodies[parent].centre_of_mass_m));
         let joint = joint(name, body, parent_centre)?;
-        if descriptions.iter().any(|d| d.joint.name == joint.name) {
-            let field = format!("bodies.{name}.joint.{}.name", body.joint.kind());
-            return Err(FieldError::new(field, &joint.name, "a name that no other joint has"));
-        }
         if let Some(damping) = damping(&body.joint) {
             dampings.push((v.len(), damping));
         }
@@ -52,21 +47,12 @@ pub fn build(scenario: &Scenario) -> Result<Bodies, FieldError> {
 
 /// Names of the bodies that are there, parents first, otherwise in the order of the file.
 fn order(scenario: &Scenario) -> Result<Vec<&str>, FieldError> {
-    for (name, body) in &scenario.bodies {
-        if name.as_str() == schema::WORLD {
-            return Err(FieldError::new("bodies.world", "world", "another name: the world is what bodies stand on"));
-        }
-        if let Some(parent) = body.parent_body() {
-            let others = scenario.bodies.keys().filter(|other| *other != name).map(|other| other.as_str());
-            known(&format!("bodies.{name}.parent"), parent, others.chain([schema::WORLD]))?;
-        }
-    }
-    let mut order: Vec<&str> = Vec::new();
+    check_names(scenario)?;
+    let (mut order, mut placed) = (Vec::new(), HashSet::new());
     for name in scenario.bodies.keys() {
         let chain = chain(scenario, name)?;
         if chain.iter().all(|link| scenario.bodies[*link].enabled) {
-            let missing: Vec<&str> = chain.into_iter().rev().filter(|link| !order.contains(link)).collect();
-            order.extend(missing);
+            order.extend(chain.into_iter().rev().filter(|link| placed.insert(*link)));
         }
     }
     if order.is_empty() {
@@ -75,19 +61,41 @@ fn order(scenario: &Scenario) -> Result<Vec<&str>, FieldError> {
     Ok(order)
 }
 
+/// Parents exist; joints have names of their own, those of bodies that are not enabled too, so that
+/// a drive never changes its joint with a switch.
+fn check_names(scenario: &Scenario) -> Result<(), FieldError> {
+    let mut joints = HashSet::new();
+    for (name, body) in &scenario.bodies {
+        if name.as_str() == schema::WORLD {
+            return Err(FieldError::new("bodies.world", "world", "another name: the world is what bodies stand on"));
+        }
+        if let Some(parent) = body.parent_body() {
+            let others = scenario.bodies.keys().filter(|other| *other != name).map(|other| other.as_str());
+            known(&format!("bodies.{name}.parent"), parent, others.chain([schema::WORLD]))?;
+        }
+        let joint = joint_name(name, body);
+        if !joints.insert(joint) {
+            let field = format!("bodies.{name}.joint.{}.name", body.joint.kind());
+            return Err(FieldError::new(field, joint, "a name that no other joint has"));
+        }
+    }
+    Ok(())
+}
+
+/// A joint without a name has that of its body.
+pub fn joint_name<'a>(body_name: &'a str, body: &'a schema::Body) -> &'a str {
+    body.joint.name().map_or(body_name, |name| name.as_str())
+}
+
 /// A body and its ancestors up to the world.
 fn chain<'a>(scenario: &'a Scenario, name: &'a str) -> Result<Vec<&'a str>, FieldError> {
-    let mut chain = vec![name];
+    let (mut chain, mut seen) = (vec![name], HashSet::from([name]));
     while let Some(parent) = scenario.bodies[chain[chain.len() - 1]].parent_body() {
-        if chain.contains(&parent.as_str()) {
-            let found = chain.iter().copied().chain([parent.as_str()]).collect::<Vec<_>>().join(" -> ");
-            return Err(FieldError::new(
-                format!("bodies.{name}.parent"),
-                found,
-                "a chain of parents that ends at the world",
-            ));
-        }
         chain.push(parent);
+        if !seen.insert(parent.as_str()) {
+            let allowed = "a chain of parents that ends at the world";
+            return Err(FieldError::new(format!("bodies.{name}.parent"), chain.join(" -> "), allowed));
+        }
     }
     Ok(chain)
 }
@@ -133,8 +141,7 @@ fn joint(name: &str, body: &schema::Body, parent_centre: Vector3) -> Result<Join
             (JointKind::Fixed(Fixed::new(placement, to_child(joint.child_position_m))), Mode::Free)
         }
     };
-    let joint_name = body.joint.name().map_or(name, |name| name.as_str()).to_owned();
-    Ok(Joint { name: joint_name, kind, mode })
+    Ok(Joint { name: joint_name(name, body).to_owned(), kind, mode })
 }
 
 fn damping(joint: &schema::Joint) -> Option<f64> {
@@ -195,22 +202,18 @@ fn inertia(name: &str, body: &schema::Body) -> Result<SpatialInertia, FieldError
             let moments = radii.radii_m.map(|radius| mass * radius.get() * radius.get());
             (Symmetric3::diagonal(moments), "inertia.radii_of_gyration.radii_m")
         }
-        (None, Some(shape)) => (solid(shape).inertia(mass), "shape"),
+        (None, Some(shape)) => return Ok(SpatialInertia::rigid(mass, solid(shape).inertia(mass))),
         (None, None) => {
             let allowed = "a shape, or an inertia";
             return Err(FieldError::new(format!("bodies.{name}"), "neither shape nor inertia", allowed));
         }
     };
-    moments.check_triangle_inequality().map_err(|broken| {
-        let found = match broken {
-            TriangleInequality::Negative(moment) => format!("a principal moment of {moment} kg m^2"),
-            TriangleInequality::Exceeded { largest, others } => {
-                format!("a principal moment of {largest} kg m^2 with others that sum to {others}")
-            }
-        };
-        let allowed = "principal moments not less than 0, none greater than the sum of the other two";
-        FieldError::new(format!("bodies.{name}.{field}"), found, allowed)
-    })?;
+    if !moments.holds_triangle_inequality() {
+        let Symmetric3 { xx, xy, xz, yy, yz, zz } = moments;
+        let found = format!("moments {xx}, {yy}, {zz} kg m^2 with products {xy}, {xz}, {yz}");
+        let allowed = "a body's: no principal moment greater than the sum of the other two";
+        return Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed));
+    }
     Ok(SpatialInertia::rigid(mass, moments))
 }
 

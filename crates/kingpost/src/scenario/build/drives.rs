@@ -1,8 +1,9 @@
 //! Drives, inputs and prescribed motions.
 
 use super::super::schema::{self, History, PrismaticMode, RevoluteMode, Scenario};
+use super::bodies::joint_name;
 use super::{FieldError, known};
-use crate::drives::{Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use crate::drives::{Clock, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
 use crate::model::{JointKind, Model};
 use crate::simulation::Input;
 
@@ -17,98 +18,84 @@ pub fn build(scenario: &Scenario, model: &Model, v: &mut [f64]) -> Result<Drives
     let (mut drives, mut inputs) = (Vec::new(), Vec::new());
     for (name, drive) in &scenario.drives {
         let parts = Parts::of(name, drive);
-        let (field, wanted) = (&parts.field, parts.rotary);
-        known(&format!("{field}.joint"), parts.joint, joints(scenario, wanted))?;
-        let profile = match parts.history {
-            Some((history, pulse)) => Some(profile(field, history, pulse)?),
-            None => None,
+        known(&format!("{}.joint", parts.field), parts.joint, joints(scenario, parts.rotary))?;
+        let profile = match parts.law {
+            Law::Motor { history, pulse, .. } => Some(profile(&parts.field, history, pulse)?),
+            Law::Servo { .. } => None,
         };
         let Some(joint) = model.joint(parts.joint).filter(|_| parts.enabled) else { continue };
         let (coordinate, position) = (model.tree.nodes[joint].velocities, model.tree.nodes[joint].positions);
-        let input = matches!(parts.history, Some((History::Lever, _))).then(|| {
-            inputs.push(Input { name: name.to_string(), unit: "1", lower: -1.0, upper: 1.0, value: 0.0 });
-            inputs.len() - 1
-        });
-        drives.push(match (profile, parts.numbers) {
-            (Some(profile), numbers) => Drive::Motor(Motor { coordinate, effort: numbers[0], profile, input }),
-            (None, [target, stiffness, damping, limit]) => {
+        drives.push(match (parts.law, profile) {
+            (Law::Motor { effort, history, .. }, Some(profile)) => {
+                let input = (history == History::Lever).then(|| {
+                    inputs.push(Input { name: name.to_string(), unit: "1", lower: -1.0, upper: 1.0, value: 0.0 });
+                    inputs.len() - 1
+                });
+                Drive::Motor(Motor { coordinate, effort, profile, input })
+            }
+            (Law::Servo { target, stiffness, damping, limit }, _) => {
                 Drive::Servo(Servo { position, coordinate, target, stiffness, damping, limit })
             }
+            (Law::Motor { .. }, None) => continue,
         });
     }
     for motion in prescribed(scenario, model)? {
-        v[motion.coordinate] = motion.initial_rate();
+        v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
         drives.push(Drive::Prescribed(motion));
     }
     Ok(Drives { drives, inputs })
 }
 
-/// What the four kinds of drive have in common.
+/// A drive without the difference between turning and sliding.
 struct Parts<'a> {
     field: String,
     enabled: bool,
     joint: &'a str,
     rotary: bool,
-    /// A motor's history; a servo has none.
-    history: Option<(History, Option<&'a schema::Pulse>)>,
-    /// Effort, or target, stiffness, damping, limit.
-    numbers: [f64; 4],
+    law: Law<'a>,
+}
+
+/// What a drive does, in N m and rad or in N and m.
+enum Law<'a> {
+    Motor { effort: f64, history: History, pulse: Option<&'a schema::Pulse> },
+    Servo { target: f64, stiffness: f64, damping: f64, limit: f64 },
 }
 
 impl<'a> Parts<'a> {
     fn of(name: &str, drive: &'a schema::Drive) -> Self {
-        let field = |kind: &str| format!("drives.{name}.{kind}");
-        match drive {
-            schema::Drive::Motor(d) => Self {
-                field: field("motor"),
-                enabled: d.enabled,
-                joint: &d.joint,
-                rotary: true,
-                history: Some((d.history, d.pulse.as_ref())),
-                numbers: [d.torque_n_m, 0.0, 0.0, 0.0],
-            },
-            schema::Drive::LinearMotor(d) => Self {
-                field: field("linear_motor"),
-                enabled: d.enabled,
-                joint: &d.joint,
-                rotary: false,
-                history: Some((d.history, d.pulse.as_ref())),
-                numbers: [d.force_n, 0.0, 0.0, 0.0],
-            },
-            schema::Drive::Servo(d) => Self {
-                field: field("servo"),
-                enabled: d.enabled,
-                joint: &d.joint,
-                rotary: true,
-                history: None,
-                numbers: [
-                    d.target_rad,
-                    d.stiffness_n_m_per_rad.get(),
-                    d.damping_n_m_s_per_rad.get(),
-                    d.torque_limit_n_m.get(),
-                ],
-            },
-            schema::Drive::LinearServo(d) => Self {
-                field: field("linear_servo"),
-                enabled: d.enabled,
-                joint: &d.joint,
-                rotary: false,
-                history: None,
-                numbers: [d.target_m, d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get(), d.force_limit_n.get()],
-            },
-        }
+        let (kind, enabled, joint, rotary, law) = match drive {
+            schema::Drive::Motor(d) => {
+                let law = Law::Motor { effort: d.torque_n_m, history: d.history, pulse: d.pulse.as_ref() };
+                ("motor", d.enabled, &d.joint, true, law)
+            }
+            schema::Drive::LinearMotor(d) => {
+                let law = Law::Motor { effort: d.force_n, history: d.history, pulse: d.pulse.as_ref() };
+                ("linear_motor", d.enabled, &d.joint, false, law)
+            }
+            schema::Drive::Servo(d) => {
+                let (stiffness, damping) = (d.stiffness_n_m_per_rad.get(), d.damping_n_m_s_per_rad.get());
+                let law = Law::Servo { target: d.target_rad, stiffness, damping, limit: d.torque_limit_n_m.get() };
+                ("servo", d.enabled, &d.joint, true, law)
+            }
+            schema::Drive::LinearServo(d) => {
+                let (stiffness, damping) = (d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get());
+                let law = Law::Servo { target: d.target_m, stiffness, damping, limit: d.force_limit_n.get() };
+                ("linear_servo", d.enabled, &d.joint, false, law)
+            }
+        };
+        Self { field: format!("drives.{name}.{kind}"), enabled, joint: joint.as_str(), rotary, law }
     }
 }
 
-/// Names of the revolute or of the prismatic joints, those of disabled bodies too.
+/// Names of the revolute or of the prismatic joints, those of bodies that are not enabled too.
 fn joints(scenario: &Scenario, rotary: bool) -> impl Iterator<Item = &str> {
-    scenario.bodies.iter().filter_map(move |(body, description)| {
-        let fits = match description.joint {
+    scenario.bodies.iter().filter_map(move |(name, body)| {
+        let fits = match body.joint {
             schema::Joint::Revolute(_) => rotary,
             schema::Joint::Prismatic(_) => !rotary,
             schema::Joint::Floating(_) | schema::Joint::Fixed(_) => false,
         };
-        fits.then(|| description.joint.name().unwrap_or(body).as_str())
+        fits.then(|| joint_name(name, body))
     })
 }
 
@@ -150,8 +137,8 @@ fn prescribed(scenario: &Scenario, model: &Model) -> Result<Vec<PrescribedMotion
             ));
         }
         let profile = profile(&field, history, pulse)?;
-        if !profile.is_continuous() || (history == History::Pulse && pulse.is_some_and(|p| p.rise_s.get() == 0.0)) {
-            let allowed = "greater than 0: a rate cannot jump";
+        if history == History::Pulse && pulse.is_some_and(|p| p.rise_s.get() == 0.0) {
+            let allowed = "a number greater than 0: a rate cannot jump";
             return Err(FieldError::new(format!("{field}.pulse.rise_s"), 0, allowed));
         }
         motions.push(PrescribedMotion { coordinate: model.tree.nodes[i].velocities, rate, profile });

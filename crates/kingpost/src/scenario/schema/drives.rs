@@ -29,7 +29,7 @@ pub enum History {
     Constant,
     /// Up, hold, reverse, stop, by the times of `pulse`.
     Pulse,
-    /// An input in [-1, 1], named as the drive (a prescribed joint's is named as the joint), times the full strength.
+    /// An input in [-1, 1], named as the drive, times the full strength.
     Lever,
 }
 

@@ -1,0 +1,78 @@
+//! Does every coordinate move some mass?
+
+use super::{LinkKinematics, Loads, forward};
+use crate::model::{JointKind, Mode, Model};
+use crate::spatial::{SpatialInertia, Twist};
+
+/// A pivot of M* below this share of what the coordinate moves with its branch locked is rounding.
+const SMALLEST_SHARE: f64 = 1e-13;
+
+/// The first coordinate of v along which nothing is left to accelerate once the branch above it is
+/// free to give way, in time linear in the number of links. `None` where M* is positive definite.
+pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> Option<usize> {
+    let (loads, mut work) = (Loads::new(model), forward::Workspace::new(model));
+    let mut v_dot = vec![0.0; v.len()];
+    forward::forward_dynamics(model, links, v, &loads, &mut work, &mut v_dot);
+    let locked = locked_inertias(model, links);
+    for (i, node) in model.links.nodes.iter().enumerate() {
+        let (free, at) = (work.articulated_inertia(i), node.velocities);
+        let directions = match node.kind {
+            JointKind::Floating(_) => unit_twists().to_vec(),
+            _ => vec![links.axis[i]],
+        };
+        // A floating joint's coordinates list the translation first, its twists the rotation.
+        let coordinate = |k: usize| at + if directions.len() == 6 { (k + 3) % 6 } else { k };
+        let moving = (0..directions.len()).filter(|&k| model.modes[coordinate(k)] == Mode::Free);
+        let moving: Vec<usize> = moving.collect();
+        let free_directions: Vec<Twist> = moving.iter().map(|&k| directions[k]).collect();
+        if let Some(k) = first_small_pivot(&free, &locked[i], &free_directions) {
+            return Some(coordinate(moving[k]));
+        }
+    }
+    None
+}
+
+/// Inertia of each link with everything that hangs on it, joints locked, root axes.
+fn locked_inertias(model: &Model, links: &LinkKinematics) -> Vec<SpatialInertia> {
+    let nodes = &model.links.nodes;
+    let mut locked: Vec<SpatialInertia> =
+        nodes.iter().zip(&links.in_root).map(|(node, frame)| node.inertia.to_parent(frame)).collect();
+    for i in (0..nodes.len()).rev() {
+        if let Some(parent) = nodes[i].parent {
+            let own = locked[i];
+            locked[parent] += own;
+        }
+    }
+    locked
+}
+
+/// Rotation about x, y, z, then translation along them.
+fn unit_twists() -> [Twist; 6] {
+    core::array::from_fn(|k| {
+        let mut twist = Twist::zero();
+        let part = if k < 3 { &mut twist.angular } else { &mut twist.linear };
+        part[k % 3] = 1.0;
+        twist
+    })
+}
+
+/// Cholesky's pivots of the inertia over some directions, each against the locked diagonal.
+fn first_small_pivot(free: &SpatialInertia, locked: &SpatialInertia, directions: &[Twist]) -> Option<usize> {
+    let n = directions.len();
+    let mut l = vec![0.0; n * n];
+    for i in 0..n {
+        let scale = locked.quadratic(&directions[i]);
+        for j in 0..=i {
+            let sum: f64 = (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum();
+            let rest = free.times(&directions[i]).dot(&directions[j]) - sum;
+            if i != j {
+                l[i * n + j] = rest / l[j * n + j];
+            } else if rest.is_finite() && scale > 0.0 && rest > SMALLEST_SHARE * scale {
+                l[i * n + i] = rest.sqrt();
+            } else {
+                return Some(i);
+            }
+        }
+    }
+    None
+}

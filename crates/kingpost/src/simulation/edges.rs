@@ -1,0 +1,45 @@
+//! Times at which steps end, because a law changes its form there.
+
+use crate::drives::Drive;
+use crate::integrate::Interval;
+
+/// Edges of all drives, s, in order.
+#[derive(Clone, Debug)]
+pub(super) struct Edges {
+    times_s: Vec<f64>,
+    /// Edges closer than this to the end of an interval fall on it, s.
+    slack_s: f64,
+}
+
+impl Edges {
+    pub(super) fn new(drives: &[Drive], step_s: f64) -> Self {
+        let mut times_s: Vec<f64> = drives.iter().flat_map(|drive| drive.edges()).copied().collect();
+        times_s.sort_by(f64::total_cmp);
+        times_s.dedup();
+        Self { times_s, slack_s: 1e-9 * step_s }
+    }
+
+    /// From a time to the next edge, or to `end_s` where there is none before.
+    pub(super) fn interval(&self, start_s: f64, end_s: f64) -> Interval {
+        let first = self.times_s.partition_point(|&edge| edge <= start_s + self.slack_s);
+        let edge = self.times_s.get(first).copied().filter(|&edge| edge < end_s - self.slack_s);
+        Interval { start_s, end_s: edge.unwrap_or(end_s) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drives::{Motor, Profile, Pulse};
+
+    #[test]
+    fn intervals_end_at_edges_and_rounding_makes_none() {
+        let profile = Profile::pulse(Pulse { rise_s: 0.1, hold_s: 0.2, reverse_s: 0.0 });
+        let motor = Drive::Motor(Motor { coordinate: 0, effort: 1.0, profile, input: None });
+        let edges = Edges::new(&[motor], 0.08);
+        assert_eq!(edges.interval(0.08, 0.16), Interval { start_s: 0.08, end_s: 0.1 });
+        assert_eq!(edges.interval(0.1, 0.16), Interval { start_s: 0.1, end_s: 0.16 });
+        assert_eq!(edges.interval(0.02, 0.1 + 1e-12).end_s, 0.1 + 1e-12);
+        assert_eq!(edges.interval(5.0, 5.08).end_s, 5.08);
+    }
+}
