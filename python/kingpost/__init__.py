@@ -8,7 +8,8 @@
 
 from ._engine import __version__
 from .errors import KingpostError, RunError, ScenarioError
-from .simulate import Input, Scenario, Simulation, State, load, run
+from .scenario import Scenario, load
+from .simulate import Input, Simulation, State, run
 
 __all__ = [
     "Input",

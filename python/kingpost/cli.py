@@ -14,7 +14,8 @@ from typing import NoReturn
 
 from . import __version__
 from .errors import KingpostError, RunError
-from .simulate import Scenario, Simulation, load
+from .scenario import Scenario, load
+from .simulate import Simulation
 
 DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
 

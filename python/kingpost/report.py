@@ -10,7 +10,7 @@ import numpy as np
 if TYPE_CHECKING:
     import xarray
 
-    from .simulate import Scenario
+    from .scenario import Scenario
 
 ANGLES = {"roll": "x", "pitch": "y", "yaw": "z"}
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-    from .simulate import Scenario
+    from .scenario import Scenario
 
 ENDINGS = (".nc", ".csv", ".parquet")
 NAMED = ("body", "coordinate", "joint", "point", "drive")

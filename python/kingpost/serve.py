@@ -19,7 +19,7 @@ from urllib.request import urlopen
 
 from . import gallery
 from .errors import KingpostError
-from .simulate import load
+from .scenario import load
 
 LOOPBACK = "127.0.0.1"
 FIRST_PORT = 8000

@@ -1,4 +1,4 @@
-"""Scenarios and simulations: a thin, labelled face on the engine.
+"""Simulations: a thin, labelled face on the engine.
 
 Units are SI, angles in radians. The world's z points up; a ship's x points forward, y to
 port, z up. Roll, pitch and yaw are the intrinsic z-y-x angles about x, y and z.
@@ -7,85 +7,21 @@ port, z up. Roll, pitch and yaw are the intrinsic z-y-x angles about x, y and z.
 from __future__ import annotations
 
 import json
-import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from types import NoneType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _engine, gallery
+from .scenario import Overrides, Scenario, load
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
-Overrides = Mapping[str, Any]
 Progress = Callable[[float], None]
-
-
-@dataclass(frozen=True)
-class Scenario:
-    """A validated description of one run: the text of a file and what was set over it.
-
-    Made by `load`. Two scenarios are equal when their text, file and overrides are.
-    """
-
-    text: str
-    file: str
-    overrides: tuple[tuple[str, Any], ...] = ()
-
-    def __post_init__(self) -> None:
-        # Validates: a scenario that exists is one that can run.
-        vars(self)["json"] = _engine.read(self.text, self.file, self._overrides_json)
-
-    @property
-    def _overrides_json(self) -> str:
-        return json.dumps(self.overrides)
-
-    @cached_property
-    def json(self) -> str:
-        """The resolved scenario as JSON text: parameters applied, units SI."""
-        return _engine.read(self.text, self.file, self._overrides_json)
-
-    @cached_property
-    def resolved(self) -> dict[str, Any]:
-        """The resolved scenario as a dictionary.
-
-        >>> load("paper", motor_1=False).resolved["drives"]["motor_1"]["motor"]["enabled"]
-        False
-        """
-        return json.loads(self.json)
-
-    @property
-    def title(self) -> str:
-        """The scenario's title."""
-        return str(self.resolved.get("title") or Path(self.file).stem)
-
-    @cached_property
-    def model(self) -> dict[str, Any]:
-        """What the scenario builds: bodies, joints, parameters with their values, step sizes.
-
-        >>> [body["name"] for body in load("paper").model["bodies"]]
-        ['ship', 'tower', 'arm']
-        """
-        return json.loads(self._engine().model_json())
-
-    def with_overrides(self, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
-        """The same scenario with more set over it; the last value of a name counts.
-
-        >>> load("paper").with_overrides(crane_x_m=0).resolved["bodies"]["tower"]["joint"][
-        ...     "revolute"]["position_m"][0]
-        0.0
-        """
-        return Scenario(self.text, self.file, self.overrides + _pairs(overrides, parameters))
-
-    def _engine(self, extra: tuple[tuple[str, Any], ...] = ()) -> _engine.Simulation:
-        overrides = json.dumps(self.overrides + extra)
-        return _engine.Simulation(self.text, self.file, overrides)
 
 
 @dataclass(frozen=True)
@@ -270,30 +206,6 @@ class Simulation:
         return {block[0]: matrix(*block) for block in self._engine.moving_frame()}
 
 
-def load(path_or_name: str | Path, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
-    """Read and validate a scenario.
-
-    Parameters
-    ----------
-    path_or_name
-        A YAML or JSON file, or a name of the gallery.
-    overrides
-        Values by parameter name or by dotted field path.
-    parameters
-        Values by parameter name.
-
-    Raises
-    ------
-    ScenarioError
-        With file, line, column, field, what was found and what is allowed.
-
-    >>> load("paper", {"simulation.duration_s": 0.5}, damping=True).title
-    'Crane ship of Jardim et al. (2019)'
-    """
-    path = gallery.find(path_or_name)
-    return Scenario(gallery.read_text(path), str(path), _pairs(overrides, parameters))
-
-
 def run(
     scenario_or_path: Scenario | str | Path, overrides: Overrides | None = None, **parameters: Any
 ) -> xarray.Dataset:
@@ -315,25 +227,6 @@ def run(
     else:
         scenario = load(scenario_or_path, overrides, **parameters)
     return Simulation(scenario).run()
-
-
-def _pairs(overrides: Overrides | None, parameters: Overrides) -> tuple[tuple[str, Any], ...]:
-    given = (*(overrides or {}).items(), *parameters.items())
-    return tuple((str(name), _plain(value)) for name, value in given)
-
-
-def _plain(value: Any) -> Any:
-    """A value of an override as JSON knows it; the engine's reader judges it."""
-    if isinstance(value, np.generic | np.ndarray):
-        value = value.tolist()
-    if isinstance(value, Mapping):
-        return {str(key): _plain(entry) for key, entry in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(entry) for entry in value]
-    # JSON has no number for these; the reader names the text in its error.
-    if isinstance(value, float) and not math.isfinite(value):
-        return str(value)
-    return value if isinstance(value, bool | int | float | str | NoneType) else repr(value)
 
 
 def _vector(values: ArrayLike) -> NDArray[np.float64]:

@@ -67,7 +67,9 @@ fn hold_to_order(heading: &str, folder: &str, ending: &str, imports: impl Fn(&st
         }
         seen.insert(module);
     }
-    assert_eq!(seen, order.into_iter().collect(), "ARCHITECTURE.md names modules that are gone");
+    // A compiled module has no file here.
+    let written = order.into_iter().filter(|name| !name.starts_with('_')).collect();
+    assert_eq!(seen, written, "ARCHITECTURE.md names modules that are gone");
 }
 
 fn word(text: &str) -> String {

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..simulate import Simulation, load
+from ..scenario import load
+from ..simulate import Simulation
 from .style import DAMPED, UNDAMPED, plotting, save
 
 if TYPE_CHECKING:

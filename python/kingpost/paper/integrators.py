@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..simulate import Simulation, load
+from ..scenario import load
+from ..simulate import Simulation
 from .figures import AT_CENTRE
 from .style import INTEGRATORS, plotting, save
 

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..simulate import Simulation, load
+from ..scenario import load
+from ..simulate import Simulation
 from . import figures
 
 PRINTED_AT_S = 0.25

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..simulate import load
+from ..scenario import load
 
 
 @dataclass(frozen=True)
