@@ -5,6 +5,7 @@ import { findBrowser, launch } from "../../scripts/browser.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import controls from "./controls.mjs";
 import faults from "./faults.mjs";
+import gestures from "./gestures.mjs";
 import layout from "./layout.mjs";
 import numbers from "./numbers.mjs";
 
@@ -22,7 +23,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...numbers, ...controls, ...faults, ...layout }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...numbers, ...controls, ...gestures, ...faults, ...layout }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const browser = await launch(executable);

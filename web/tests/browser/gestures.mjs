@@ -1,0 +1,77 @@
+// Fingers, dropped files, a change of theme, an engine that does not load.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { look, openApp, PHONE, stepTo } from "./app.mjs";
+
+const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
+
+/** Two fingers move apart about the middle of the canvas. */
+async function spread(page) {
+  const box = await page.getByTestId("canvas").boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const fingers = (apart) => [{ x: x - apart, y, id: 0 }, { x: x + apart, y, id: 1 }];
+  const session = await page.context().newCDPSession(page);
+  const send = (type, touchPoints) => session.send("Input.dispatchTouchEvent", { type, touchPoints });
+  await send("touchStart", fingers(30));
+  for (const apart of [32, 34, 36]) await send("touchMove", fingers(apart));
+  await send("touchEnd", []);
+  await page.waitForTimeout(1000);
+}
+
+async function drop(page, name, text) {
+  const transfer = await page.evaluateHandle(([file, content]) => {
+    const data = new DataTransfer();
+    data.items.add(new File([content], file, { type: "text/yaml" }));
+    return data;
+  }, [name, text]);
+  for (const type of ["dragenter", "dragover"]) await page.dispatchEvent("#canvas", type, { dataTransfer: transfer });
+  assert.equal(await page.locator("#drop").isVisible(), true, "a file over the page is welcomed");
+  await page.dispatchEvent("#canvas", "drop", { dataTransfer: transfer });
+  assert.equal(await page.locator("#drop").isVisible(), false);
+}
+
+export default {
+  async "zooms by pinching, and does not scroll the page"(host) {
+    const { page, close } = await openApp(host, { viewport: PHONE });
+    const before = await look(page);
+    await spread(page);
+    const after = await look(page);
+    assert.ok(after.green > 1.15 * before.green, `green pixels: ${before.green}, then ${after.green}`);
+    assert.deepEqual(await page.evaluate(() => [scrollX, scrollY, visualViewport.scale]), [0, 0, 1]);
+    await close();
+  },
+
+  async "opens a scenario that is dropped on the page"(host) {
+    const { page, close } = await openApp(host);
+    await drop(page, "mine.yaml", paper.replace(/^title: .*/m, "title: A dropped ship"));
+    await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "A dropped ship");
+    await drop(page, "bad.yaml", "version: 2");
+    await page.waitForFunction(() => document.getElementById("alert").textContent.includes("bad.yaml"));
+    await stepTo(page, 0.01);
+    await close();
+  },
+
+  async "follows the browser's theme while it is open"(host) {
+    const { page, close } = await openApp(host);
+    const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const [light, seenLight] = [await ground(), await look(page)];
+    await page.emulateMedia({ colorScheme: "dark" });
+    await page.waitForTimeout(1000);
+    assert.notEqual(await ground(), light);
+    assert.notDeepEqual(await look(page), seenLight);
+    await stepTo(page, 0.01);
+    await close();
+  },
+
+  async "says so when the engine does not load"({ browser, address }) {
+    const context = await browser.newContext();
+    const page = await context.newPage();
+    await context.route("**/*.wasm", (route) => route.abort());
+    await page.goto(address);
+    await page.getByTestId("alert-message").waitFor();
+    assert.equal(await page.getByTestId("start").isDisabled(), true);
+    assert.notEqual(await page.getByTestId("alert-message").textContent(), "");
+    await context.close();
+  },
+};
