@@ -110,7 +110,7 @@ struct Step {
 impl Step {
     /// The plant with its forces and drives.
     fn new(Task { setup, q, v }: Task) -> Self {
-        let mut plant = Plant::new(setup.model, setup.forces, setup.drives, &q);
+        let mut plant = Plant::new(setup.model, setup.forces, setup.drives);
         plant.keeps_ledger = false;
         let scheme = Scheme::runge_kutta_4(plant.sizes());
         let start = State { q, v, ..State::default() };
