@@ -24,6 +24,10 @@ const MOST_STEPS: f64 = 1e15;
 /// Builds the model, forces, drives, settings and initial state.
 pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     let settings = settings(scenario)?;
+    if let Some(i) = scenario.parameters.iter().position(|parameter| parameter.live) {
+        let allowed = "false: in this version every parameter takes effect at reset";
+        return Err(FieldError::new(format!("parameters.{i}.live"), true, allowed));
+    }
     let bodies::Bodies { model, q, mut v, dampings } = bodies::build(scenario)?;
     let mut forces = forces(scenario, &model)?;
     forces.extend(

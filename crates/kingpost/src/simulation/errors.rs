@@ -7,8 +7,9 @@ use thiserror::Error;
 pub enum RunError {
     /// A number is not finite, or a rate passes the limit.
     #[error(
-        "diverged at {time_s} s: the {quantity} {coordinate} of body {body} is {value:.4e}, \
-         allowed: finite, and rates of at most {limit} rad/s or m/s"
+        "diverged at {} s: the {quantity} {coordinate} of body {body} is {value:.4e}, \
+         allowed: finite, and rates of at most {limit} rad/s or m/s",
+        shown(*time_s)
     )]
     Diverged {
         /// End of the step that failed, s.
@@ -24,6 +25,11 @@ pub enum RunError {
         /// `rate_limit`.
         limit: f64,
     },
+}
+
+/// A time without the last digits of its sum of steps, s.
+fn shown(time_s: f64) -> f64 {
+    libm::round(time_s * 1e9) / 1e9
 }
 
 /// A value from outside that a simulation cannot take.
