@@ -236,11 +236,11 @@ impl System for Plant {
     }
 
     fn retract(&self, q: &[f64], xi: &[f64], out: &mut [f64]) {
-        self.model.tree.retract(q, xi, out);
+        self.model.links.retract(q, xi, out);
     }
 
     fn dexp_inverse(&self, xi: &[f64], v: &[f64], out: &mut [f64]) {
-        self.model.tree.dexp_inverse(xi, v, out);
+        self.model.links.dexp_inverse(xi, v, out);
     }
 
     fn is_rotation_rate(&self, coordinate: usize) -> bool {

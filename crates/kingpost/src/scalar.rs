@@ -35,9 +35,9 @@ pub trait Scalar:
     fn sin_cos(self) -> (Self, Self);
     /// Square root; the argument must not be negative.
     fn sqrt(self) -> Self;
-    /// `below` where `self < limit`, otherwise `above`: a selection without a branch on the path,
-    /// so that laws stay usable lane by lane. Both arguments must be finite.
-    fn select_below(self, limit: f64, below: Self, above: Self) -> Self;
+    /// `below()` where `self < limit`, otherwise `above()`. A scalar of several lanes may evaluate
+    /// both, so both must be free of side effects.
+    fn select_below(self, limit: f64, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self;
 }
 
 impl Scalar for f64 {
@@ -65,7 +65,7 @@ impl Scalar for f64 {
     }
 
     #[inline]
-    fn select_below(self, limit: f64, below: Self, above: Self) -> Self {
-        if self < limit { below } else { above }
+    fn select_below(self, limit: f64, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
+        if self < limit { below() } else { above() }
     }
 }

@@ -1,5 +1,6 @@
 //! Unit quaternions (w, x, y, z): how a state stores a rotation.
 
+use super::rotation::SERIES_LIMIT;
 use super::{Matrix3, Vector3};
 use crate::scalar::Scalar;
 
@@ -25,15 +26,18 @@ impl<S: Scalar> Quaternion<S> {
     /// The quaternion of a rotation vector in radians, `exp(a / 2)`.
     pub fn exp(a: Vector3<S>) -> Self {
         let c = S::constant;
-        let quarter = a.norm_squared() * c(0.25);
-        let safe = quarter.select_below(1e-3, S::ONE, quarter);
-        let half_angle = safe.sqrt();
-        let (sin, cos) = half_angle.sin_cos();
-        let x = quarter;
-        let cosine = c(1.0) - x * (c(0.5) - x * (c(1.0 / 24.0) - x * (c(1.0 / 720.0) - x * c(1.0 / 40320.0))));
-        let sine = c(1.0) - x * (c(1.0 / 6.0) - x * (c(1.0 / 120.0) - x * (c(1.0 / 5040.0))));
-        let w = quarter.select_below(1e-3, cosine, cos);
-        let k = quarter.select_below(1e-3, sine, sin / half_angle) * c(0.5);
+        let x = a.norm_squared() * c(0.25);
+        let w = x.select_below(
+            SERIES_LIMIT,
+            || c(1.0) - x * (c(0.5) - x * (c(1.0 / 24.0) - x * (c(1.0 / 720.0) - x * c(1.0 / 40320.0)))),
+            || x.sqrt().sin_cos().1,
+        );
+        let sine_over_angle = x.select_below(
+            SERIES_LIMIT,
+            || c(1.0) - x * (c(1.0 / 6.0) - x * (c(1.0 / 120.0) - x * c(1.0 / 5040.0))),
+            || x.sqrt().sin_cos().0 / x.sqrt(),
+        );
+        let k = sine_over_angle * c(0.5);
         Self([w, a[0] * k, a[1] * k, a[2] * k])
     }
 

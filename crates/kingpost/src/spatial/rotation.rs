@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 
 /// Below this squared angle the coefficients come from their series; with the terms kept, the
 /// truncation error is under 1e-17.
-const SERIES_LIMIT: f64 = 1e-3;
+pub(super) const SERIES_LIMIT: f64 = 1e-3;
 
 /// Skew matrix of a column, `hat(a) b = a x b` (eq. 8; the paper writes a double arrow).
 #[inline]
@@ -40,15 +40,17 @@ pub fn exp<S: Scalar>(a: Vector3<S>) -> Matrix3<S> {
 #[inline]
 fn rodrigues_coefficients<S: Scalar>(t2: S) -> (S, S) {
     let c = S::constant;
-    let safe = t2.select_below(SERIES_LIMIT, S::ONE, t2);
-    let t = safe.sqrt();
-    let (sin, cos) = t.sin_cos();
-    let sine_series = c(1.0) - t2 * (c(1.0 / 6.0) - t2 * (c(1.0 / 120.0) - t2 * c(1.0 / 5040.0)));
-    let cosine_series = c(0.5) - t2 * (c(1.0 / 24.0) - t2 * (c(1.0 / 720.0) - t2 * c(1.0 / 40320.0)));
-    (
-        t2.select_below(SERIES_LIMIT, sine_series, sin / t),
-        t2.select_below(SERIES_LIMIT, cosine_series, (S::ONE - cos) / safe),
-    )
+    let sine = t2.select_below(
+        SERIES_LIMIT,
+        || c(1.0) - t2 * (c(1.0 / 6.0) - t2 * (c(1.0 / 120.0) - t2 * c(1.0 / 5040.0))),
+        || t2.sqrt().sin_cos().0 / t2.sqrt(),
+    );
+    let one_minus_cosine = t2.select_below(
+        SERIES_LIMIT,
+        || c(0.5) - t2 * (c(1.0 / 24.0) - t2 * (c(1.0 / 720.0) - t2 * c(1.0 / 40320.0))),
+        || (S::ONE - t2.sqrt().sin_cos().1) / t2,
+    );
+    (sine, one_minus_cosine)
 }
 
 /// Logarithm of a rotation matrix: the rotation vector with an angle in [0, pi] rad.
@@ -79,11 +81,12 @@ pub fn log(r: &Matrix3<f64>) -> Vector3<f64> {
 pub fn dexp_inverse_body<S: Scalar>(a: Vector3<S>, omega: Vector3<S>) -> Vector3<S> {
     let c = S::constant;
     let t2 = a.norm_squared();
-    let safe = t2.select_below(SERIES_LIMIT, S::ONE, t2);
-    let half = safe.sqrt() * c(0.5);
-    let (sin, cos) = half.sin_cos();
-    let closed = (S::ONE - half * cos / sin) / safe;
-    let series = c(1.0 / 12.0) + t2 * (c(1.0 / 720.0) + t2 * (c(1.0 / 30240.0) + t2 * c(1.0 / 1_209_600.0)));
+    let series = || c(1.0 / 12.0) + t2 * (c(1.0 / 720.0) + t2 * (c(1.0 / 30240.0) + t2 * c(1.0 / 1_209_600.0)));
+    let closed = || {
+        let half = t2.sqrt() * c(0.5);
+        let (sin, cos) = half.sin_cos();
+        (S::ONE - half * cos / sin) / t2
+    };
     let coefficient = t2.select_below(SERIES_LIMIT, series, closed);
     let first = a.cross(omega);
     omega + first * c(0.5) + a.cross(first) * coefficient
