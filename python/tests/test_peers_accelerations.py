@@ -1,4 +1,4 @@
-"""Accelerations against MuJoCo and Pinocchio at random states: the paper's model, and one with every feature."""
+"""Accelerations against MuJoCo and Pinocchio: the paper's model, and one with every feature."""
 
 from __future__ import annotations
 
