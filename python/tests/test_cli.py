@@ -99,6 +99,8 @@ def command(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 def test_ctrl_c_ends_a_long_run_with_one_line(capsys):
     """Source: the shell's convention, 128 + SIGINT."""
+    # A job in the background starts with the signal ignored.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     ctrl_c = threading.Timer(0.5, signal.raise_signal, [signal.SIGINT])
     ctrl_c.start()
     settings = [
@@ -107,7 +109,10 @@ def test_ctrl_c_ends_a_long_run_with_one_line(capsys):
         "--set=simulation.duration_s=1e6",
         "--set=simulation.record_every_s=1",
     ]
-    assert main(["run", "paper", *settings]) == 130
+    try:
+        assert main(["run", "paper", *settings]) == 130
+    finally:
+        signal.signal(signal.SIGINT, before)
     assert capsys.readouterr().err == "error: interrupted\n"
 
 
