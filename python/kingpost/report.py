@@ -12,6 +12,9 @@ if TYPE_CHECKING:
 
     from .scenario import Scenario
 
+# Share of the energy in play beyond which a summary warns that the step is too large.
+WORST_ENERGY_ERROR = 0.01
+
 ANGLES = {"roll": "x", "pitch": "y", "yaw": "z"}
 
 
@@ -123,7 +126,12 @@ def _ledger(results: xarray.Dataset) -> list[str]:
         ("energy error", f"{error:+.3e} J{relative}"),
         ("momentum error", f"{float(last['momentum_error']):.3e} N m s"),
     ]
-    return table(rows, "<<")
+    lines = table(rows, "<<")
+    scale = max(abs(work), float(last["kinetic_energy"]))
+    if abs(error) > WORST_ENERGY_ERROR * scale:
+        off = f"{abs(error) / scale:.1%}"
+        lines += ["", f"warning: the energy is off by {off}: take a smaller simulation.step_s"]
+    return lines
 
 
 def model(scenario: Scenario, coordinates: Sequence[str]) -> str:
