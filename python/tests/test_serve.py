@@ -153,8 +153,10 @@ def test_a_given_host_gets_an_address_for_others_and_a_qr_code(app, monkeypatch,
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are POSIX's")
 def test_ctrl_c_ends_the_server_cleanly(app):
     """Source: the public contract: exit code 0, nothing on stderr."""
+    # A job in the background starts with the signal ignored.
     program = (
-        "import sys; from pathlib import Path; from kingpost import cli, serve;"
+        "import signal, sys; from pathlib import Path; from kingpost import cli, serve;"
+        "signal.signal(signal.SIGINT, signal.default_int_handler);"
         f"serve.app_folder = lambda: Path({str(app)!r}); sys.exit(cli.main(['serve', '--port', '0']))"
     )
     started = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE,
