@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import xml.etree.ElementTree as ElementTree
 from html.parser import HTMLParser
 from pathlib import Path
@@ -14,11 +16,29 @@ from kingpost.cli import main
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory) -> Path:
-    """One run of the command, shared."""
-    folder = tmp_path_factory.mktemp("paper") / "results"
-    assert main(["paper", "-o", str(folder)]) == 0
-    return folder
+def command(tmp_path_factory) -> tuple[Path, str]:
+    """One run of the command, shared: its folder and what it printed."""
+    folder, printed = tmp_path_factory.mktemp("paper") / "results", io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        assert main(["paper", "-o", str(folder)]) == 0
+    return folder, printed.getvalue()
+
+
+@pytest.fixture(scope="module")
+def folder(command) -> Path:
+    return command[0]
+
+
+def test_the_summary_shows_the_largest_rates_and_where_the_page_is(command):
+    """Source: the figures' own data; four decimals are printed."""
+    folder, printed = command
+    rates = pandas.read_csv(folder / "figure_11.csv")
+    largest = [f"{rates[f'{name}_rate_damped_rad_s'].abs().max():.4f}" for name in ("pitch", "yaw", "roll")]
+    line = next(
+        line for line in printed.splitlines() if line.startswith("Fig. 11, both motors, with damping")
+    )
+    assert line.split()[-3:] == largest
+    assert str(folder / "index.html") in printed
 
 
 def test_every_file_is_there(folder):

@@ -8,29 +8,31 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from .. import progress
+from .. import progress, report
 from ..errors import KingpostError
-from . import figures, integrators, measured, page, table
+from . import figures, integrators, measured, page, summary, table
 
 RUNS = 2 * len(figures.CASES) + len(integrators.ORDERS) * len(integrators.STEPS_S)
 
 
 def command(folder: str | Path) -> int:
-    """Write everything to `folder` and say where it is."""
+    """Write everything to `folder`, print a summary and say where it is."""
     folder = Path(folder)
-    written = write(folder)
+    written, tables = write(folder)
+    for rows in tables:
+        print(*report.table(rows), "", sep="\n")
     print(f"{folder / 'index.html'}: the page, with all of it")
     print(f"{folder}: {', '.join(path.name for path in written if path.name != 'index.html')}")
     return 0
 
 
-def write(folder: str | Path) -> list[Path]:
+def write(folder: str | Path) -> tuple[list[Path], list[summary.Table]]:
     """Simulate the paper's cases and write data, pictures and the page.
 
     Returns
     -------
-    list of Path
-        The files, sorted.
+    files, tables
+        The files, sorted; the largest rates and the integrators' orders.
 
     Raises
     ------
@@ -45,7 +47,7 @@ def write(folder: str | Path) -> list[Path]:
         raise KingpostError(f"{folder}: cannot be written: {error.strerror}") from None
 
 
-def _write(folder: Path) -> list[Path]:
+def _write(folder: Path) -> tuple[list[Path], list[summary.Table]]:
     # A folder that cannot be written to should fail before the work, not after it.
     rows = table.write(folder)
     with progress.bar(RUNS, "runs") as update:
@@ -59,4 +61,5 @@ def _write(folder: Path) -> list[Path]:
     names = ["index.html", "table_2.csv", "table_2.md"]
     for name in [*(figure.name for figure in drawn), integrators.NAME]:
         names += [f"{name}.{ending}" for ending in ("csv", "png", "svg")]
-    return [folder / name for name in sorted(names)]
+    tables = [summary.largest_rates(drawn), summary.orders(compared)]
+    return [folder / name for name in sorted(names)], tables

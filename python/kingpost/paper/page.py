@@ -7,13 +7,12 @@ from collections.abc import Iterable, Sequence
 from importlib.resources import files
 from pathlib import Path
 
-import numpy as np
 from latex2mathml.converter import convert
 
 from .. import _engine
-from . import integrators
+from . import integrators, summary
 from .errata import Erratum, errata, power
-from .figures import NOTHING, Figure
+from .figures import Figure
 from .integrators import Errors
 from .measured import Measured
 from .table import Row
@@ -98,19 +97,9 @@ def _figures(folder: Path, drawn: list[Figure], rows: list[Row]) -> str:
         )
         description = f"Pitch, yaw and roll rate against time, {case.title}"
         pictures += _picture(folder, figure.name, description, caption)
-    head = ("", *(f"{name} rate, rad/s" for name in drawn[0].undamped))
-    body = []
-    for figure in drawn:
-        for label, rates in (("without damping", figure.undamped), ("with damping", figure.damped)):
-            peaks = (_peak(values) for values in rates.values())
-            body.append((f"Fig. {figure.case.number}, {figure.case.title}, {label}", *peaks))
+    head, *body = summary.largest_rates(drawn)
     end = f"{drawn[0].time_s[-1]:g}"
     return f"{pictures}<p>Largest sizes within {end} s:</p>{_table(head, body)}"
-
-
-def _peak(values: np.ndarray) -> str:
-    largest = np.abs(values).max()
-    return f"{largest:.4f}" if largest > NOTHING else "0"
 
 
 def _table_2(rows: list[Row]) -> str:
@@ -143,12 +132,7 @@ def _integrators(folder: Path, compared: list[Errors], remarks: Measured) -> str
     picture = _picture(
         folder, integrators.NAME, "Energy, momentum and rotation error against step size", caption
     )
-    head = ("Integrator", "Order", "Slope, energy", "Slope, momentum", "Slope, rotation")
-    body = []
-    for errors in compared:
-        slopes = (f"{slope:.2f}" for slope in errors.slopes())
-        name = integrators.LABELS[errors.integrator]
-        body.append((name, str(integrators.ORDERS[errors.integrator]), *slopes))
+    head, *body = summary.orders(compared)
     note = (
         "<p>Why momentum beside energy: a term that does no work can be wrong and leave the energy "
         "balanced. With D left out of eq. 60b, both motors on for 1 s, RK4 at 1 ms closes the energy to "
