@@ -112,6 +112,12 @@ impl Plant {
         Observation { model: &self.model, bodies: &self.bodies, inverse: &self.inverse, totals }
     }
 
+    /// Frames and twists of the bodies at a state.
+    pub fn body_kinematics(&mut self, q: &[f64], v: &[f64]) -> &Kinematics {
+        self.bodies.update(&self.model.tree, q, v);
+        &self.bodies
+    }
+
     /// The loads and the matrices of the method at a state.
     pub fn matrices(&mut self, at: Stage<'_>) -> MovingFrame {
         self.evaluate_loads(at);

@@ -47,45 +47,66 @@ fn accelerations_agree_over_random_trees_and_states() {
     }
 }
 
+/// The entries whose coordinates have this mode; zero elsewhere.
+fn only(model: &Model, wanted: Mode, values: &[f64]) -> Vec<f64> {
+    values.iter().zip(&model.modes).map(|(x, mode)| if *mode == wanted { *x } else { 0.0 }).collect()
+}
+
+fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
+    values.into_iter().fold(0.0, |m, x| m.max(x.abs()))
+}
+
+fn largest_difference<'a>(a: &[f64], b: impl IntoIterator<Item = &'a f64>) -> f64 {
+    a.iter().zip(b).fold(0.0, |m, (a, b)| m.max((a - b).abs()))
+}
+
 #[test]
-fn mass_matrix_bias_and_generalized_force_agree_with_inverse_dynamics() {
+fn mass_matrix_agrees_with_inverse_dynamics_column_by_column() {
     for seed in 0..STATES {
         let mut random = Random::new(seed);
         let model = random.model();
         let ((q, v), loads) = (random.state(&model), random.loads(&model));
-        let still = vec![0.0; v.len()];
-        let inertia = only_inertia(&model, &loads);
-        let free = model.free_coordinates();
+        let (still, inertia) = (vec![0.0; v.len()], only_inertia(&model, &loads));
         let matrices = MovingFrame::assemble(&model, &q, &v, &loads, Variation::Restricted);
-
-        for (column, &i) in free.iter().enumerate() {
+        let scale = largest(&matrices.m_star);
+        for (column, &i) in matrices.free.iter().enumerate() {
             let mut unit = still.clone();
             unit[i] = 1.0;
             let force = free_part(&model, &inverse_dynamics(&model, &q, &still, &unit, &inertia));
-            let expected: Vec<f64> = matrices.m_star.column(column).iter().copied().collect();
-            let scale = matrices.m_star.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-            let worst = force.iter().zip(&expected).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
-            assert!(worst < 1e-10 * scale, "M*, seed {seed}, column {column}: {worst:e} of {scale:e}");
+            let worst = largest_difference(&force, matrices.m_star.column(column).iter());
+            assert!(worst < 1e-10 * scale, "seed {seed}, column {column}: {worst:e} of {scale:e}");
         }
+    }
+}
 
-        // What the free velocities alone ask for, then what the loads and prescribed motions add.
-        let rates = |wanted: Mode, values: &[f64]| -> Vec<f64> {
-            values.iter().zip(&model.modes).map(|(x, mode)| if *mode == wanted { *x } else { 0.0 }).collect()
-        };
-        {
-            let free_rates = rates(Mode::Free, &v);
-            let bias = free_part(&model, &inverse_dynamics(&model, &q, &free_rates, &still, &inertia));
-            let alone = MovingFrame::assemble(&model, &q, &free_rates, &inertia, Variation::Restricted);
-            let expected = alone.bias_force();
-            // A bias that cancels to nothing is measured against a thousandth of inertia times rate
-            // squared, which is what its terms are made of.
-            let largest = bias.iter().chain(expected.iter()).fold(0.0_f64, |m, x| m.max(x.abs()));
-            let terms = matrices.m_star.amax() * matrices.free_velocity.amax().powi(2);
-            let scale = largest.max(1e-3 * terms);
-            let worst = bias.iter().zip(expected.iter()).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
-            assert!(worst < 1e-10 * scale, "N* q', seed {seed}: {worst:e} of {scale:e}");
-        }
-        let given = rates(Mode::Prescribed, &loads.acceleration);
+#[test]
+fn bias_force_agrees_with_inverse_dynamics() {
+    for seed in 0..STATES {
+        let mut random = Random::new(seed);
+        let model = random.model();
+        let ((q, v), loads) = (random.state(&model), random.loads(&model));
+        let (still, inertia) = (vec![0.0; v.len()], only_inertia(&model, &loads));
+        let rates = only(&model, Mode::Free, &v);
+        let bias = free_part(&model, &inverse_dynamics(&model, &q, &rates, &still, &inertia));
+        let matrices = MovingFrame::assemble(&model, &q, &rates, &inertia, Variation::Restricted);
+        let expected = matrices.bias_force();
+        // A bias that cancels to nothing is measured against a thousandth of inertia times rate
+        // squared, which is what its terms are made of.
+        let terms = matrices.m_star.amax() * matrices.free_velocity.amax().powi(2);
+        let scale = largest(bias.iter().chain(expected.iter())).max(1e-3 * terms);
+        let worst = largest_difference(&bias, expected.iter());
+        assert!(worst < 1e-10 * scale, "seed {seed}: {worst:e} of {scale:e}");
+    }
+}
+
+#[test]
+fn generalized_force_agrees_with_inverse_dynamics() {
+    for seed in 0..STATES {
+        let mut random = Random::new(seed);
+        let model = random.model();
+        let ((q, v), loads) = (random.state(&model), random.loads(&model));
+        let matrices = MovingFrame::assemble(&model, &q, &v, &loads, Variation::Restricted);
+        let given = only(&model, Mode::Prescribed, &loads.acceleration);
         let needed = free_part(&model, &inverse_dynamics(&model, &q, &v, &given, &loads));
         let expected: Vec<f64> = free_part(&model, &loads.force)
             .iter()
@@ -93,9 +114,9 @@ fn mass_matrix_bias_and_generalized_force_agree_with_inverse_dynamics() {
             .zip(matrices.bias_force().iter())
             .map(|((force, needed), bias)| force - needed + bias)
             .collect();
-        let scale = needed.iter().chain(matrices.f_star.iter()).fold(0.0_f64, |m, x| m.max(x.abs()));
-        let worst = expected.iter().zip(matrices.f_star.iter()).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
-        assert!(worst < 1e-10 * scale, "F*, seed {seed}: {worst:e} of {scale:e}");
+        let scale = largest(needed.iter().chain(matrices.f_star.iter()));
+        let worst = largest_difference(&expected, matrices.f_star.iter());
+        assert!(worst < 1e-10 * scale, "seed {seed}: {worst:e} of {scale:e}");
     }
 }
 

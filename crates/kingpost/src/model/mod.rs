@@ -134,9 +134,4 @@ impl<S: Scalar> Model<S> {
     pub fn free_coordinates(&self) -> Vec<usize> {
         (0..self.velocity_count).filter(|&i| self.modes[i] == Mode::Free).collect()
     }
-
-    /// Mass of everything, kg.
-    pub fn total_mass(&self) -> S {
-        self.bodies.iter().fold(S::ZERO, |sum, body| sum + body.mass)
-    }
 }

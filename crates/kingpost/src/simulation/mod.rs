@@ -203,14 +203,13 @@ impl Simulation {
 
     /// Position (m) and unit quaternion (w, x, y, z) of every body, world; seven numbers a body.
     pub fn poses(&mut self) -> Vec<f64> {
-        let at = now(&self.settings, &self.edges, &self.state);
-        let observed = self.plant.observe(at, &mut self.v_dot);
+        let bodies = self.plant.body_kinematics(&self.state.q, &self.state.v);
         let pose = |frame: &Frame| {
             let [x, y, z] = frame.position.0;
             let [w, a, b, c] = Quaternion::from_matrix(&frame.rotation).0;
             [x, y, z, w, a, b, c]
         };
-        observed.bodies.world.iter().flat_map(pose).collect()
+        bodies.world.iter().flat_map(pose).collect()
     }
 
     /// Replaces q, v and, where given, s. Without s the ledger begins anew here. The rate of a
