@@ -13,6 +13,7 @@
 
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::{JointKind, Mode, Model, Node, Tree};
+use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3, Wrench};
 
 /// Entry of s: energy at the start, J.
@@ -32,45 +33,45 @@ pub const COUNT: usize = 10;
 
 /// The point that angular momentum is about: the centre of the first body that is held in place by
 /// its centre of mass, else the world's origin (m, world). It does not move.
-pub fn reference_point(model: &Model, q: &[f64]) -> Vector3 {
-    let held = |kind: &JointKind| matches!(kind, JointKind::Floating(floating) if floating.hold_translation);
+pub fn reference_point<S: Scalar>(model: &Model<S>, q: &[S]) -> Vector3<S> {
+    let held = |kind: &JointKind<S>| matches!(kind, JointKind::Floating(floating) if floating.hold_translation);
     let node = model.tree.nodes.iter().find(|node| held(&node.kind));
     node.map_or(Vector3::zero(), |node| Vector3::from_slice(&q[node.positions..]))
 }
 
 /// What a joint carries to its child.
-pub struct JointLoad {
+pub struct JointLoad<S = f64> {
     /// World frame that the wrench is seen from.
-    pub frame: Frame,
+    pub frame: Frame<S>,
     /// About that frame's origin, in its axes.
-    pub wrench: Wrench,
+    pub wrench: Wrench<S>,
     /// Along the joint's own axis, N or N m; zero for joints that have none.
-    pub along_axis: f64,
+    pub along_axis: S,
 }
 
 /// What the rates of the ledger are made of.
-pub struct Entries<'a> {
+pub struct Entries<'a, S = f64> {
     /// The mechanical model.
-    pub model: &'a Model,
+    pub model: &'a Model<S>,
     /// The form of its tree that was solved: `model.links`, or `model.tree`.
-    pub tree: &'a Tree,
+    pub tree: &'a Tree<S>,
     /// Whether that form holds bodies that are fixed to the world.
     pub has_fixed: bool,
     /// Kinematics of its links.
-    pub links: &'a LinkKinematics,
+    pub links: &'a LinkKinematics<S>,
     /// Velocities.
-    pub v: &'a [f64],
+    pub v: &'a [S],
     /// The loads.
-    pub loads: &'a Loads,
+    pub loads: &'a Loads<S>,
     /// The point that angular momentum is about, m, world.
-    pub centre: Vector3,
+    pub centre: Vector3<S>,
 }
 
-impl Entries<'_> {
+impl<S: Scalar> Entries<'_, S> {
     /// Writes the rates; `joint` says what the joint of a node of the tree carries.
-    pub fn rates(&self, joint: impl Fn(usize) -> JointLoad, s_dot: &mut [f64]) {
+    pub fn rates(&self, joint: impl Fn(usize) -> JointLoad<S>, s_dot: &mut [S]) {
         let (mut force, mut moment) = (Vector3::zero(), Vector3::zero());
-        let mut add = |frame: &Frame, wrench: &Wrench| {
+        let mut add = |frame: &Frame<S>, wrench: &Wrench<S>| {
             let f = frame.rotation * wrench.force;
             force += f;
             moment += frame.rotation * wrench.moment + (frame.position - self.centre).cross(f);
@@ -80,7 +81,7 @@ impl Entries<'_> {
         for (body, wrench) in self.loads.wrenches.iter().filter(|(body, _)| moves(*body)) {
             add(&self.links.body_frame(self.model, *body), wrench);
         }
-        let mut prescribed_power = 0.0;
+        let mut prescribed_power = S::ZERO;
         for (i, node) in self.tree.nodes.iter().enumerate() {
             let on_the_world = node.parent.is_none_or(|p| self.has_fixed && !moves(p));
             if on_the_world && (!self.has_fixed || moves(i)) {
@@ -93,7 +94,7 @@ impl Entries<'_> {
             }
         }
         let power = &self.loads.power;
-        s_dot[INITIAL_ENERGY] = 0.0;
+        s_dot[INITIAL_ENERGY] = S::ZERO;
         s_dot[WORK_BY_DRIVES] = power.drives + prescribed_power;
         s_dot[WORK_BY_OUTSIDE] = power.outside;
         s_dot[ENERGY_DISSIPATED] = power.dissipated;
@@ -103,7 +104,7 @@ impl Entries<'_> {
 
     /// What a joint to the world carries. Along the free directions of a floating joint nothing can
     /// be carried, and the rounding of the recursion must not appear as a load.
-    fn reaction_of_the_world(&self, node: &Node, carried: &JointLoad) -> Wrench {
+    fn reaction_of_the_world(&self, node: &Node<S>, carried: &JointLoad<S>) -> Wrench<S> {
         let JointKind::Floating(floating) = node.kind else { return carried.wrench };
         let applied = &self.loads.force[node.velocities..];
         let force = carried.frame.rotation.transpose_times(Vector3::from_slice(applied));

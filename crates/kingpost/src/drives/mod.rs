@@ -13,21 +13,22 @@ pub use profile::{Clock, Profile, Pulse};
 pub use servo::Servo;
 
 use crate::dynamics::Loads;
+use crate::scalar::Scalar;
 
 /// The kinds of drive.
 #[derive(Clone, Debug)]
-pub enum Drive {
+pub enum Drive<S = f64> {
     /// A torque or force as a function of time.
-    Motor(Motor),
+    Motor(Motor<S>),
     /// A position servo with a limit.
-    Servo(Servo),
+    Servo(Servo<S>),
     /// A motion that happens whatever it takes.
-    Prescribed(PrescribedMotion),
+    Prescribed(PrescribedMotion<S>),
 }
 
-impl Drive {
+impl<S: Scalar> Drive<S> {
     /// Adds this drive to the loads. `inputs` are the values of the input table.
-    pub fn apply(&self, clock: Clock, q: &[f64], v: &[f64], inputs: &[f64], loads: &mut Loads) {
+    pub fn apply(&self, clock: Clock, q: &[S], v: &[S], inputs: &[S], loads: &mut Loads<S>) {
         match self {
             Drive::Motor(motor) => motor.apply(clock, v, inputs, loads),
             Drive::Servo(servo) => servo.apply(q, v, loads),

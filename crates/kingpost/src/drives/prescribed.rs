@@ -2,27 +2,28 @@
 
 use super::{Clock, Profile};
 use crate::dynamics::Loads;
+use crate::scalar::Scalar;
 
 /// The rate of one coordinate over time. The profile must be continuous: a jump would take an
 /// infinite force.
 #[derive(Clone, Debug)]
-pub struct PrescribedMotion {
+pub struct PrescribedMotion<S = f64> {
     /// Index in v.
     pub coordinate: usize,
     /// Rate at full, rad/s or m/s.
-    pub rate: f64,
+    pub rate: S,
     /// Over time, from -1 to 1.
     pub profile: Profile,
 }
 
-impl PrescribedMotion {
+impl<S: Scalar> PrescribedMotion<S> {
     /// Hands over the acceleration; its work is counted once the joint force is known.
-    pub fn apply(&self, clock: Clock, loads: &mut Loads) {
-        loads.acceleration[self.coordinate] = self.rate * self.profile.slope_per_s(clock);
+    pub fn apply(&self, clock: Clock, loads: &mut Loads<S>) {
+        loads.acceleration[self.coordinate] = self.rate * S::constant(self.profile.slope_per_s(clock));
     }
 
     /// The rate, rad/s or m/s.
-    pub fn rate_at(&self, clock: Clock) -> f64 {
-        self.rate * self.profile.value(clock)
+    pub fn rate_at(&self, clock: Clock) -> S {
+        self.rate * S::constant(self.profile.value(clock))
     }
 }

@@ -1,0 +1,107 @@
+//! One scalar trait for everything that a derivative or a SIMD lane may pass through.
+//!
+//! The folders from [`spatial`](crate::spatial) to [`simulation`](crate::simulation) are generic
+//! over [`Scalar`]. `f64` is the everyday choice, [`Dual`] carries exact derivatives, and [`Lanes`]
+//! holds several runs side by side. Transcendental functions go through the pure-Rust `libm` on
+//! every target, so native and WASM runs give the same bits.
+
+mod dual;
+mod lanes;
+
+pub use dual::Dual;
+pub use lanes::Lanes;
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// A real number that the mechanics can be computed with.
+pub trait Scalar:
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + Send
+    + Sync
+    + 'static
+{
+    /// Additive identity.
+    const ZERO: Self;
+    /// Multiplicative identity.
+    const ONE: Self;
+
+    /// The constant `value`, with no derivative, the same in every lane.
+    fn constant(value: f64) -> Self;
+    /// The plain value, derivatives dropped; of several lanes the first. Only for decisions that
+    /// all lanes share, and for showing.
+    fn value(self) -> f64;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// The angle of the point (`x`, `self`), radians in (-pi, pi].
+    fn atan2(self, x: Self) -> Self;
+    /// Square root; the argument must not be negative.
+    fn sqrt(self) -> Self;
+    /// `below()` where `self < limit`, otherwise `above()`, also where `self` is not a number. A
+    /// scalar of several lanes may evaluate both, so both must be free of side effects.
+    fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self;
+    /// Whether `test` holds for the value, in every lane.
+    fn all(self, test: impl Fn(f64) -> bool) -> bool;
+
+    /// [`select_less`](Self::select_less) against a constant.
+    #[inline]
+    fn select_below(self, limit: f64, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
+        self.select_less(Self::constant(limit), below, above)
+    }
+
+    /// The number between `lower` and `upper` that is nearest; what is not a number stays so.
+    #[inline]
+    fn clipped(self, lower: Self, upper: Self) -> Self {
+        upper.select_less(self, || upper, || self.select_less(lower, || lower, || self))
+    }
+}
+
+impl Scalar for f64 {
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+
+    #[inline]
+    fn constant(value: f64) -> Self {
+        value
+    }
+
+    #[inline]
+    fn value(self) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        libm::sincos(self)
+    }
+
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        libm::atan2(self, x)
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        libm::sqrt(self)
+    }
+
+    #[inline]
+    fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
+        if self < limit { below() } else { above() }
+    }
+
+    #[inline]
+    fn all(self, test: impl Fn(f64) -> bool) -> bool {
+        test(self)
+    }
+}
