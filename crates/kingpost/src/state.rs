@@ -2,21 +2,21 @@
 
 use thiserror::Error;
 
-/// Everything that the next step depends on.
+/// Everything that the next step depends on. Snapshots are of numbers without derivatives.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct State {
+pub struct State<S = f64> {
     /// Steps taken: the time is `steps * step size`.
     pub steps: u64,
     /// Positions; the layout is the model's.
-    pub q: Vec<f64>,
+    pub q: Vec<S>,
     /// Velocities.
-    pub v: Vec<f64>,
+    pub v: Vec<S>,
     /// Continuous extra states: the ledger's integrals, then those of forces and drives.
-    pub s: Vec<f64>,
+    pub s: Vec<S>,
     /// Discrete states, which change between steps only: the values of the inputs.
-    pub d: Vec<f64>,
+    pub d: Vec<S>,
     /// What the integrator carries from step to step.
-    pub memory: Vec<f64>,
+    pub memory: Vec<S>,
 }
 
 /// A snapshot that does not belong to this simulation.
@@ -66,23 +66,25 @@ const HEADER: usize = MAGIC.len() + 1;
 const LEAD: usize = 2;
 const PARTS: [&str; 5] = ["q", "v", "s", "d", "memory"];
 
-impl State {
-    fn parts(&self) -> [&Vec<f64>; 5] {
+impl<S: Copy> State<S> {
+    fn parts(&self) -> [&Vec<S>; 5] {
         [&self.q, &self.v, &self.s, &self.d, &self.memory]
     }
 
-    fn parts_mut(&mut self) -> [&mut Vec<f64>; 5] {
+    fn parts_mut(&mut self) -> [&mut Vec<S>; 5] {
         [&mut self.q, &mut self.v, &mut self.s, &mut self.d, &mut self.memory]
     }
 
     /// Takes over the numbers of a state of the same shape; allocates nothing.
-    pub fn copy_from(&mut self, other: &State) {
+    pub fn copy_from(&mut self, other: &Self) {
         self.steps = other.steps;
         for (part, other) in self.parts_mut().into_iter().zip(other.parts()) {
             part.copy_from_slice(other);
         }
     }
+}
 
+impl State {
     /// The state as bytes, little endian; [`State::restore`] gives back the same bits.
     /// `fingerprint` says which setup it belongs to.
     pub fn snapshot(&self, fingerprint: u64) -> Vec<u8> {

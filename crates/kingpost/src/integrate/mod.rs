@@ -13,6 +13,7 @@ pub use forward_euler::FORWARD_EULER;
 pub use midpoint_euler::MidpointEuler;
 pub use runge_kutta::{ExplicitRungeKutta, RUNGE_KUTTA_4, Tableau};
 
+use crate::scalar::Scalar;
 use crate::state::State;
 
 /// An interval of time over which no law changes its form, s.
@@ -35,20 +36,21 @@ pub struct Sizes {
     pub extras: usize,
 }
 
-/// What a scheme integrates: `q' = v` on the group, `v' = f`, `s' = g`.
-pub trait System {
+/// What a scheme integrates: `q' = v` on the group, `v' = f`, `s' = g`. Time is no scalar `S`: all
+/// lanes of a scalar, and a number and its derivatives, step together.
+pub trait System<S: Scalar = f64> {
     /// Lengths of the arrays.
     fn sizes(&self) -> Sizes;
 
     /// Writes v' and s' at a time of the interval; `state` holds the discrete states, and q, v, s
     /// are the stage's.
-    fn rates(&mut self, at: Stage<'_>, v_dot: &mut [f64], s_dot: &mut [f64]);
+    fn rates(&mut self, at: Stage<'_, S>, v_dot: &mut [S], s_dot: &mut [S]);
 
     /// `out = q` moved by the local coordinates `xi`.
-    fn retract(&self, q: &[f64], xi: &[f64], out: &mut [f64]);
+    fn retract(&self, q: &[S], xi: &[S], out: &mut [S]);
 
     /// `out = xi'` that the velocity `v` gives at `xi`.
-    fn dexp_inverse(&self, xi: &[f64], v: &[f64], out: &mut [f64]);
+    fn dexp_inverse(&self, xi: &[S], v: &[S], out: &mut [S]);
 
     /// Whether a coordinate of v is a body rate of a rotation in space.
     fn is_rotation_rate(&self, coordinate: usize) -> bool;
@@ -56,31 +58,31 @@ pub trait System {
 
 /// Where the right-hand side is evaluated.
 #[derive(Clone, Copy, Debug)]
-pub struct Stage<'a> {
+pub struct Stage<'a, S = f64> {
     /// Time, s.
     pub time_s: f64,
     /// The interval being stepped.
     pub interval: Interval,
     /// Positions.
-    pub q: &'a [f64],
+    pub q: &'a [S],
     /// Velocities.
-    pub v: &'a [f64],
+    pub v: &'a [S],
     /// Extra states.
-    pub s: &'a [f64],
+    pub s: &'a [S],
     /// Discrete states, constant over a step.
-    pub d: &'a [f64],
+    pub d: &'a [S],
 }
 
 /// The schemes.
 #[derive(Clone, Debug)]
-pub enum Scheme {
+pub enum Scheme<S = f64> {
     /// Explicit Runge-Kutta in Munthe-Kaas' form: forward Euler and RK4.
-    RungeKutta(ExplicitRungeKutta),
+    RungeKutta(ExplicitRungeKutta<S>),
     /// Forward Euler with the mean rate in the rotation.
-    MidpointEuler(MidpointEuler),
+    MidpointEuler(MidpointEuler<S>),
 }
 
-impl Scheme {
+impl<S: Scalar> Scheme<S> {
     /// The paper's scheme: start-of-step rates everywhere, Rodrigues' formula for the rotation.
     pub fn forward_euler(sizes: Sizes) -> Self {
         Self::RungeKutta(ExplicitRungeKutta::new(&FORWARD_EULER, sizes))
@@ -97,7 +99,7 @@ impl Scheme {
     }
 
     /// Moves q, v and s of the state over an interval. Allocates nothing.
-    pub fn step<Y: System>(&mut self, system: &mut Y, interval: Interval, state: &mut State) {
+    pub fn step<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &mut State<S>) {
         match self {
             Self::RungeKutta(scheme) => scheme.step(system, interval, state),
             Self::MidpointEuler(scheme) => scheme.step(system, interval, state),
@@ -106,8 +108,9 @@ impl Scheme {
 }
 
 /// `sum += k b`, entry by entry.
-fn accumulate(sum: &mut [f64], k: f64, b: &[f64]) {
+fn accumulate<S: Scalar>(sum: &mut [S], k: f64, b: &[S]) {
+    let k = S::constant(k);
     for (sum, b) in sum.iter_mut().zip(b) {
-        *sum += k * b;
+        *sum += k * *b;
     }
 }

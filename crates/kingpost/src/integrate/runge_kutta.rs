@@ -1,6 +1,7 @@
 //! Explicit Runge-Kutta schemes in Munthe-Kaas' form.
 
 use super::{Interval, Sizes, Stage, System, accumulate};
+use crate::scalar::Scalar;
 use crate::state::State;
 
 /// Butcher's tableau of an explicit scheme with at most four stages.
@@ -26,41 +27,41 @@ pub static RUNGE_KUTTA_4: Tableau = Tableau {
 
 /// Rates of one stage.
 #[derive(Clone, Debug)]
-struct Rates {
-    xi: Vec<f64>,
-    v: Vec<f64>,
-    s: Vec<f64>,
+struct Rates<S> {
+    xi: Vec<S>,
+    v: Vec<S>,
+    s: Vec<S>,
 }
 
 /// An explicit scheme with its working memory.
 #[derive(Clone, Debug)]
-pub struct ExplicitRungeKutta {
+pub struct ExplicitRungeKutta<S = f64> {
     tableau: &'static Tableau,
-    rates: Vec<Rates>,
+    rates: Vec<Rates<S>>,
     /// Local coordinates, and q, v, s of a stage.
-    xi: Vec<f64>,
-    q: Vec<f64>,
-    v: Vec<f64>,
-    s: Vec<f64>,
+    xi: Vec<S>,
+    q: Vec<S>,
+    v: Vec<S>,
+    s: Vec<S>,
 }
 
-impl ExplicitRungeKutta {
+impl<S: Scalar> ExplicitRungeKutta<S> {
     /// A scheme for arrays of these sizes.
     pub fn new(tableau: &'static Tableau, sizes: Sizes) -> Self {
         let Sizes { positions, velocities, extras } = sizes;
-        let rates = || Rates { xi: vec![0.0; velocities], v: vec![0.0; velocities], s: vec![0.0; extras] };
+        let rates = || Rates { xi: vec![S::ZERO; velocities], v: vec![S::ZERO; velocities], s: vec![S::ZERO; extras] };
         Self {
             tableau,
             rates: (0..tableau.stages).map(|_| rates()).collect(),
-            xi: vec![0.0; velocities],
-            q: vec![0.0; positions],
-            v: vec![0.0; velocities],
-            s: vec![0.0; extras],
+            xi: vec![S::ZERO; velocities],
+            q: vec![S::ZERO; positions],
+            v: vec![S::ZERO; velocities],
+            s: vec![S::ZERO; extras],
         }
     }
 
     /// Moves the state over the interval.
-    pub fn step<Y: System>(&mut self, system: &mut Y, interval: Interval, state: &mut State) {
+    pub fn step<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &mut State<S>) {
         let (tableau, h) = (self.tableau, interval.end_s - interval.start_s);
         self.evaluate(0, system, interval, state);
         for stage in 1..tableau.stages {
@@ -74,8 +75,8 @@ impl ExplicitRungeKutta {
     }
 
     /// q, v, s at `state` plus h times the weighted rates.
-    fn combine<Y: System>(&mut self, weights: &[f64], h: f64, system: &Y, state: &State) {
-        self.xi.fill(0.0);
+    fn combine<Y: System<S>>(&mut self, weights: &[f64], h: f64, system: &Y, state: &State<S>) {
+        self.xi.fill(S::ZERO);
         self.v.copy_from_slice(&state.v);
         self.s.copy_from_slice(&state.s);
         for (weight, rates) in weights.iter().zip(&self.rates).filter(|(weight, _)| **weight != 0.0) {
@@ -87,7 +88,7 @@ impl ExplicitRungeKutta {
     }
 
     /// Rates of a stage; the first stage stands at the state itself.
-    fn evaluate<Y: System>(&mut self, stage: usize, system: &mut Y, interval: Interval, state: &State) {
+    fn evaluate<Y: System<S>>(&mut self, stage: usize, system: &mut Y, interval: Interval, state: &State<S>) {
         let time_s = match self.tableau.c[stage] {
             1.0 => interval.end_s,
             c => interval.start_s + c * (interval.end_s - interval.start_s),
