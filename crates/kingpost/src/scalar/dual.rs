@@ -37,10 +37,11 @@ impl<const N: usize> Dual<N> {
         Self { value, derivative: self.derivative.map(|d| slope * d) }
     }
 
+    /// A function's value here, where its slopes in both arguments are known.
     #[inline]
-    fn combine(self, other: Self, value: f64, slope: impl Fn(f64, f64) -> f64) -> Self {
-        let derivative = core::array::from_fn(|k| slope(self.derivative[k], other.derivative[k]));
-        Self { value, derivative }
+    fn combine(self, other: Self, value: f64, slopes: [f64; 2]) -> Self {
+        let along = |k: usize| slopes[0] * self.derivative[k] + slopes[1] * other.derivative[k];
+        Self { value, derivative: core::array::from_fn(along) }
     }
 }
 
@@ -54,7 +55,7 @@ impl<const N: usize> Add for Dual<N> {
     type Output = Self;
     #[inline]
     fn add(self, b: Self) -> Self {
-        self.combine(b, self.value + b.value, |da, db| da + db)
+        self.combine(b, self.value + b.value, [1.0, 1.0])
     }
 }
 
@@ -62,7 +63,7 @@ impl<const N: usize> Sub for Dual<N> {
     type Output = Self;
     #[inline]
     fn sub(self, b: Self) -> Self {
-        self.combine(b, self.value - b.value, |da, db| da - db)
+        self.combine(b, self.value - b.value, [1.0, -1.0])
     }
 }
 
@@ -70,7 +71,7 @@ impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
     #[inline]
     fn mul(self, b: Self) -> Self {
-        self.combine(b, self.value * b.value, |da, db| da * b.value + self.value * db)
+        self.combine(b, self.value * b.value, [b.value, self.value])
     }
 }
 
@@ -79,7 +80,7 @@ impl<const N: usize> Div for Dual<N> {
     #[inline]
     fn div(self, b: Self) -> Self {
         let quotient = self.value / b.value;
-        self.combine(b, quotient, |da, db| (da - quotient * db) / b.value)
+        self.combine(b, quotient, [1.0 / b.value, -quotient / b.value])
     }
 }
 
@@ -126,8 +127,7 @@ impl<const N: usize> Scalar for Dual<N> {
 
     fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
-        let slope = |dy, dx| (x.value * dy - self.value * dx) / square;
-        self.combine(x, libm::atan2(self.value, x.value), slope)
+        self.combine(x, libm::atan2(self.value, x.value), [x.value / square, -self.value / square])
     }
 
     /// At zero the slope is infinite where the argument moves, and taken as zero where it rests.
