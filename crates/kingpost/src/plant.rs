@@ -7,6 +7,7 @@ use crate::forces::Force;
 use crate::integrate::{Interval, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{JointKind, Mode, Model};
+use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
 /// Which form of the equations of motion is solved.
@@ -21,28 +22,32 @@ pub enum Form {
 
 /// Model, forces and drives, with the working memory to evaluate them.
 #[derive(Clone, Debug)]
-pub struct Plant {
+pub struct Plant<S = f64> {
     /// The mechanical model.
-    pub model: Model,
+    pub model: Model<S>,
     /// Loads on bodies.
-    pub forces: Vec<Force>,
+    pub forces: Vec<Force<S>>,
     /// What moves the joints.
-    pub drives: Vec<Drive>,
-    /// The form of the equations.
-    pub form: Form,
+    pub drives: Vec<Drive<S>>,
+    form: Form,
+    /// How the matrices' form solves; that form is there for plain numbers only.
+    solve_matrices: Option<SolveMatrices<S>>,
     /// Whether the ledger's integrals are stepped.
     pub keeps_ledger: bool,
-    links: LinkKinematics,
-    bodies: Kinematics,
-    loads: Loads,
-    work: forward::Workspace,
-    inverse: InverseDynamics,
+    links: LinkKinematics<S>,
+    bodies: Kinematics<S>,
+    loads: Loads<S>,
+    work: forward::Workspace<S>,
+    inverse: InverseDynamics<S>,
     rotation_rates: Vec<bool>,
 }
 
-impl Plant {
-    /// Puts a plant together.
-    pub fn new(model: Model, forces: Vec<Force>, drives: Vec<Drive>) -> Self {
+/// Solves for the accelerations `v_dot` at q, v under the loads evaluated last.
+type SolveMatrices<S> = fn(&mut Plant<S>, q: &[S], v: &[S], v_dot: &mut [S]);
+
+impl<S: Scalar> Plant<S> {
+    /// Puts a plant together, its equations in the recursive form.
+    pub fn new(model: Model<S>, forces: Vec<Force<S>>, drives: Vec<Drive<S>>) -> Self {
         let rotation_rates = model
             .tree
             .nodes
@@ -63,12 +68,13 @@ impl Plant {
             forces,
             drives,
             form: Form::default(),
+            solve_matrices: None,
             keeps_ledger: true,
         }
     }
 
     /// Kinematics of the links and loads at a stage.
-    fn evaluate_loads(&mut self, at: Stage<'_>) {
+    fn evaluate_loads(&mut self, at: Stage<'_, S>) {
         let middle_s = 0.5 * (at.interval.start_s + at.interval.end_s);
         let clock = Clock { time_s: at.time_s, middle_s };
         self.links.update(&self.model, at.q, at.v);
@@ -82,20 +88,11 @@ impl Plant {
     }
 
     /// Accelerations of all coordinates under the loads that were evaluated last.
-    fn accelerate(&mut self, q: &[f64], v: &[f64], v_dot: &mut [f64]) {
-        match self.form {
-            Form::Recursive => {
-                forward::forward_dynamics(&self.model, &self.links, v, &self.loads, &mut self.work, v_dot);
-            }
-            Form::MovingFrame(variation) => {
-                let matrices = MovingFrame::assemble(&self.model, q, v, &self.loads, variation);
-                let given = |(mode, a): (&Mode, &f64)| if *mode == Mode::Prescribed { *a } else { 0.0 };
-                let accelerations = self.model.modes.iter().zip(&self.loads.acceleration).map(given);
-                v_dot.iter_mut().zip(accelerations).for_each(|(v_dot, given)| *v_dot = given);
-                let solved = matrices.acceleration();
-                for (k, &i) in matrices.free.iter().enumerate() {
-                    v_dot[i] = solved.as_ref().map_or(f64::NAN, |a| a[k]);
-                }
+    fn accelerate(&mut self, q: &[S], v: &[S], v_dot: &mut [S]) {
+        match self.solve_matrices {
+            None => forward::forward_dynamics(&self.model, &self.links, v, &self.loads, &mut self.work, v_dot),
+            Some(solve) => {
+                solve(self, q, v, v_dot);
                 self.bodies.update(&self.model.tree, q, v);
                 self.inverse.update(&self.model, &self.bodies, v, v_dot, &self.loads);
             }
@@ -103,7 +100,7 @@ impl Plant {
     }
 
     /// Every quantity of the bodies at a state, for the results.
-    pub fn observe(&mut self, at: Stage<'_>, v_dot: &mut [f64]) -> Observation<'_> {
+    pub fn observe(&mut self, at: Stage<'_, S>, v_dot: &mut [S]) -> Observation<'_, S> {
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
         self.bodies.update(&self.model.tree, at.q, at.v);
@@ -113,9 +110,74 @@ impl Plant {
     }
 
     /// Frames and twists of the bodies at a state.
-    pub fn body_kinematics(&mut self, q: &[f64], v: &[f64]) -> &Kinematics {
+    pub fn body_kinematics(&mut self, q: &[S], v: &[S]) -> &Kinematics<S> {
         self.bodies.update(&self.model.tree, q, v);
         &self.bodies
+    }
+
+    /// Accelerations of all coordinates, with `tau` (by coordinate, N or N m) beside the plant's own loads.
+    pub fn acceleration(&mut self, at: Stage<'_, S>, tau: Option<&[S]>, v_dot: &mut [S]) {
+        self.evaluate_loads(at);
+        for (force, tau) in self.loads.force.iter_mut().zip(tau.unwrap_or_default()) {
+            *force += *tau;
+        }
+        self.accelerate(at.q, at.v, v_dot);
+    }
+
+    /// Gives prescribed coordinates the rate that they have at the start of an interval.
+    pub fn prescribe(&self, interval: Interval, v: &mut [S]) {
+        let middle_s = 0.5 * (interval.start_s + interval.end_s);
+        for drive in &self.drives {
+            if let Drive::Prescribed(motion) = drive {
+                v[motion.coordinate] = motion.rate_at(Clock { time_s: interval.start_s, middle_s });
+            }
+        }
+    }
+
+    /// Energy and momentum at a state.
+    pub fn totals(&mut self, q: &[S], v: &[S]) -> Totals<S> {
+        self.links.update(&self.model, q, v);
+        self.bodies.update(&self.model.tree, q, v);
+        self.totals_here(q)
+    }
+
+    /// The same, where the kinematics stands.
+    fn totals_here(&self, q: &[S]) -> Totals<S> {
+        let Self { model, links, bodies, .. } = self;
+        let centre = ledger::reference_point(model, q);
+        let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
+        Totals {
+            kinetic_energy: energy::kinetic_energy(&model.tree, bodies),
+            potential_energy: self.forces.iter().fold(S::ZERO, |sum, force| sum + force.potential_energy(model, links)),
+            linear_momentum,
+            angular_momentum,
+        }
+    }
+
+    /// The ledger's entries for a run that begins here.
+    pub fn open_ledger(&mut self, q: &[S], v: &[S]) -> Vec<S> {
+        let mut s = vec![S::ZERO; ledger::COUNT];
+        let totals = self.totals(q, v);
+        s[ledger::INITIAL_ENERGY] = totals.kinetic_energy + totals.potential_energy;
+        totals.linear_momentum.write_to(&mut s[ledger::LINEAR_MOMENTUM..]);
+        totals.angular_momentum.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
+        s
+    }
+}
+
+impl Plant {
+    /// Chooses the form of the equations of motion.
+    pub fn set_form(&mut self, form: Form) {
+        self.form = form;
+        self.solve_matrices = match form {
+            Form::Recursive => None,
+            Form::MovingFrame(Variation::Restricted) => {
+                Some(|plant, q, v, v_dot| plant.solve(q, v, Variation::Restricted, v_dot))
+            }
+            Form::MovingFrame(Variation::Naive) => {
+                Some(|plant, q, v, v_dot| plant.solve(q, v, Variation::Naive, v_dot))
+            }
+        };
     }
 
     /// The loads and the matrices of the method at a state.
@@ -128,82 +190,45 @@ impl Plant {
         MovingFrame::assemble(&self.model, at.q, at.v, &self.loads, variation)
     }
 
-    /// Accelerations of all coordinates, with `tau` (by coordinate, N or N m) beside the plant's own loads.
-    pub fn acceleration(&mut self, at: Stage<'_>, tau: Option<&[f64]>, v_dot: &mut [f64]) {
-        self.evaluate_loads(at);
-        for (force, tau) in self.loads.force.iter_mut().zip(tau.unwrap_or_default()) {
-            *force += tau;
+    /// Accelerations by the matrices; not a number where M* is singular.
+    fn solve(&self, q: &[f64], v: &[f64], variation: Variation, v_dot: &mut [f64]) {
+        let matrices = MovingFrame::assemble(&self.model, q, v, &self.loads, variation);
+        let given = |(mode, a): (&Mode, &f64)| if *mode == Mode::Prescribed { *a } else { 0.0 };
+        let accelerations = self.model.modes.iter().zip(&self.loads.acceleration).map(given);
+        v_dot.iter_mut().zip(accelerations).for_each(|(v_dot, given)| *v_dot = given);
+        let solved = matrices.acceleration();
+        for (k, &i) in matrices.free.iter().enumerate() {
+            v_dot[i] = solved.as_ref().map_or(f64::NAN, |a| a[k]);
         }
-        self.accelerate(at.q, at.v, v_dot);
-    }
-
-    /// Gives prescribed coordinates the rate that they have at the start of an interval.
-    pub fn prescribe(&self, interval: Interval, v: &mut [f64]) {
-        let middle_s = 0.5 * (interval.start_s + interval.end_s);
-        for drive in &self.drives {
-            if let Drive::Prescribed(motion) = drive {
-                v[motion.coordinate] = motion.rate_at(Clock { time_s: interval.start_s, middle_s });
-            }
-        }
-    }
-
-    /// Energy and momentum at a state.
-    pub fn totals(&mut self, q: &[f64], v: &[f64]) -> Totals {
-        self.links.update(&self.model, q, v);
-        self.bodies.update(&self.model.tree, q, v);
-        self.totals_here(q)
-    }
-
-    /// The same, where the kinematics stands.
-    fn totals_here(&self, q: &[f64]) -> Totals {
-        let Self { model, links, bodies, .. } = self;
-        let centre = ledger::reference_point(model, q);
-        let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
-        Totals {
-            kinetic_energy: energy::kinetic_energy(&model.tree, bodies),
-            potential_energy: self.forces.iter().map(|force| force.potential_energy(model, links)).sum(),
-            linear_momentum,
-            angular_momentum,
-        }
-    }
-
-    /// The ledger's entries for a run that begins here.
-    pub fn open_ledger(&mut self, q: &[f64], v: &[f64]) -> Vec<f64> {
-        let mut s = vec![0.0; ledger::COUNT];
-        let totals = self.totals(q, v);
-        s[ledger::INITIAL_ENERGY] = totals.kinetic_energy + totals.potential_energy;
-        totals.linear_momentum.write_to(&mut s[ledger::LINEAR_MOMENTUM..]);
-        totals.angular_momentum.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
-        s
     }
 }
 
 /// Borrowed results of [`Plant::observe`].
-pub struct Observation<'a> {
+pub struct Observation<'a, S = f64> {
     /// The model.
-    pub model: &'a Model,
+    pub model: &'a Model<S>,
     /// Kinematics of `model.tree`.
-    pub bodies: &'a Kinematics,
+    pub bodies: &'a Kinematics<S>,
     /// Accelerations and joint wrenches of the bodies.
-    pub inverse: &'a InverseDynamics,
+    pub inverse: &'a InverseDynamics<S>,
     /// Energy and momentum.
-    pub totals: Totals,
+    pub totals: Totals<S>,
 }
 
 /// Energy and momentum of all bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Totals {
+pub struct Totals<S = f64> {
     /// J.
-    pub kinetic_energy: f64,
+    pub kinetic_energy: S,
     /// J.
-    pub potential_energy: f64,
+    pub potential_energy: S,
     /// kg m/s, world.
-    pub linear_momentum: Vector3,
+    pub linear_momentum: Vector3<S>,
     /// N m s about [`ledger::reference_point`], world.
-    pub angular_momentum: Vector3,
+    pub angular_momentum: Vector3<S>,
 }
 
-impl System for Plant {
+impl<S: Scalar> System<S> for Plant<S> {
     fn sizes(&self) -> Sizes {
         Sizes {
             positions: self.model.position_count,
@@ -212,7 +237,7 @@ impl System for Plant {
         }
     }
 
-    fn rates(&mut self, at: Stage<'_>, v_dot: &mut [f64], s_dot: &mut [f64]) {
+    fn rates(&mut self, at: Stage<'_, S>, v_dot: &mut [S], s_dot: &mut [S]) {
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
         if !self.keeps_ledger {
@@ -233,7 +258,7 @@ impl System for Plant {
             Form::MovingFrame(_) => entries.rates(
                 |i| {
                     let wrench = inverse.joint_wrench[i];
-                    let along_axis = tree.nodes[i].kind.axis_twist().map_or(0.0, |axis| wrench.dot(axis));
+                    let along_axis = tree.nodes[i].kind.axis_twist().map_or(S::ZERO, |axis| wrench.dot(axis));
                     JointLoad { frame: bodies.world[i], wrench, along_axis }
                 },
                 s_dot,
@@ -241,11 +266,11 @@ impl System for Plant {
         }
     }
 
-    fn retract(&self, q: &[f64], xi: &[f64], out: &mut [f64]) {
+    fn retract(&self, q: &[S], xi: &[S], out: &mut [S]) {
         self.model.links.retract(q, xi, out);
     }
 
-    fn dexp_inverse(&self, xi: &[f64], v: &[f64], out: &mut [f64]) {
+    fn dexp_inverse(&self, xi: &[S], v: &[S], out: &mut [S]) {
         self.model.links.dexp_inverse(xi, v, out);
     }
 

@@ -3,7 +3,9 @@
 use crate::ledger;
 use crate::model::{JointKind, Model};
 use crate::plant::Observation;
-use crate::spatial::{Frame, Quaternion, Vector3, Wrench, roll_pitch_yaw};
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Quaternion, Twist, Vector3, Wrench, roll_pitch_yaw};
+use core::marker::PhantomData;
 use serde::Serialize;
 
 /// A dimension of a channel.
@@ -62,26 +64,26 @@ pub struct Channel {
 }
 
 /// Everything that a row is computed from.
-pub struct Sample<'a> {
+pub struct Sample<'a, S = f64> {
     /// Time, s.
     pub time_s: f64,
     /// Positions.
-    pub q: &'a [f64],
+    pub q: &'a [S],
     /// Velocities.
-    pub v: &'a [f64],
+    pub v: &'a [S],
     /// The ledger's entries.
-    pub s: &'a [f64],
+    pub s: &'a [S],
     /// Bodies, reactions and loads.
-    pub observed: Observation<'a>,
+    pub observed: Observation<'a, S>,
 }
 
-struct Entry {
+struct Entry<S> {
     variable: &'static str,
     long_name: &'static str,
     unit: Unit,
     frame: Components,
     dims: &'static [Dimension],
-    write: fn(&Sample<'_>, &mut Vec<f64>),
+    write: fn(&Sample<'_, S>, &mut Vec<S>),
 }
 
 enum Unit {
@@ -90,56 +92,60 @@ enum Unit {
     Coordinate([&'static str; 3]),
 }
 
-use Components::{Body as InBody, Joint as InJoint, None as Scalar, World};
+use Components::{Body as InBody, Joint as InJoint, None as Number, World};
 use Dimension::{Axis, Body, Component, Coordinate, Joint, Point, Quaternion as QuaternionDim};
 use Unit::{Coordinate as By, Plain};
 
-/// Every channel: the single source of names, units and frames.
+struct Table<S>(PhantomData<S>);
+
 #[rustfmt::skip]
-static TABLE: [Entry; 26] = [
-    Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Scalar, dims: &[], write: |x, out| out.push(x.time_s) },
-    Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
-        write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
-    Entry { variable: "orientation", long_name: "unit quaternion from body to world axes", unit: Plain("1"), frame: World, dims: &[Body, QuaternionDim],
-        write: |x, out| each_frame(x, out, |frame, out| out.extend(Quaternion::from_matrix(&frame.rotation).0)) },
-    Entry { variable: "roll", long_name: "roll angle, positive port side up", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 0) },
-    Entry { variable: "pitch", long_name: "pitch angle, positive bow down", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 1) },
-    Entry { variable: "yaw", long_name: "yaw angle, positive bow to port", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 2) },
-    Entry { variable: "velocity", long_name: "velocity of the centre of mass", unit: Plain("m/s"), frame: World, dims: &[Body, Axis], write: velocity },
-    Entry { variable: "angular_velocity", long_name: "angular velocity: roll, pitch and yaw rate", unit: Plain("rad/s"), frame: InBody, dims: &[Body, Axis],
-        write: |x, out| out.extend(x.observed.bodies.twist.iter().flat_map(|twist| twist.angular.0)) },
-    Entry { variable: "acceleration", long_name: "acceleration of the centre of mass", unit: Plain("m/s^2"), frame: World, dims: &[Body, Axis], write: acceleration },
-    Entry { variable: "joint_position", long_name: "joint angle or extension", unit: By(["rad", "m", "rad or m"]), frame: Scalar, dims: &[Coordinate],
-        write: |x, out| each_coordinate(x, out, |x, i| x.q[x.observed.model.tree.nodes[i].positions]) },
-    Entry { variable: "joint_velocity", long_name: "joint rate", unit: By(["rad/s", "m/s", "rad/s or m/s"]), frame: Scalar, dims: &[Coordinate],
-        write: |x, out| each_coordinate(x, out, |x, i| x.v[x.observed.model.tree.nodes[i].velocities]) },
-    Entry { variable: "joint_force", long_name: "force or moment that the joint carries along its coordinate: drive, friction, hold", unit: By(["N m", "N", "N m or N"]), frame: Scalar,
-        dims: &[Coordinate], write: |x, out| each_coordinate(x, out, joint_force) },
-    Entry { variable: "joint_reaction", long_name: "wrench of the joint on the child, at the joint, in the child's axes, drive included", unit: Plain("N, N m"), frame: InJoint,
-        dims: &[Joint, Component], write: joint_reaction },
-    Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
-        write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
-    Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
-        write: |x, out| each_point(x, out, |frame, twist, p| frame.rotation * (twist.linear + twist.angular.cross(p))) },
-    Entry { variable: "kinetic_energy", long_name: "kinetic energy", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.observed.totals.kinetic_energy) },
-    Entry { variable: "potential_energy", long_name: "potential energy", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.observed.totals.potential_energy) },
-    Entry { variable: "work_done", long_name: "work by drives and by everything outside", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(work_done(x)) },
-    Entry { variable: "work_by_drives", long_name: "work by motors, servos and prescribed motions", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
-    Entry { variable: "work_by_outside", long_name: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
-    Entry { variable: "energy_dissipated", long_name: "energy turned into heat", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
-    Entry { variable: "linear_momentum", long_name: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], write: |x, out| out.extend(x.observed.totals.linear_momentum.0) },
-    Entry { variable: "angular_momentum", long_name: "angular momentum about the world's origin, or the held centre", unit: Plain("N m s"), frame: World, dims: &[Axis],
-        write: |x, out| out.extend(x.observed.totals.angular_momentum.0) },
-    Entry { variable: "energy_error", long_name: "energy less what work and heat leave of it", unit: Plain("J"), frame: Scalar, dims: &[], write: |x, out| out.push(energy_error(x)) },
-    Entry { variable: "momentum_error", long_name: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Scalar, dims: &[], write: |x, out| out.push(momentum_error(x)) },
-    Entry { variable: "linear_momentum_error", long_name: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Scalar, dims: &[],
-        write: |x, out| out.push((x.observed.totals.linear_momentum - Vector3::from_slice(&x.s[ledger::LINEAR_MOMENTUM..])).norm()) },
-];
+impl<S: Scalar> Table<S> {
+    /// Every channel: the single source of names, units and frames.
+    const ENTRIES: [Entry<S>; 26] = [
+        Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
+        Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
+            write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
+        Entry { variable: "orientation", long_name: "unit quaternion from body to world axes", unit: Plain("1"), frame: World, dims: &[Body, QuaternionDim],
+            write: |x, out| each_frame(x, out, |frame, out| out.extend(Quaternion::from_matrix(&frame.rotation).0)) },
+        Entry { variable: "roll", long_name: "roll angle, positive port side up", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 0) },
+        Entry { variable: "pitch", long_name: "pitch angle, positive bow down", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 1) },
+        Entry { variable: "yaw", long_name: "yaw angle, positive bow to port", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 2) },
+        Entry { variable: "velocity", long_name: "velocity of the centre of mass", unit: Plain("m/s"), frame: World, dims: &[Body, Axis], write: velocity },
+        Entry { variable: "angular_velocity", long_name: "angular velocity: roll, pitch and yaw rate", unit: Plain("rad/s"), frame: InBody, dims: &[Body, Axis],
+            write: |x, out| out.extend(x.observed.bodies.twist.iter().flat_map(|twist| twist.angular.0)) },
+        Entry { variable: "acceleration", long_name: "acceleration of the centre of mass", unit: Plain("m/s^2"), frame: World, dims: &[Body, Axis], write: acceleration },
+        Entry { variable: "joint_position", long_name: "joint angle or extension", unit: By(["rad", "m", "rad or m"]), frame: Number, dims: &[Coordinate],
+            write: |x, out| each_coordinate(x, out, |x, i| x.q[x.observed.model.tree.nodes[i].positions]) },
+        Entry { variable: "joint_velocity", long_name: "joint rate", unit: By(["rad/s", "m/s", "rad/s or m/s"]), frame: Number, dims: &[Coordinate],
+            write: |x, out| each_coordinate(x, out, |x, i| x.v[x.observed.model.tree.nodes[i].velocities]) },
+        Entry { variable: "joint_force", long_name: "force or moment that the joint carries along its coordinate: drive, friction, hold", unit: By(["N m", "N", "N m or N"]), frame: Number,
+            dims: &[Coordinate], write: |x, out| each_coordinate(x, out, joint_force) },
+        Entry { variable: "joint_reaction", long_name: "wrench of the joint on the child, at the joint, in the child's axes, drive included", unit: Plain("N, N m"), frame: InJoint,
+            dims: &[Joint, Component], write: joint_reaction },
+        Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
+            write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
+        Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
+            write: |x, out| each_point(x, out, |frame, twist, p| frame.rotation * (twist.linear + twist.angular.cross(p))) },
+        Entry { variable: "kinetic_energy", long_name: "kinetic energy", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.kinetic_energy) },
+        Entry { variable: "potential_energy", long_name: "potential energy", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.potential_energy) },
+        Entry { variable: "work_done", long_name: "work by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(work_done(x)) },
+        Entry { variable: "work_by_drives", long_name: "work by motors, servos and prescribed motions", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
+        Entry { variable: "work_by_outside", long_name: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
+        Entry { variable: "energy_dissipated", long_name: "energy turned into heat", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
+        Entry { variable: "linear_momentum", long_name: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], write: |x, out| out.extend(x.observed.totals.linear_momentum.0) },
+        Entry { variable: "angular_momentum", long_name: "angular momentum about the world's origin, or the held centre", unit: Plain("N m s"), frame: World, dims: &[Axis],
+            write: |x, out| out.extend(x.observed.totals.angular_momentum.0) },
+        Entry { variable: "energy_error", long_name: "energy less what work and heat leave of it", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(energy_error(x)) },
+        Entry { variable: "momentum_error", long_name: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Number, dims: &[], write: |x, out| out.push(momentum_error(x)) },
+        Entry { variable: "linear_momentum_error", long_name: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Number, dims: &[],
+            write: |x, out| out.push((x.observed.totals.linear_momentum - Vector3::from_slice(&x.s[ledger::LINEAR_MOMENTUM..])).norm()) },
+    ];
+}
 
 /// The channels of a model, in the order of a row.
-pub fn channels(model: &Model) -> Vec<Channel> {
+pub fn channels<S: Scalar>(model: &Model<S>) -> Vec<Channel> {
     let mut offset = 0;
-    let place = |entry: &Entry| {
+    let place = |entry: &Entry<S>| {
         let labels: Vec<Vec<String>> = entry.dims.iter().map(|dimension| dimension.labels(model)).collect();
         let len = labels.iter().map(Vec::len).product();
         let channel = Channel {
@@ -155,18 +161,18 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         offset += len;
         channel
     };
-    TABLE.iter().map(place).collect()
+    Table::ENTRIES.iter().map(place).collect()
 }
 
 /// Appends one row.
-pub fn write_row(sample: &Sample<'_>, out: &mut Vec<f64>) {
-    for entry in &TABLE {
+pub fn write_row<S: Scalar>(sample: &Sample<'_, S>, out: &mut Vec<S>) {
+    for entry in &Table::ENTRIES {
         (entry.write)(sample, out);
     }
 }
 
 impl Dimension {
-    fn labels(self, model: &Model) -> Vec<String> {
+    fn labels<S: Scalar>(self, model: &Model<S>) -> Vec<String> {
         let fixed = |labels: &[&str]| labels.iter().map(|s| (*s).to_owned()).collect();
         match self {
             Body => model.bodies.iter().map(|body| body.name.clone()).collect(),
@@ -176,7 +182,7 @@ impl Dimension {
             Joint => model.joints.iter().map(|joint| joint.name.clone()).collect(),
             Component => fixed(&["force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"]),
             Point => {
-                let names = |body: &crate::model::Body| {
+                let names = |body: &crate::model::Body<S>| {
                     body.points.iter().map(|(point, _)| format!("{}.{point}", body.name)).collect::<Vec<_>>()
                 };
                 model.bodies.iter().flat_map(names).collect()
@@ -186,7 +192,7 @@ impl Dimension {
 }
 
 impl Unit {
-    fn of(&self, model: &Model) -> &'static str {
+    fn of<S: Scalar>(&self, model: &Model<S>) -> &'static str {
         match self {
             Plain(unit) => unit,
             By([rotation, translation, both]) => {
@@ -202,23 +208,27 @@ impl Unit {
 }
 
 /// Joints with one degree of freedom.
-fn axis_joints(model: &Model) -> impl Iterator<Item = usize> + '_ {
+fn axis_joints<S: Scalar>(model: &Model<S>) -> impl Iterator<Item = usize> + '_ {
     (0..model.joints.len()).filter(|&i| model.joints[i].kind.axis_twist().is_some())
 }
 
-fn each_frame(x: &Sample<'_>, out: &mut Vec<f64>, write: impl Fn(&Frame, &mut Vec<f64>)) {
+fn each_frame<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>, write: impl Fn(&Frame<S>, &mut Vec<S>)) {
     x.observed.bodies.world.iter().for_each(|frame| write(frame, out));
 }
 
-fn angle(x: &Sample<'_>, out: &mut Vec<f64>, which: usize) {
+fn angle<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>, which: usize) {
     each_frame(x, out, |frame, out| out.push(roll_pitch_yaw(&frame.rotation)[which]));
 }
 
-fn each_coordinate(x: &Sample<'_>, out: &mut Vec<f64>, value: impl Fn(&Sample<'_>, usize) -> f64) {
+fn each_coordinate<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>, value: impl Fn(&Sample<'_, S>, usize) -> S) {
     out.extend(axis_joints(x.observed.model).map(|i| value(x, i)));
 }
 
-fn each_point(x: &Sample<'_>, out: &mut Vec<f64>, value: impl Fn(&Frame, &crate::spatial::Twist, Vector3) -> Vector3) {
+fn each_point<S: Scalar>(
+    x: &Sample<'_, S>,
+    out: &mut Vec<S>,
+    value: impl Fn(&Frame<S>, &Twist<S>, Vector3<S>) -> Vector3<S>,
+) {
     let bodies = x.observed.bodies;
     for (i, body) in x.observed.model.bodies.iter().enumerate() {
         for (_, point) in &body.points {
@@ -227,12 +237,12 @@ fn each_point(x: &Sample<'_>, out: &mut Vec<f64>, value: impl Fn(&Frame, &crate:
     }
 }
 
-fn velocity(x: &Sample<'_>, out: &mut Vec<f64>) {
+fn velocity<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>) {
     let bodies = x.observed.bodies;
     out.extend(bodies.world.iter().zip(&bodies.twist).flat_map(|(frame, twist)| (frame.rotation * twist.linear).0));
 }
 
-fn acceleration(x: &Sample<'_>, out: &mut Vec<f64>) {
+fn acceleration<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>) {
     let Observation { bodies, inverse, .. } = &x.observed;
     for (i, frame) in bodies.world.iter().enumerate() {
         let twist = &bodies.twist[i];
@@ -241,12 +251,12 @@ fn acceleration(x: &Sample<'_>, out: &mut Vec<f64>) {
     }
 }
 
-fn joint_force(x: &Sample<'_>, joint: usize) -> f64 {
+fn joint_force<S: Scalar>(x: &Sample<'_, S>, joint: usize) -> S {
     let axis = x.observed.model.joints[joint].kind.axis_twist();
-    axis.map_or(0.0, |axis| x.observed.inverse.joint_wrench[joint].dot(axis))
+    axis.map_or(S::ZERO, |axis| x.observed.inverse.joint_wrench[joint].dot(axis))
 }
 
-fn joint_reaction(x: &Sample<'_>, out: &mut Vec<f64>) {
+fn joint_reaction<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>) {
     for (joint, Wrench { moment, force }) in x.observed.model.joints.iter().zip(&x.observed.inverse.joint_wrench) {
         let from_joint_to_centre = joint.kind.to_child();
         out.extend(force.0);
@@ -254,15 +264,15 @@ fn joint_reaction(x: &Sample<'_>, out: &mut Vec<f64>) {
     }
 }
 
-fn work_done(x: &Sample<'_>) -> f64 {
+fn work_done<S: Scalar>(x: &Sample<'_, S>) -> S {
     x.s[ledger::WORK_BY_DRIVES] + x.s[ledger::WORK_BY_OUTSIDE]
 }
 
-fn energy_error(x: &Sample<'_>) -> f64 {
+fn energy_error<S: Scalar>(x: &Sample<'_, S>) -> S {
     let expected = x.s[ledger::INITIAL_ENERGY] + work_done(x) - x.s[ledger::ENERGY_DISSIPATED];
     x.observed.totals.kinetic_energy + x.observed.totals.potential_energy - expected
 }
 
-fn momentum_error(x: &Sample<'_>) -> f64 {
+fn momentum_error<S: Scalar>(x: &Sample<'_, S>) -> S {
     (x.observed.totals.angular_momentum - Vector3::from_slice(&x.s[ledger::ANGULAR_MOMENTUM..])).norm()
 }

@@ -2,6 +2,7 @@
 
 use crate::drives::Drive;
 use crate::integrate::Interval;
+use crate::scalar::Scalar;
 
 /// Edges of all drives, s, in order.
 #[derive(Clone, Debug)]
@@ -12,7 +13,7 @@ pub(super) struct Edges {
 }
 
 impl Edges {
-    pub(super) fn new(drives: &[Drive], step_s: f64) -> Self {
+    pub(super) fn new<S: Scalar>(drives: &[Drive<S>], step_s: f64) -> Self {
         let mut times_s: Vec<f64> = drives.iter().flat_map(|drive| drive.edges()).copied().collect();
         times_s.sort_by(f64::total_cmp);
         times_s.dedup();

@@ -12,6 +12,7 @@ use crate::integrate::{Scheme, Stage, System};
 use crate::model::{Mode, Model};
 use crate::plant::Plant;
 use crate::results::{self, Channel, Sample};
+use crate::scalar::Scalar;
 use crate::spatial::{Frame, Quaternion};
 use crate::state::{SnapshotError, State};
 use edges::Edges;
@@ -22,9 +23,9 @@ pub const PROGRESS_STEPS: u64 = 10_000;
 
 /// Recorded rows, and how the run ended.
 #[derive(Clone, Debug)]
-pub struct Run {
+pub struct Run<S = f64> {
     /// Rows one after another; the columns are those of [`Simulation::channels`].
-    pub rows: Vec<f64>,
+    pub rows: Vec<S>,
     /// Entries in a row.
     pub columns: usize,
     /// An error leaves the rows that came before it.
@@ -42,34 +43,34 @@ pub struct Run {
 /// # Ok::<(), kingpost::scenario::ScenarioError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Simulation {
-    plant: Plant,
-    scheme: Scheme,
+pub struct Simulation<S = f64> {
+    plant: Plant<S>,
+    scheme: Scheme<S>,
     settings: Settings,
     inputs: Vec<Input>,
     channels: Vec<Channel>,
-    state: State,
-    initial: State,
+    state: State<S>,
+    initial: State<S>,
     /// The state before the step under way: what is kept when that step diverges.
-    last_good: State,
-    v_dot: Vec<f64>,
+    last_good: State<S>,
+    v_dot: Vec<S>,
     edges: Edges,
     /// Of the setup: a snapshot carries it.
     fingerprint: u64,
 }
 
-impl Simulation {
-    /// Puts a simulation together at time 0.
-    pub fn new(setup: Setup) -> Self {
+impl<S: Scalar> Simulation<S> {
+    /// Puts a simulation together at time 0, its equations in the recursive form, whatever the
+    /// settings say: the other forms are for plain numbers.
+    pub fn recursive(setup: Setup<S>) -> Self {
         let fingerprint = setup.fingerprint();
         let Setup { model, forces, drives, inputs, settings, q, v } = setup;
         let edges = Edges::new(&drives, settings.step_s);
         let channels = results::channels(&model);
         let mut plant = Plant::new(model, forces, drives);
-        plant.form = settings.form;
-        let d = inputs.iter().map(|input| input.value).collect();
+        let d = inputs.iter().map(|input| S::constant(input.value)).collect();
         let s = plant.open_ledger(&q, &v);
-        let v_dot = vec![0.0; v.len()];
+        let v_dot = vec![S::ZERO; v.len()];
         let state = State { steps: 0, q, v, s, d, memory: Vec::new() };
         let scheme = settings.scheme.scheme(plant.sizes());
         let (initial, last_good) = (state.clone(), state.clone());
@@ -87,12 +88,12 @@ impl Simulation {
     }
 
     /// The mechanical model.
-    pub fn model(&self) -> &Model {
+    pub fn model(&self) -> &Model<S> {
         &self.plant.model
     }
 
     /// The complete state.
-    pub fn state(&self) -> &State {
+    pub fn state(&self) -> &State<S> {
         &self.state
     }
 
@@ -134,11 +135,11 @@ impl Simulation {
         for (body, node) in self.plant.model.tree.nodes.iter().enumerate() {
             let rates = &self.state.v[node.velocities..][..node.kind.velocity_count()];
             let positions = &self.state.q[node.positions..][..node.kind.position_count()];
-            let fast = rates.iter().position(|rate| rate.is_nan() || rate.abs() > limit);
-            let lost = positions.iter().position(|x| !x.is_finite());
+            let fast = rates.iter().position(|rate| !rate.all(|rate| rate.abs() <= limit));
+            let lost = positions.iter().position(|x| !x.all(f64::is_finite));
             let (quantity, i, value) = match (fast, lost) {
-                (Some(i), _) => ("rate", i, rates[i]),
-                (None, Some(i)) => ("position", i.min(rates.len() - 1), positions[i]),
+                (Some(i), _) => ("rate", i, rates[i].value()),
+                (None, Some(i)) => ("position", i.min(rates.len() - 1), positions[i].value()),
                 (None, None) => continue,
             };
             return Err(RunError::Diverged {
@@ -156,7 +157,7 @@ impl Simulation {
     /// Steps to the end of the run, recording a row now, then at each recording time, and at the
     /// end. `progress` hears the time after each row, and at least every [`PROGRESS_STEPS`] steps;
     /// it may stop the run by returning false.
-    pub fn run(&mut self, mut progress: impl FnMut(f64) -> bool) -> Run {
+    pub fn run(&mut self, mut progress: impl FnMut(f64) -> bool) -> Run<S> {
         let Settings { step_s, duration_s, record_every_s, .. } = self.settings;
         let last = libm::ceil(duration_s / step_s - 1e-9) as u64;
         let columns = self.columns();
@@ -168,7 +169,7 @@ impl Simulation {
             let target = due.clamp(self.state.steps + 1, last);
             let steps = (target - self.state.steps).min(PROGRESS_STEPS);
             let status = self.step(steps as usize);
-            let written = rows[rows.len() - columns];
+            let written = rows[rows.len() - columns].value();
             if self.state.steps == target || (status.is_err() && written < self.time_s()) {
                 self.write_row(&mut rows);
                 recorded = libm::floor(self.time_s() / record_every_s + 1e-9).max(recorded + 1.0);
@@ -194,11 +195,21 @@ impl Simulation {
     }
 
     /// Appends the values of all channels now.
-    pub fn write_row(&mut self, out: &mut Vec<f64>) {
+    pub fn write_row(&mut self, out: &mut Vec<S>) {
         let State { q, v, s, .. } = &self.state;
         let at = now(&self.settings, &self.edges, &self.state);
         let observed = self.plant.observe(at, &mut self.v_dot);
         results::write_row(&Sample { time_s: at.time_s, q, v, s, observed }, out);
+    }
+}
+
+impl Simulation {
+    /// Puts a simulation together at time 0.
+    pub fn new(setup: Setup) -> Self {
+        let form = setup.settings.form;
+        let mut simulation = Self::recursive(setup);
+        simulation.plant.set_form(form);
+        simulation
     }
 
     /// Position (m) and unit quaternion (w, x, y, z) of every body, world; seven numbers a body.
@@ -325,7 +336,7 @@ impl Simulation {
 }
 
 /// Where the right-hand side stands between two steps: at the start of the next interval.
-fn now<'a>(settings: &Settings, edges: &Edges, state: &'a State) -> Stage<'a> {
+fn now<'a, S>(settings: &Settings, edges: &Edges, state: &'a State<S>) -> Stage<'a, S> {
     let time_s = state.steps as f64 * settings.step_s;
     let interval = edges.interval(time_s, time_s + settings.step_s);
     Stage { time_s, interval, q: &state.q, v: &state.v, s: &state.s, d: &state.d }

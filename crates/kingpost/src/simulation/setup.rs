@@ -5,6 +5,7 @@ use crate::forces::Force;
 use crate::integrate::{Scheme, Sizes};
 use crate::model::Model;
 use crate::plant::Form;
+use crate::scalar::Scalar;
 use serde::Serialize;
 
 /// The integration schemes by name.
@@ -52,24 +53,24 @@ pub struct Input {
 
 /// Everything that a simulation is made of.
 #[derive(Clone, Debug)]
-pub struct Setup {
+pub struct Setup<S = f64> {
     /// The mechanical model.
-    pub model: Model,
+    pub model: Model<S>,
     /// Loads on bodies.
-    pub forces: Vec<Force>,
+    pub forces: Vec<Force<S>>,
     /// What moves the joints.
-    pub drives: Vec<Drive>,
+    pub drives: Vec<Drive<S>>,
     /// The table of inputs with their first values.
     pub inputs: Vec<Input>,
     /// Time stepping and recording.
     pub settings: Settings,
     /// Initial positions.
-    pub q: Vec<f64>,
+    pub q: Vec<S>,
     /// Initial velocities.
-    pub v: Vec<f64>,
+    pub v: Vec<S>,
 }
 
-impl Setup {
+impl<S: Scalar> Setup<S> {
     /// A number that two setups share only if they are the same, by FNV-1a over every field.
     pub fn fingerprint(&self) -> u64 {
         let byte = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
@@ -79,7 +80,7 @@ impl Setup {
 
 impl SchemeName {
     /// The scheme with its working memory.
-    pub fn scheme(self, sizes: Sizes) -> Scheme {
+    pub fn scheme<S: Scalar>(self, sizes: Sizes) -> Scheme<S> {
         match self {
             Self::ForwardEuler => Scheme::forward_euler(sizes),
             Self::MidpointEuler => Scheme::midpoint_euler(sizes),

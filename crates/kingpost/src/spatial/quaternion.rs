@@ -75,26 +75,32 @@ impl<S: Scalar> Quaternion<S> {
             [xz - wy, yz + wx, S::ONE - (xx + yy)],
         ])
     }
-}
 
-impl Quaternion<f64> {
     /// The unit quaternion of a rotation matrix, with w >= 0, from its largest component
-    /// (Shepperd 1978).
-    pub fn from_matrix(r: &Matrix3<f64>) -> Self {
-        let m = &r.0;
+    /// (Shepperd 1978). Not for lanes, which need not share the largest.
+    pub fn from_matrix(r: &Matrix3<S>) -> Self {
+        let (m, one) = (&r.0, S::ONE);
         let squares = [
-            1.0 + m[0][0] + m[1][1] + m[2][2],
-            1.0 + m[0][0] - m[1][1] - m[2][2],
-            1.0 - m[0][0] + m[1][1] - m[2][2],
-            1.0 - m[0][0] - m[1][1] + m[2][2],
+            one + m[0][0] + m[1][1] + m[2][2],
+            one + m[0][0] - m[1][1] - m[2][2],
+            one - m[0][0] + m[1][1] - m[2][2],
+            one - m[0][0] - m[1][1] + m[2][2],
         ];
-        let largest = (1..4).fold(0, |best, i| if squares[i] > squares[best] { i } else { best });
+        let greater = |a: usize, b: usize| squares[a].value() > squares[b].value();
+        let largest = (1..4).fold(0, |best, i| if greater(i, best) { i } else { best });
         let [wx, wy, wz] = [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]];
         let [xy, xz, yz] = [m[0][1] + m[1][0], m[0][2] + m[2][0], m[1][2] + m[2][1]];
         let products =
             [[squares[0], wx, wy, wz], [wx, squares[1], xy, xz], [wy, xy, squares[2], yz], [wz, xz, yz, squares[3]]];
         let quaternion = Self(products[largest]).normalized();
-        if quaternion.0[0] < 0.0 { Self(quaternion.0.map(|x| -x)) } else { quaternion }
+        if quaternion.0[0].value() < 0.0 { Self(quaternion.0.map(|x| -x)) } else { quaternion }
+    }
+
+    /// The unit quaternion of intrinsic z-y-x angles in radians: turn by yaw, then pitch, then roll.
+    pub fn from_roll_pitch_yaw(angles: Vector3<S>) -> Self {
+        let ([roll, pitch, yaw], o) = (angles.0, S::ZERO);
+        let turn = |x, y, z| Self::exp(Vector3::new(x, y, z));
+        turn(o, o, yaw).times(turn(o, pitch, o)).times(turn(roll, o, o))
     }
 }
 

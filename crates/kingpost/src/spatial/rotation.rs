@@ -94,17 +94,17 @@ pub fn dexp_inverse_body<S: Scalar>(a: Vector3<S>, omega: Vector3<S>) -> Vector3
 
 /// Rotation matrix of roll about x, pitch about y and yaw about z, intrinsic z-y-x, in radians:
 /// `R = Rz(yaw) Ry(pitch) Rx(roll)`.
-pub fn rotation_from_roll_pitch_yaw(roll_pitch_yaw: Vector3<f64>) -> Matrix3<f64> {
-    let [roll, pitch, yaw] = roll_pitch_yaw.0;
-    exp(Vector3::new(0.0, 0.0, yaw)) * exp(Vector3::new(0.0, pitch, 0.0)) * exp(Vector3::new(roll, 0.0, 0.0))
+pub fn rotation_from_roll_pitch_yaw<S: Scalar>(roll_pitch_yaw: Vector3<S>) -> Matrix3<S> {
+    let ([roll, pitch, yaw], o) = (roll_pitch_yaw.0, S::ZERO);
+    exp(Vector3::new(o, o, yaw)) * exp(Vector3::new(o, pitch, o)) * exp(Vector3::new(roll, o, o))
 }
 
 /// Roll, pitch and yaw in radians of a rotation matrix; pitch in [-pi/2, pi/2].
-pub fn roll_pitch_yaw(r: &Matrix3<f64>) -> Vector3<f64> {
+pub fn roll_pitch_yaw<S: Scalar>(r: &Matrix3<S>) -> Vector3<S> {
     let m = &r.0;
-    let roll = libm::atan2(m[2][1], m[2][2]);
-    let pitch = libm::atan2(-m[2][0], libm::hypot(m[0][0], m[1][0]));
-    let yaw = libm::atan2(m[1][0], m[0][0]);
+    let roll = m[2][1].atan2(m[2][2]);
+    let pitch = (-m[2][0]).atan2((m[0][0] * m[0][0] + m[1][0] * m[1][0]).sqrt());
+    let yaw = m[1][0].atan2(m[0][0]);
     Vector3::new(roll, pitch, yaw)
 }
 
