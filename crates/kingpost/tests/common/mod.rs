@@ -1,6 +1,8 @@
 //! What the tests share: random models and states, and the paper's scenario.
 #![allow(dead_code)] // each test binary uses its own part
 
+pub mod closed_forms;
+
 use kingpost::dynamics::Loads;
 use kingpost::model::joint::{Fixed, Floating, Prismatic, Revolute};
 use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};

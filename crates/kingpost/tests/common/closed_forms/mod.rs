@@ -1,0 +1,17 @@
+//! Motions and deflections that are known in closed form, as objects. Each says its source; none of
+//! them uses the engine.
+#![allow(unused_imports)] // each test binary uses its own part
+
+mod double_pendulum;
+pub mod elliptic;
+mod free_body;
+mod heavy_top;
+mod pendulum;
+
+pub use double_pendulum::DoublePendulum;
+pub use free_body::FreeBody;
+pub use heavy_top::HeavyTop;
+pub use pendulum::Pendulum;
+
+/// Acceleration of free fall, m/s^2.
+pub const GRAVITY: f64 = 9.80665;
