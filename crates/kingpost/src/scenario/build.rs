@@ -2,9 +2,10 @@
 
 mod bodies;
 mod drives;
+pub mod reading;
 
 pub use super::error::FieldError;
-use super::schema::{EquationForm, Force as ForceSchema, Integrator, Scenario};
+use super::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenario};
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::moving_frame::Variation;
 use crate::dynamics::pivots::massless_coordinate;
@@ -13,7 +14,7 @@ use crate::model::{Model, Node};
 use crate::plant::Form;
 use crate::results::channels;
 use crate::simulation::{SchemeName, Settings, Setup};
-use crate::spatial::Vector3;
+use reading::{Gathered, Reading};
 
 /// Numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
 const MOST_NUMBERS: f64 = 2.5e8;
@@ -21,10 +22,18 @@ const MOST_NUMBERS: f64 = 2.5e8;
 /// Steps that one run may take: beyond it the count would no longer be exact in the time.
 const MOST_STEPS: f64 = 1e15;
 
-/// Builds the model, forces, drives, settings and initial state.
+/// Builds the model, forces, drives, settings and initial state, and checks what takes numbers.
 pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
-    let settings = settings(scenario)?;
-    if let Some(i) = scenario.parameters.iter().position(|parameter| parameter.live) {
+    let setup = assemble(&Reading::new(vec![scenario]))?;
+    check_recording(&setup)?;
+    check_mass_matrix(scenario, &setup)?;
+    Ok(setup)
+}
+
+/// The same from one scenario or several of one structure, each of which builds by itself.
+pub fn assemble<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldError> {
+    let settings = settings(scenario.first())?;
+    if let Some(i) = scenario.first().parameters.iter().position(|parameter| parameter.live) {
         let allowed = "false: in this version every parameter takes effect at reset";
         return Err(FieldError::new(format!("parameters.{i}.live"), true, allowed));
     }
@@ -34,10 +43,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
         dampings.into_iter().map(|(coordinate, damping)| Force::JointDamping(JointDamping { coordinate, damping })),
     );
     let drives::Drives { drives, inputs } = drives::build(scenario, &model, &mut v)?;
-    let setup = Setup { model, forces, drives, inputs, settings, q, v };
-    check_recording(&setup)?;
-    check_mass_matrix(scenario, &setup)?;
-    Ok(setup)
+    Ok(Setup { model, forces, drives, inputs, settings, q, v })
 }
 
 fn settings(scenario: &Scenario) -> Result<Settings, FieldError> {
@@ -80,27 +86,39 @@ fn check_recording(setup: &Setup) -> Result<(), FieldError> {
 }
 
 /// The forces that are on, on bodies that are there.
-fn forces(scenario: &Scenario, model: &Model) -> Result<Vec<Force>, FieldError> {
+fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result<Vec<Force<S>>, FieldError> {
     let mut forces = Vec::new();
-    for (name, force) in &scenario.forces {
+    for (name, force) in &scenario.first().forces {
+        let all = scenario.part(|scenario| &scenario.forces[name]);
         match force {
             ForceSchema::Gravity(gravity) => {
                 if gravity.enabled {
-                    forces.push(Force::Gravity(Gravity { acceleration: gravity.acceleration_m_s2.get() }));
+                    let acceleration = all.kind(gravity_of);
+                    let acceleration = acceleration.number(|gravity| gravity.acceleration_m_s2.get());
+                    forces.push(Force::Gravity(Gravity { acceleration }));
                 }
             }
             ForceSchema::ViscousDamping(damping) => {
                 let field = format!("forces.{name}.viscous_damping.body");
-                known(&field, &damping.body, scenario.bodies.keys().map(|body| body.as_str()))?;
+                known(&field, &damping.body, scenario.first().bodies.keys().map(|body| body.as_str()))?;
                 if let (true, Some(body)) = (damping.enabled, model.body(&damping.body)) {
-                    let linear = Vector3(damping.linear_n_s_m.map(|c| c.get()));
-                    let angular = Vector3(damping.angular_n_m_s.map(|c| c.get()));
+                    let damping = all.kind(viscous_damping_of);
+                    let linear = damping.vector(|damping| damping.linear_n_s_m.map(|c| c.get()));
+                    let angular = damping.vector(|damping| damping.angular_n_m_s.map(|c| c.get()));
                     forces.push(Force::ViscousDamping(ViscousDamping { body, linear, angular }));
                 }
             }
         }
     }
     Ok(forces)
+}
+
+fn gravity_of(force: &ForceSchema) -> Option<&schema::Gravity> {
+    if let ForceSchema::Gravity(gravity) = force { Some(gravity) } else { None }
+}
+
+fn viscous_damping_of(force: &ForceSchema) -> Option<&schema::ViscousDamping> {
+    if let ForceSchema::ViscousDamping(damping) = force { Some(damping) } else { None }
 }
 
 /// An error unless `found` is one of `names`.

@@ -141,6 +141,13 @@ pub struct Symmetric3<S = f64> {
 }
 
 impl<S: Scalar> Symmetric3<S> {
+    /// The plain values, derivatives dropped.
+    pub fn values(&self) -> Symmetric3<f64> {
+        let Self { xx, xy, xz, yy, yz, zz } = self;
+        let [xx, xy, xz, yy, yz, zz] = [xx, xy, xz, yy, yz, zz].map(|x| x.value());
+        Symmetric3 { xx, xy, xz, yy, yz, zz }
+    }
+
     /// The diagonal matrix of `d`.
     #[inline]
     pub fn diagonal(d: [S; 3]) -> Self {

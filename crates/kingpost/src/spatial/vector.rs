@@ -65,6 +65,17 @@ impl<S: Scalar> Vector3<S> {
     pub fn norm(self) -> S {
         self.norm_squared().sqrt()
     }
+
+    /// The unit column along this one, which must not be zero. Scaled by the largest component
+    /// first, so that no length overflows.
+    pub fn direction(self) -> Self {
+        let size = |x: S| x.select_below(0.0, || -x, || x);
+        let larger = |a: S, b: S| a.select_less(b, || b, || a);
+        let largest = self.0.into_iter().fold(S::ZERO, |largest, x| larger(largest, size(x)));
+        let scaled = Self(self.0.map(|x| x / largest));
+        let length = scaled.norm();
+        Self(scaled.0.map(|x| x / length))
+    }
 }
 
 impl<S> Index<usize> for Vector3<S> {

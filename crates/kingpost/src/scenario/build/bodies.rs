@@ -1,6 +1,7 @@
 //! Bodies and joints: the tree, inertia, geometry and the initial state.
 
 use super::super::schema::{self, Inertia, PrismaticMode, RevoluteMode, Scenario};
+use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::model::joint::{Fixed, Floating, Prismatic, Revolute};
 use crate::model::{Axis, BodyDescription, Joint, JointKind, Mode, Model, Shape};
@@ -8,38 +9,39 @@ use crate::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, rot
 use std::collections::HashSet;
 
 /// The model and where it begins.
-pub struct Bodies {
-    pub model: Model,
-    pub q: Vec<f64>,
-    pub v: Vec<f64>,
+pub struct Bodies<S> {
+    pub model: Model<S>,
+    pub q: Vec<S>,
+    pub v: Vec<S>,
     /// Coordinate and damping of every joint that has some.
-    pub dampings: Vec<(usize, f64)>,
+    pub dampings: Vec<(usize, S)>,
 }
 
-pub fn build(scenario: &Scenario) -> Result<Bodies, FieldError> {
-    let order = order(scenario)?;
-    let mut descriptions: Vec<BodyDescription> = Vec::with_capacity(order.len());
+pub fn build<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Bodies<S>, FieldError> {
+    let order = order(scenario.first())?;
+    let mut descriptions: Vec<BodyDescription<S>> = Vec::with_capacity(order.len());
     let (mut q, mut v, mut dampings) = (Vec::new(), Vec::new(), Vec::new());
     for name in order {
-        let body = &scenario.bodies[name];
-        let parent = body.parent_body().map(|parent| parent.as_str());
+        let body = scenario.part(|scenario| &scenario.bodies[name]);
+        let parent = body.first().parent_body().map(|parent| parent.as_str());
         let parent_index = parent.and_then(|parent| descriptions.iter().position(|d| d.name == parent));
-        let parent_centre = parent.map_or(Vector3::zero(), |parent| Vector3(scenario.bodies[parent].centre_of_mass_m));
-        let joint = joint(name, body, parent_centre)?;
-        if let Some(damping) = damping(&body.joint) {
+        let parent_centre = parent
+            .map_or(Vector3::zero(), |parent| scenario.vector(|scenario| scenario.bodies[parent].centre_of_mass_m));
+        let joint = joint(name, &body, parent_centre)?;
+        if let Some(damping) = damping(&body) {
             dampings.push((v.len(), damping));
         }
-        initial(name, body, &mut q, &mut v)?;
-        let centre = Vector3(body.centre_of_mass_m);
+        initial(name, &body, &mut q, &mut v)?;
+        let centre: Vector3<S> = body.vector(|body| body.centre_of_mass_m);
         let point =
-            |(name, point): (&schema::Name, &schema::Point)| (name.to_string(), Vector3(point.position_m) - centre);
+            |point: &schema::Name| (point.to_string(), body.vector(|body| body.points[point].position_m) - centre);
         descriptions.push(BodyDescription {
             name: name.to_owned(),
             parent: parent_index,
             joint,
-            mass: body.mass_kg.get(),
-            inertia: inertia(name, body)?,
-            points: body.points.iter().map(point).collect(),
+            mass: body.number(|body| body.mass_kg.get()),
+            inertia: inertia(name, &body)?,
+            points: body.first().points.keys().map(point).collect(),
         });
     }
     Ok(Bodies { model: Model::new(descriptions), q, v, dampings })
@@ -101,88 +103,122 @@ fn chain<'a>(scenario: &'a Scenario, name: &'a str) -> Result<Vec<&'a str>, Fiel
 }
 
 /// The joint with its geometry moved from the drawing frames to the centres of mass.
-fn joint(name: &str, body: &schema::Body, parent_centre: Vector3) -> Result<Joint, FieldError> {
-    let placement = |position: [f64; 3], orientation: [f64; 3]| Frame {
-        rotation: rotation_from_roll_pitch_yaw(Vector3(orientation)),
-        position: Vector3(position) - parent_centre,
+fn joint<S: Gathered>(
+    name: &str,
+    body: &Reading<schema::Body>,
+    parent_centre: Vector3<S>,
+) -> Result<Joint<S>, FieldError> {
+    let centre: Vector3<S> = body.vector(|body| body.centre_of_mass_m);
+    let placement = |position: Vector3<S>, orientation: Vector3<S>| Frame {
+        rotation: rotation_from_roll_pitch_yaw(orientation),
+        position: position - parent_centre,
     };
-    let to_child = |child_position: [f64; 3]| Vector3(body.centre_of_mass_m) - Vector3(child_position);
-    let (kind, mode) = match &body.joint {
+    let (kind, mode) = match &body.first().joint {
         schema::Joint::Floating(joint) => {
-            if body.parent_body().is_some() {
+            if body.first().parent_body().is_some() {
                 let field = format!("bodies.{name}.parent");
-                return Err(FieldError::new(field, &body.parent, "world, for a body with a floating joint"));
+                return Err(FieldError::new(field, &body.first().parent, "world, for a body with a floating joint"));
             }
             let (hold_translation, hold_rotation) = (joint.hold_translation, joint.hold_rotation);
             (JointKind::Floating(Floating { hold_translation, hold_rotation }), Mode::Free)
         }
-        schema::Joint::Revolute(joint) => {
-            let mode = match joint.mode {
+        schema::Joint::Revolute(_) => {
+            let joint = body.kind(revolute);
+            let mode = match joint.first().mode {
                 RevoluteMode::Free => Mode::Free,
                 RevoluteMode::Held => Mode::Held,
                 RevoluteMode::Prescribed(_) => Mode::Prescribed,
             };
-            let placement = placement(joint.position_m, joint.orientation_rad);
-            let revolute = Revolute::new(placement, Vector3(joint.axis.unit()), to_child(joint.child_position_m));
-            (JointKind::Revolute(revolute), mode)
+            let placement = placement(joint.vector(|j| j.position_m), joint.vector(|j| j.orientation_rad));
+            let to_child = centre - joint.vector(|j| j.child_position_m);
+            let axis = joint.vector(|j| j.axis.get()).direction();
+            (JointKind::Revolute(Revolute::new(placement, axis, to_child)), mode)
         }
-        schema::Joint::Prismatic(joint) => {
-            let mode = match joint.mode {
+        schema::Joint::Prismatic(_) => {
+            let joint = body.kind(prismatic);
+            let mode = match joint.first().mode {
                 PrismaticMode::Free => Mode::Free,
                 PrismaticMode::Held => Mode::Held,
                 PrismaticMode::Prescribed(_) => Mode::Prescribed,
             };
-            let placement = placement(joint.position_m, joint.orientation_rad);
-            let prismatic = Prismatic::new(placement, Vector3(joint.axis.unit()), to_child(joint.child_position_m));
-            (JointKind::Prismatic(prismatic), mode)
+            let placement = placement(joint.vector(|j| j.position_m), joint.vector(|j| j.orientation_rad));
+            let to_child = centre - joint.vector(|j| j.child_position_m);
+            let axis = joint.vector(|j| j.axis.get()).direction();
+            (JointKind::Prismatic(Prismatic::new(placement, axis, to_child)), mode)
         }
-        schema::Joint::Fixed(joint) => {
-            let placement = placement(joint.position_m, joint.orientation_rad);
-            (JointKind::Fixed(Fixed::new(placement, to_child(joint.child_position_m))), Mode::Free)
+        schema::Joint::Fixed(_) => {
+            let joint = body.kind(fixed);
+            let placement = placement(joint.vector(|j| j.position_m), joint.vector(|j| j.orientation_rad));
+            let to_child = centre - joint.vector(|j| j.child_position_m);
+            (JointKind::Fixed(Fixed::new(placement, to_child)), Mode::Free)
         }
     };
-    Ok(Joint { name: joint_name(name, body).to_owned(), kind, mode })
+    Ok(Joint { name: joint_name(name, body.first()).to_owned(), kind, mode })
 }
 
-fn damping(joint: &schema::Joint) -> Option<f64> {
-    let damping = match joint {
+fn revolute(body: &schema::Body) -> Option<&schema::RevoluteJoint> {
+    if let schema::Joint::Revolute(joint) = &body.joint { Some(joint) } else { None }
+}
+
+fn prismatic(body: &schema::Body) -> Option<&schema::PrismaticJoint> {
+    if let schema::Joint::Prismatic(joint) = &body.joint { Some(joint) } else { None }
+}
+
+fn floating(body: &schema::Body) -> Option<&schema::FloatingJoint> {
+    if let schema::Joint::Floating(joint) = &body.joint { Some(joint) } else { None }
+}
+
+fn fixed(body: &schema::Body) -> Option<&schema::FixedJoint> {
+    if let schema::Joint::Fixed(joint) = &body.joint { Some(joint) } else { None }
+}
+
+fn damping<S: Gathered>(body: &Reading<schema::Body>) -> Option<S> {
+    let damping = |body: &schema::Body| match &body.joint {
         schema::Joint::Revolute(joint) => joint.damping_n_m_s.get(),
         schema::Joint::Prismatic(joint) => joint.damping_n_s_m.get(),
         schema::Joint::Floating(_) | schema::Joint::Fixed(_) => 0.0,
     };
-    (damping > 0.0).then_some(damping)
+    body.any_nonzero(damping).then(|| body.number(damping))
 }
 
 /// Appends the joint's entries of q and v. Prescribed rates are set by their drive.
-fn initial(name: &str, body: &schema::Body, q: &mut Vec<f64>, v: &mut Vec<f64>) -> Result<(), FieldError> {
-    let field = |rest: &str| format!("bodies.{name}.joint.{}.{rest}", body.joint.kind());
-    let at_rest = |rest: &str, rate: f64, free: bool| {
-        if free || rate == 0.0 {
+fn initial<S: Gathered>(
+    name: &str,
+    body: &Reading<schema::Body>,
+    q: &mut Vec<S>,
+    v: &mut Vec<S>,
+) -> Result<(), FieldError> {
+    let field = |rest: &str| format!("bodies.{name}.joint.{}.{rest}", body.first().joint.kind());
+    let at_rest = |rest: &str, rate: S, free: bool| {
+        if free || rate.all(|rate| rate == 0.0) {
             return Ok(rate);
         }
-        Err(FieldError::new(field(rest), rate, "0, for a coordinate that is held or prescribed"))
+        Err(FieldError::new(field(rest), rate.value(), "0, for a coordinate that is held or prescribed"))
     };
-    match &body.joint {
+    match &body.first().joint {
         schema::Joint::Floating(joint) => {
-            let initial = &joint.initial;
-            q.extend(initial.position_m);
-            q.extend(Quaternion::from_matrix(&rotation_from_roll_pitch_yaw(Vector3(initial.orientation_rad))).0);
-            for rate in initial.velocity_m_s {
+            let initial = body.kind(floating).part(|joint| &joint.initial);
+            q.extend(initial.vector::<S>(|initial| initial.position_m).0);
+            let orientation = initial.vector(|initial| initial.orientation_rad);
+            q.extend(Quaternion::<S>::from_roll_pitch_yaw(orientation).0);
+            for rate in initial.numbers(|initial| initial.velocity_m_s) {
                 v.push(at_rest("initial.velocity_m_s", rate, !joint.hold_translation)?);
             }
-            for rate in initial.angular_velocity_rad_s {
+            for rate in initial.numbers(|initial| initial.angular_velocity_rad_s) {
                 v.push(at_rest("initial.angular_velocity_rad_s", rate, !joint.hold_rotation)?);
             }
         }
-        schema::Joint::Revolute(joint) => {
-            q.push(joint.initial_angle_rad);
-            let free = joint.mode == RevoluteMode::Free;
-            v.push(at_rest("initial_rate_rad_s", joint.initial_rate_rad_s, free)?);
+        schema::Joint::Revolute(first) => {
+            let joint = body.kind(revolute);
+            q.push(joint.number(|joint| joint.initial_angle_rad));
+            let rate = joint.number(|joint| joint.initial_rate_rad_s);
+            v.push(at_rest("initial_rate_rad_s", rate, first.mode == RevoluteMode::Free)?);
         }
-        schema::Joint::Prismatic(joint) => {
-            q.push(joint.initial_extension_m);
-            let free = joint.mode == PrismaticMode::Free;
-            v.push(at_rest("initial_speed_m_s", joint.initial_speed_m_s, free)?);
+        schema::Joint::Prismatic(first) => {
+            let joint = body.kind(prismatic);
+            q.push(joint.number(|joint| joint.initial_extension_m));
+            let rate = joint.number(|joint| joint.initial_speed_m_s);
+            v.push(at_rest("initial_speed_m_s", rate, first.mode == PrismaticMode::Free)?);
         }
         schema::Joint::Fixed(_) => {}
     }
@@ -190,26 +226,32 @@ fn initial(name: &str, body: &schema::Body, q: &mut Vec<f64>, v: &mut Vec<f64>) 
 }
 
 /// Inertia about the centre of mass: the given one, else the shape's.
-fn inertia(name: &str, body: &schema::Body) -> Result<SpatialInertia, FieldError> {
-    let mass = body.mass_kg.get();
-    let (moments, field) = match (&body.inertia, &body.shape) {
-        (Some(Inertia::Tensor(tensor)), _) => {
-            let mut moments = Symmetric3::diagonal(tensor.moments_kg_m2.map(|moment| moment.get()));
-            [moments.xy, moments.xz, moments.yz] = tensor.products_kg_m2;
+fn inertia<S: Gathered>(name: &str, body: &Reading<schema::Body>) -> Result<SpatialInertia<S>, FieldError> {
+    let mass: S = body.number(|body| body.mass_kg.get());
+    let (moments, field) = match (&body.first().inertia, &body.first().shape) {
+        (Some(Inertia::Tensor(_)), _) => {
+            let given = body.kind(tensor);
+            let moments = given.numbers(|tensor| tensor.moments_kg_m2.map(|moment| moment.get()));
+            let mut moments = Symmetric3::diagonal(moments);
+            [moments.xy, moments.xz, moments.yz] = given.numbers(|tensor| tensor.products_kg_m2);
             (moments, "inertia.tensor.moments_kg_m2")
         }
-        (Some(Inertia::RadiiOfGyration(radii)), _) => {
-            let moments = radii.radii_m.map(|radius| mass * radius.get() * radius.get());
-            (Symmetric3::diagonal(moments), "inertia.radii_of_gyration.radii_m")
+        (Some(Inertia::RadiiOfGyration(_)), _) => {
+            let given = body.kind(radii);
+            let radii: [S; 3] = given.numbers(|given| given.radii_m.map(|radius| radius.get()));
+            (Symmetric3::diagonal(radii.map(|radius| mass * radius * radius)), "inertia.radii_of_gyration.radii_m")
         }
-        (None, Some(shape)) => return Ok(SpatialInertia::rigid(mass, solid(shape).inertia(mass))),
+        (None, Some(_)) => {
+            let shape = body.kind(|body| body.shape.as_ref());
+            return Ok(SpatialInertia::rigid(mass, solid(&shape).inertia(mass)));
+        }
         (None, None) => {
             let allowed = "a shape, or an inertia";
             return Err(FieldError::new(format!("bodies.{name}"), "neither shape nor inertia", allowed));
         }
     };
-    if !moments.holds_triangle_inequality() {
-        let Symmetric3 { xx, xy, xz, yy, yz, zz } = moments;
+    if !moments.values().holds_triangle_inequality() {
+        let Symmetric3 { xx, xy, xz, yy, yz, zz } = moments.values();
         let found = format!("moments {xx}, {yy}, {zz} kg m^2 with products {xy}, {xz}, {yz}");
         let allowed = "a body's: no principal moment greater than the sum of the other two";
         return Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed));
@@ -217,22 +259,36 @@ fn inertia(name: &str, body: &schema::Body) -> Result<SpatialInertia, FieldError
     Ok(SpatialInertia::rigid(mass, moments))
 }
 
+fn tensor(body: &schema::Body) -> Option<&schema::InertiaTensor> {
+    if let Some(Inertia::Tensor(tensor)) = &body.inertia { Some(tensor) } else { None }
+}
+
+fn radii(body: &schema::Body) -> Option<&schema::RadiiOfGyration> {
+    if let Some(Inertia::RadiiOfGyration(radii)) = &body.inertia { Some(radii) } else { None }
+}
+
 /// The shape in the engine's terms.
-pub fn solid(shape: &schema::Shape) -> Shape {
-    match shape {
-        schema::Shape::Box(cuboid) => {
-            Shape::Box { edges_m: [cuboid.length_m, cuboid.width_m, cuboid.height_m].map(|edge| edge.get()) }
+fn solid<S: Gathered>(shape: &Reading<schema::Shape>) -> Shape<S> {
+    match shape.first() {
+        schema::Shape::Box(_) => {
+            let cuboid = shape.kind(|shape| if let schema::Shape::Box(cuboid) = shape { Some(cuboid) } else { None });
+            Shape::Box { edges_m: cuboid.numbers(|c| [c.length_m, c.width_m, c.height_m].map(|edge| edge.get())) }
         }
-        schema::Shape::Cylinder(cylinder) => Shape::Cylinder {
-            radius_m: cylinder.radius_m.get(),
-            length_m: cylinder.length_m.get(),
-            axis: match cylinder.axis {
+        schema::Shape::Cylinder(first) => {
+            let cylinder =
+                shape.kind(|shape| if let schema::Shape::Cylinder(given) = shape { Some(given) } else { None });
+            let [radius_m, length_m] = cylinder.numbers(|given| [given.radius_m.get(), given.length_m.get()]);
+            let axis = match first.axis {
                 schema::PrincipalAxis::X => Axis::X,
                 schema::PrincipalAxis::Y => Axis::Y,
                 schema::PrincipalAxis::Z => Axis::Z,
-            },
-        },
-        schema::Shape::Sphere(sphere) => Shape::Sphere { radius_m: sphere.radius_m.get() },
+            };
+            Shape::Cylinder { radius_m, length_m, axis }
+        }
+        schema::Shape::Sphere(_) => {
+            let sphere = shape.kind(|shape| if let schema::Shape::Sphere(given) = shape { Some(given) } else { None });
+            Shape::Sphere { radius_m: sphere.number(|given| given.radius_m.get()) }
+        }
         schema::Shape::Point(_) => Shape::Point,
     }
 }

@@ -2,23 +2,28 @@
 
 use super::super::schema::{self, History, PrismaticMode, RevoluteMode, Scenario};
 use super::bodies::joint_name;
+use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::drives::{Clock, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
-use crate::model::{JointKind, Model};
+use crate::model::Model;
 use crate::simulation::Input;
 
 /// The drives that are on, and the table of what can be set from outside.
-pub struct Drives {
-    pub drives: Vec<Drive>,
+pub struct Drives<S> {
+    pub drives: Vec<Drive<S>>,
     pub inputs: Vec<Input>,
 }
 
 /// Builds them, and gives prescribed joints their initial rate in `v`.
-pub fn build(scenario: &Scenario, model: &Model, v: &mut [f64]) -> Result<Drives, FieldError> {
+pub fn build<S: Gathered>(
+    scenario: &Reading<Scenario>,
+    model: &Model<S>,
+    v: &mut [S],
+) -> Result<Drives<S>, FieldError> {
     let (mut drives, mut inputs) = (Vec::new(), Vec::new());
-    for (name, drive) in &scenario.drives {
-        let parts = Parts::of(name, drive);
-        known(&format!("{}.joint", parts.field), parts.joint, joints(scenario, parts.rotary))?;
+    for name in scenario.first().drives.keys() {
+        let parts = Parts::of(name, &scenario.part(|scenario| &scenario.drives[name]));
+        known(&format!("{}.joint", parts.field), parts.joint, joints(scenario.first(), parts.rotary))?;
         let profile = match parts.law {
             Law::Motor { history, pulse, .. } => Some(profile(&parts.field, history, pulse)?),
             Law::Servo { .. } => None,
@@ -33,7 +38,7 @@ pub fn build(scenario: &Scenario, model: &Model, v: &mut [f64]) -> Result<Drives
                 });
                 Drive::Motor(Motor { coordinate, effort, profile, input })
             }
-            (Law::Servo { target, stiffness, damping, limit }, _) => {
+            (Law::Servo { numbers: [target, stiffness, damping, limit] }, _) => {
                 Drive::Servo(Servo { position, coordinate, target, stiffness, damping, limit })
             }
             (Law::Motor { .. }, None) => continue,
@@ -47,43 +52,66 @@ pub fn build(scenario: &Scenario, model: &Model, v: &mut [f64]) -> Result<Drives
 }
 
 /// A drive without the difference between turning and sliding.
-struct Parts<'a> {
+struct Parts<'a, S> {
     field: String,
     enabled: bool,
     joint: &'a str,
     rotary: bool,
-    law: Law<'a>,
+    law: Law<'a, S>,
 }
 
 /// What a drive does, in N m and rad or in N and m.
-enum Law<'a> {
-    Motor { effort: f64, history: History, pulse: Option<&'a schema::Pulse> },
-    Servo { target: f64, stiffness: f64, damping: f64, limit: f64 },
+enum Law<'a, S> {
+    Motor {
+        effort: S,
+        history: History,
+        pulse: Option<&'a schema::Pulse>,
+    },
+    /// Target, stiffness, damping, limit.
+    Servo {
+        numbers: [S; 4],
+    },
 }
 
-impl<'a> Parts<'a> {
-    fn of(name: &str, drive: &'a schema::Drive) -> Self {
-        let (kind, enabled, joint, rotary, law) = match drive {
-            schema::Drive::Motor(d) => {
-                let law = Law::Motor { effort: d.torque_n_m, history: d.history, pulse: d.pulse.as_ref() };
-                ("motor", d.enabled, &d.joint, true, law)
-            }
-            schema::Drive::LinearMotor(d) => {
-                let law = Law::Motor { effort: d.force_n, history: d.history, pulse: d.pulse.as_ref() };
-                ("linear_motor", d.enabled, &d.joint, false, law)
-            }
-            schema::Drive::Servo(d) => {
-                let (stiffness, damping) = (d.stiffness_n_m_per_rad.get(), d.damping_n_m_s_per_rad.get());
-                let law = Law::Servo { target: d.target_rad, stiffness, damping, limit: d.torque_limit_n_m.get() };
-                ("servo", d.enabled, &d.joint, true, law)
-            }
-            schema::Drive::LinearServo(d) => {
-                let (stiffness, damping) = (d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get());
-                let law = Law::Servo { target: d.target_m, stiffness, damping, limit: d.force_limit_n.get() };
-                ("linear_servo", d.enabled, &d.joint, false, law)
-            }
+impl<'a, S: Gathered> Parts<'a, S> {
+    fn of(name: &str, drive: &Reading<'a, schema::Drive>) -> Self {
+        let motor = |history, pulse: &'a Option<schema::Pulse>| Law::Motor {
+            effort: drive.number(effort),
+            history,
+            pulse: pulse.as_ref(),
+        };
+        let servo = || Law::Servo { numbers: drive.numbers(servo_numbers) };
+        let (kind, enabled, joint, rotary, law) = match drive.first() {
+            schema::Drive::Motor(d) => ("motor", d.enabled, &d.joint, true, motor(d.history, &d.pulse)),
+            schema::Drive::LinearMotor(d) => ("linear_motor", d.enabled, &d.joint, false, motor(d.history, &d.pulse)),
+            schema::Drive::Servo(d) => ("servo", d.enabled, &d.joint, true, servo()),
+            schema::Drive::LinearServo(d) => ("linear_servo", d.enabled, &d.joint, false, servo()),
         };
         Self { field: format!("drives.{name}.{kind}"), enabled, joint: joint.as_str(), rotary, law }
+    }
+}
+
+/// A motor's full torque or force; 0 for other drives.
+fn effort(drive: &schema::Drive) -> f64 {
+    match drive {
+        schema::Drive::Motor(d) => d.torque_n_m,
+        schema::Drive::LinearMotor(d) => d.force_n,
+        schema::Drive::Servo(_) | schema::Drive::LinearServo(_) => 0.0,
+    }
+}
+
+/// A servo's target, stiffness, damping and limit; 0 for other drives.
+fn servo_numbers(drive: &schema::Drive) -> [f64; 4] {
+    match drive {
+        schema::Drive::Servo(d) => {
+            let (stiffness, damping) = (d.stiffness_n_m_per_rad.get(), d.damping_n_m_s_per_rad.get());
+            [d.target_rad, stiffness, damping, d.torque_limit_n_m.get()]
+        }
+        schema::Drive::LinearServo(d) => {
+            let (stiffness, damping) = (d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get());
+            [d.target_m, stiffness, damping, d.force_limit_n.get()]
+        }
+        schema::Drive::Motor(_) | schema::Drive::LinearMotor(_) => [0.0; 4],
     }
 }
 
@@ -115,19 +143,14 @@ fn profile(field: &str, history: History, pulse: Option<&schema::Pulse>) -> Resu
 }
 
 /// The motions of the prescribed joints that are there.
-fn prescribed(scenario: &Scenario, model: &Model) -> Result<Vec<PrescribedMotion>, FieldError> {
+fn prescribed<S: Gathered>(
+    scenario: &Reading<Scenario>,
+    model: &Model<S>,
+) -> Result<Vec<PrescribedMotion<S>>, FieldError> {
     let mut motions = Vec::new();
     for (i, body) in model.bodies.iter().enumerate() {
-        let (rate, history, pulse) = match &scenario.bodies[body.name.as_str()].joint {
-            schema::Joint::Revolute(schema::RevoluteJoint { mode: RevoluteMode::Prescribed(given), .. }) => {
-                (given.rate_rad_s, given.history, given.pulse.as_ref())
-            }
-            schema::Joint::Prismatic(schema::PrismaticJoint { mode: PrismaticMode::Prescribed(given), .. }) => {
-                (given.speed_m_s, given.history, given.pulse.as_ref())
-            }
-            _ => continue,
-        };
-        let kind = if matches!(model.joints[i].kind, JointKind::Revolute(_)) { "revolute" } else { "prismatic" };
+        let joint = scenario.part(|scenario| &scenario.bodies[body.name.as_str()].joint);
+        let Some((kind, history, pulse)) = prescribed_law(joint.first()) else { continue };
         let field = format!("bodies.{}.joint.{kind}.mode.prescribed", body.name);
         if history == History::Lever {
             return Err(FieldError::new(
@@ -141,7 +164,34 @@ fn prescribed(scenario: &Scenario, model: &Model) -> Result<Vec<PrescribedMotion
             let allowed = "a number greater than 0: a rate cannot jump";
             return Err(FieldError::new(format!("{field}.pulse.rise_s"), 0, allowed));
         }
+        let rate = joint.number(prescribed_rate);
         motions.push(PrescribedMotion { coordinate: model.tree.nodes[i].velocities, rate, profile });
     }
     Ok(motions)
+}
+
+/// The kind of a joint that is prescribed, and how its rate goes with time.
+fn prescribed_law(joint: &schema::Joint) -> Option<(&'static str, History, Option<&schema::Pulse>)> {
+    match joint {
+        schema::Joint::Revolute(schema::RevoluteJoint { mode: RevoluteMode::Prescribed(given), .. }) => {
+            Some(("revolute", given.history, given.pulse.as_ref()))
+        }
+        schema::Joint::Prismatic(schema::PrismaticJoint { mode: PrismaticMode::Prescribed(given), .. }) => {
+            Some(("prismatic", given.history, given.pulse.as_ref()))
+        }
+        _ => None,
+    }
+}
+
+/// The full rate of a joint that is prescribed; 0 for others.
+fn prescribed_rate(joint: &schema::Joint) -> f64 {
+    match joint {
+        schema::Joint::Revolute(schema::RevoluteJoint { mode: RevoluteMode::Prescribed(given), .. }) => {
+            given.rate_rad_s
+        }
+        schema::Joint::Prismatic(schema::PrismaticJoint { mode: PrismaticMode::Prescribed(given), .. }) => {
+            given.speed_m_s
+        }
+        _ => 0.0,
+    }
 }

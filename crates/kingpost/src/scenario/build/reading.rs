@@ -1,0 +1,91 @@
+//! Numbers of one scenario, or of several of one structure, read as one scalar.
+
+use crate::scalar::{Dual, Lanes, Scalar};
+use crate::spatial::Vector3;
+
+/// The same part of one scenario or of several. Structure (names, switches, kinds) is that of the
+/// first. A number is gathered from all: from one scenario as it is, from N side by side into lanes,
+/// from one and N neighbours, in each of which one parameter was moved, into a dual number.
+#[derive(Debug)]
+pub struct Reading<'a, T> {
+    parts: Vec<&'a T>,
+    moved: &'a [f64],
+}
+
+/// A scalar that can be gathered from the numbers of several scenarios.
+pub trait Gathered: Scalar {
+    /// From the number in each scenario, and by how much each neighbour's parameter was moved.
+    fn gather(numbers: &[f64], moved: &[f64]) -> Self;
+}
+
+impl<'a, T> Reading<'a, T> {
+    /// One scenario, or several side by side.
+    pub fn new(parts: Vec<&'a T>) -> Self {
+        Self { parts, moved: &[] }
+    }
+
+    /// A scenario and its neighbours; in neighbour k a parameter was moved by `moved[k]`.
+    pub fn with_neighbours(parts: Vec<&'a T>, moved: &'a [f64]) -> Self {
+        Self { parts, moved }
+    }
+
+    /// The part in the first scenario: the one that decides.
+    pub fn first(&self) -> &'a T {
+        self.parts[0]
+    }
+
+    /// A part of this part.
+    pub fn part<U>(&self, pick: impl Fn(&'a T) -> &'a U) -> Reading<'a, U> {
+        Reading { parts: self.parts.iter().map(|part| pick(part)).collect(), moved: self.moved }
+    }
+
+    /// A part that the first scenario is known to have.
+    ///
+    /// # Panics
+    /// When another scenario does not have it: the caller promises one structure.
+    pub fn kind<U>(&self, pick: impl Fn(&'a T) -> Option<&'a U>) -> Reading<'a, U> {
+        self.part(|part| pick(part).expect("scenarios that are read together have one structure"))
+    }
+
+    /// A number of this part.
+    pub fn number<S: Gathered>(&self, read: impl Fn(&T) -> f64) -> S {
+        let numbers: Vec<f64> = self.parts.iter().map(|part| read(part)).collect();
+        S::gather(&numbers, self.moved)
+    }
+
+    /// Several numbers of this part.
+    pub fn numbers<S: Gathered, const N: usize>(&self, read: impl Fn(&T) -> [f64; N]) -> [S; N] {
+        core::array::from_fn(|i| self.number(|part| read(part)[i]))
+    }
+
+    /// Three numbers of this part.
+    pub fn vector<S: Gathered>(&self, read: impl Fn(&T) -> [f64; 3]) -> Vector3<S> {
+        Vector3(self.numbers(read))
+    }
+
+    /// Whether a number differs from zero in any of the scenarios.
+    pub fn any_nonzero(&self, read: impl Fn(&T) -> f64) -> bool {
+        self.parts.iter().any(|part| read(part) != 0.0)
+    }
+}
+
+impl Gathered for f64 {
+    fn gather(numbers: &[f64], _: &[f64]) -> Self {
+        numbers[0]
+    }
+}
+
+impl<const N: usize> Gathered for Lanes<N> {
+    fn gather(numbers: &[f64], _: &[f64]) -> Self {
+        Self(core::array::from_fn(|k| numbers[k]))
+    }
+}
+
+/// A parameter is written to a field as it is or by a constant factor of its unit, so the quotient
+/// of differences is the derivative, to rounding.
+impl<const N: usize> Gathered for Dual<N> {
+    fn gather(numbers: &[f64], moved: &[f64]) -> Self {
+        let along = |k: usize| moved.get(k).map_or(0.0, |by| (numbers[k + 1] - numbers[0]) / by);
+        Self { value: numbers[0], derivative: core::array::from_fn(along) }
+    }
+}
