@@ -7,6 +7,7 @@ import importlib.util
 import os
 import shutil
 import subprocess
+import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,6 +24,8 @@ PINOCCHIO_DEFINITIONS = (
     "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS",
     "-DBOOST_FUSION_INVOKE_MAX_ARITY=12",
 )
+# many runs at once: scheme and threads
+BATCHES = ("batch_euler_1", "batch_euler_2", "batch_rk4_1", "batch_rk4_2")
 WASM_PACKAGE = models.REPOSITORY / "web" / "src" / "engine" / "pkg"
 
 
@@ -32,9 +35,10 @@ class NotHereError(Exception):
 
 @dataclass(frozen=True)
 class Engine:
-    """A program that runs ``OPERATION MODE NUMBERS``, and how to read its check values as Kingpost's."""
+    """A program that runs ``OPERATION MODE NUMBERS`` on one model, and how to read its values as ours."""
 
     name: str
+    case: models.Case
     command: tuple[str, ...]
     operations: tuple[str, ...]
     countable: bool
@@ -56,9 +60,10 @@ def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
     )
     program = _target() / ("debug" if quick else "release") / "kingpost-bench"
     path = models.write_kingpost(case, folder)
-    operations = ("forward", "rk4_step", "rk4_step_ledger")
+    steps = () if case.links else ("euler_step", "rk4_step", "rk4_step_ledger")
+    operations = ("forward", *steps)
     version = importlib.metadata.version("kingpost")
-    return Engine("kingpost", (str(program), str(path)), operations, True, version, same, same)
+    return Engine("kingpost", case, (str(program), str(path)), operations, True, version, same, same)
 
 
 def kingpost_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
@@ -75,7 +80,7 @@ def kingpost_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
     version = f"node {_output([node, '--version'])}"
     if len(operations) < len(measured):
         version += f"; not built here: {', '.join(name for name in measured if name not in operations)}"
-    return Engine("kingpost-wasm", command, operations, False, version, same, same)
+    return Engine("kingpost-wasm", case, command, operations, False, version, same, same)
 
 
 def _wasm_program() -> Path | None:
@@ -106,8 +111,18 @@ def mujoco(case: models.Case, folder: Path, quick: bool) -> Engine:
     program = _compile("mujoco_bench", source, options, quick=False)
     path = models.write_mujoco(case, folder)
     version = importlib.metadata.version("mujoco")
-    operations = ("forward", "rk4_step")
-    return Engine("mujoco", (str(program), str(path)), operations, True, version, same, same)
+    operations = ("forward",) if case.links else ("forward", "euler_step", "rk4_step")
+    return Engine("mujoco", case, (str(program), str(path)), operations, True, version, same, same)
+
+
+def mujoco_rollout(case: models.Case, folder: Path, quick: bool) -> Engine:
+    """MuJoCo's own program for many runs, from Python."""
+    del quick
+    _package("mujoco")
+    path = models.write_mujoco(case, folder)
+    command = (sys.executable, str(BENCHES / "peers" / "mujoco_rollout.py"), str(path))
+    version = importlib.metadata.version("mujoco")
+    return Engine("mujoco-rollout", case, command, BATCHES, False, version, same, same)
 
 
 def pinocchio(case: models.Case, folder: Path, quick: bool) -> Engine:
@@ -122,8 +137,9 @@ def pinocchio(case: models.Case, folder: Path, quick: bool) -> Engine:
     path = models.write_pinocchio(case, folder)
     return Engine(
         "pinocchio",
+        case,
         (str(program), str(path)),
-        ("forward", "rk4_step"),
+        ("forward",) if case.links else ("forward", "rk4_step"),
         True,
         importlib.metadata.version("pin"),
         lambda values: models.pinocchio_acceleration_as_ours(case, values),
@@ -137,7 +153,10 @@ BUILDERS: dict[str, Builder] = {
     "kingpost-wasm": kingpost_wasm,
     "pinocchio": pinocchio,
     "mujoco": mujoco,
+    "mujoco-rollout": mujoco_rollout,
 }
+# these run the chains as well as the paper's model
+ON_CHAINS = ("kingpost", "pinocchio", "mujoco")
 
 
 def _tool(name: str) -> str:

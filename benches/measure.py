@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import statistics
 import subprocess
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
 from engines import Engine
 from models import tree
 
-# repetitions in a batch: well under a millisecond, so that on a shared machine most batches run undisturbed
-REPETITIONS = {"forward": 500, "rk4_step": 100, "rk4_step_ledger": 100}
+# repetitions in a batch, on the paper's model: well under a millisecond, so that on a shared machine most
+# batches run undisturbed; steps of all runs for many at once
+REPETITIONS = {"forward": 500, "euler_step": 400, "rk4_step": 100, "rk4_step_ledger": 100, "batch": 100}
+PAPER_VELOCITIES = 8
+# Kingpost's and MuJoCo's Euler schemes are not the same one
+COMPARED = ("forward", "rk4_step", "rk4_step_ledger", "batch_rk4_1", "batch_rk4_2")
 CHECK_STEPS = 1000
 COUNTED = (100, 1100)
 # of the ship, in q and v one after another
@@ -23,14 +29,18 @@ ORIENTATION = slice(3, 7)
 
 @dataclass(frozen=True)
 class Effort:
-    """How often to measure: rounds through all engines, and batches of each operation in a round."""
+    """How often to measure: rounds through all engines, and batches of each operation in a round.
+
+    Many runs at once are measured in every third round, with ``long_batches``.
+    """
 
     rounds: int
     batches: int
+    long_batches: int
 
 
-FULL = Effort(rounds=15, batches=100)
-QUICK = Effort(rounds=2, batches=3)
+FULL = Effort(rounds=15, batches=100, long_batches=10)
+QUICK = Effort(rounds=2, batches=3, long_batches=1)
 
 
 @dataclass(frozen=True)
@@ -38,21 +48,32 @@ class Figure:
     """One operation of one engine: nanoseconds (median and tenth percentile) and instructions, if counted."""
 
     engine: str
+    model: str
     operation: str
     median_ns: float
     low_ns: float
     instructions: float | None
 
 
-def times(engines: Sequence[Engine], effort: Effort) -> dict[tuple[str, str], list[float]]:
+def repetitions(engine: Engine, operation: str) -> int:
+    """Repetitions in a batch: fewer the larger the model."""
+    kind = "batch" if operation.startswith("batch_") else operation
+    return max(1, REPETITIONS[kind] * PAPER_VELOCITIES // engine.case.v.size)
+
+
+def times(engines: Sequence[Engine], effort: Effort) -> dict[tuple[str, str, str], list[float]]:
     """Nanoseconds per operation of every batch; each round goes once through all engines."""
-    found: dict[tuple[str, str], list[float]] = {}
-    for _ in range(effort.rounds):
+    found: dict[tuple[str, str, str], list[float]] = {}
+    for turn in range(effort.rounds):
         for engine in engines:
             for operation in engine.operations:
-                arguments = [operation, "time", str(effort.batches), str(REPETITIONS[operation])]
+                many = operation.startswith("batch_")
+                if many and turn % 3:
+                    continue
+                batches = effort.long_batches if many else effort.batches
+                arguments = [operation, "time", str(batches), str(repetitions(engine, operation))]
                 numbers = [float(line) for line in _lines(engine, arguments)]
-                found.setdefault((engine.name, operation), []).extend(numbers)
+                found.setdefault((engine.name, engine.case.name, operation), []).extend(numbers)
     return found
 
 
@@ -60,8 +81,9 @@ def instructions(engine: Engine, operation: str) -> float | None:
     """Instructions of one operation: callgrind's difference between two repetition counts."""
     if not engine.countable or shutil.which("valgrind") is None:
         return None
-    few, many = (_collected(engine, operation, count) for count in COUNTED)
-    return None if few is None or many is None else (many - few) / (COUNTED[1] - COUNTED[0])
+    few, many = (max(1, count * PAPER_VELOCITIES // engine.case.v.size) for count in COUNTED)
+    first, second = (_collected(engine, operation, count) for count in (few, many))
+    return None if first is None or second is None else (second - first) / (many - few)
 
 
 def _collected(engine: Engine, operation: str, count: int) -> int | None:
@@ -74,15 +96,16 @@ def _collected(engine: Engine, operation: str, count: int) -> int | None:
 
 
 def figures(engines: Sequence[Engine], effort: Effort) -> list[Figure]:
-    """Everything that is printed of all engines."""
+    """Everything that is printed of all engines; counting needs no quiet machine, so it runs on all cores."""
     measured = times(engines, effort)
+    rows = [(engine, operation) for engine in engines for operation in engine.operations]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        counts = list(pool.map(lambda row: instructions(*row), rows))
     result = []
-    for engine in engines:
-        for operation in engine.operations:
-            numbers = measured[engine.name, operation]
-            low = float(np.quantile(numbers, 0.1))
-            counted = instructions(engine, operation)
-            result.append(Figure(engine.name, operation, statistics.median(numbers), low, counted))
+    for (engine, operation), counted in zip(rows, counts, strict=True):
+        numbers = measured[engine.name, engine.case.name, operation]
+        low, middle = float(np.quantile(numbers, 0.1)), statistics.median(numbers)
+        result.append(Figure(engine.name, engine.case.name, operation, middle, low, counted))
     return result
 
 
@@ -104,12 +127,13 @@ def agreement(engines: Sequence[Engine]) -> list[tuple[str, str, float]]:
     The accelerations agree to rounding; the steps to what each engine's RK4 does with the rotation.
     """
     rows = []
-    for operation in REPETITIONS:
-        able = [engine for engine in engines if operation in engine.operations]
-        results = [check_values(engine, operation) for engine in able]
-        for engine, values in zip(able[1:], results[1:], strict=True):
-            difference = np.abs(values - results[0]).max() / np.abs(results[0]).max()
-            rows.append((f"{engine.name} - {able[0].name}", operation, float(difference)))
+    for case in dict.fromkeys(engine.case.name for engine in engines):
+        for operation in COMPARED:
+            able = [e for e in engines if e.case.name == case and operation in e.operations]
+            results = [check_values(engine, operation) for engine in able]
+            for engine, values in zip(able[1:], results[1:], strict=True):
+                difference = np.abs(values - results[0]).max() / np.abs(results[0]).max()
+                rows.append((f"{engine.name} - {able[0].name}, {case}", operation, float(difference)))
     return rows
 
 

@@ -1,12 +1,13 @@
-"""The paper's free model with load at one fixed state, written for every engine from the resolved scenario.
+"""The models that are measured, each at one fixed state, written for every engine from the resolved scenario.
 
-All numbers come from ``scenarios/paper.yaml`` through Kingpost's reader and the translators of the peer
-tests, so the engines run the same model.
+All numbers go through Kingpost's reader and the translators of the peer tests, so the engines run the same
+model: the paper's free one with load, from ``scenarios/paper.yaml``, and chains of several lengths.
 """
 
 from __future__ import annotations
 
 import importlib
+import json
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -20,8 +21,9 @@ sys.path.insert(0, str(REPOSITORY / "python" / "tests"))
 
 from peers import loads, states, tree  # noqa: E402
 
-MODEL = "paper_free_load"
+PAPER = "paper_free_load"
 OVERRIDES: dict[str, Any] = {"hold_centre": False, "load": True, "motor_1": True, "motor_2": True}
+CHAIN_LINKS = (2, 4, 8, 16, 32, 64)
 SEED = 141
 STEP_S = 0.001
 
@@ -30,9 +32,12 @@ STEP_S = 0.001
 class Case:
     """One model at one state: the resolved scenario, its tree, and q and v in Kingpost's layout.
 
-    ``snapshot`` is Kingpost's own form of the state, for the WASM module.
+    ``snapshot`` is Kingpost's own form of the state, for the WASM module; ``links`` is the number of links
+    of a chain, 0 for the paper's model.
     """
 
+    name: str
+    links: int
     scenario: str
     snapshot: bytes
     tree: tree.Tree
@@ -40,24 +45,68 @@ class Case:
     v: tree.Array
 
 
-def make_case() -> Case:
+def paper() -> Case:
     """The paper's model with the ship free and the load on, both motors on, at a seeded random state."""
     import kingpost
 
-    scenario = kingpost.load("paper", OVERRIDES | {"simulation.step_s": STEP_S})
+    return _case(PAPER, 0, kingpost.load("paper", OVERRIDES | {"simulation.step_s": STEP_S}))
+
+
+def chain(links: int) -> Case:
+    """A free base and rods of 1 m hinged end to end, about y and z in turn, under gravity."""
+    from kingpost.scenario import Scenario
+
+    name = chain_name(links)
+    return _case(name, links, Scenario(json.dumps(_chain_scenario(links)), f"{name}.json"))
+
+
+def chain_name(links: int) -> str:
+    """The model's name in the printed lines."""
+    return f"chain_{links}"
+
+
+def _chain_scenario(links: int) -> dict[str, Any]:
+    """The chain as a scenario; the base is no link."""
+    base = {"mass_kg": 50.0, "shape": {"box": {"length_m": 1.0, "width_m": 1.0, "height_m": 1.0}}}
+    bodies: dict[str, Any] = {"base": {**base, "joint": {"floating": {}}}}
+    parent = "base"
+    for index in range(links):
+        hinge = {
+            "axis": [0, 1, 0] if index % 2 == 0 else [0, 0, 1],
+            "position_m": [0.5, 0.0, 0.0],
+            "child_position_m": [-0.5, 0.0, 0.0],
+        }
+        rod = {"cylinder": {"radius_m": 0.05, "length_m": 1.0, "axis": "x"}}
+        name = f"link_{index + 1}"
+        bodies[name] = {"parent": parent, "mass_kg": 10.0, "shape": rod, "joint": {"revolute": hinge}}
+        parent = name
+    return {
+        "version": 1,
+        "title": f"Chain of {links} links",
+        "simulation": {"integrator": "rk4", "step_s": STEP_S, "duration_s": 1.0, "record_every_s": 0.01},
+        "bodies": bodies,
+        "forces": {"gravity": {"gravity": {"acceleration_m_s2": 9.80665}}},
+    }
+
+
+def _case(name: str, links: int, scenario: Any) -> Case:
+    """A scenario at a random state from the fixed seed."""
+    import kingpost
+
     found = tree.read(scenario.resolved)
     q, v = states.random_state(found, np.random.default_rng(SEED))
     simulation = kingpost.Simulation(scenario)
     simulation.set_state(q, v)
-    return Case(scenario.json, simulation.snapshot(), found, q, v)
+    return Case(name, links, scenario.json, simulation.snapshot(), found, q, v)
 
 
 def write_kingpost(case: Case, folder: Path) -> Path:
     """Writes the scenario (.json) and the state (.txt, .snapshot); returns the path without ending."""
-    path = folder / "kingpost"
+    path = folder / f"{case.name}_kingpost"
     path.with_suffix(".json").write_text(case.scenario)
     path.with_suffix(".snapshot").write_bytes(case.snapshot)
-    path.with_suffix(".txt").write_text(_lines([("q", case.q), ("v", case.v)]))
+    force = loads.drive_forces(case.tree, case.q, case.v)
+    path.with_suffix(".txt").write_text(_lines([("q", case.q), ("v", case.v), ("force", force)]))
     return path
 
 
@@ -67,7 +116,7 @@ def write_mujoco(case: Case, folder: Path) -> Path:
     peer = peer_module.MujocoPeer(case.tree)
     free = case.tree.free()
     force = loads.drive_forces(case.tree, case.q, case.v)[free]
-    path = folder / "mujoco"
+    path = folder / f"{case.name}_mujoco"
     path.with_suffix(".xml").write_text(peer_module.mjcf(case.tree, step_s=STEP_S))
     path.with_suffix(".txt").write_text(
         _lines([("qpos", peer.qpos(case.q)), ("qvel", case.v[free]), ("qfrc", force)])
@@ -79,7 +128,7 @@ def write_pinocchio(case: Case, folder: Path) -> Path:
     """Writes joints, bodies and the state as text lines and returns the path."""
     peer = importlib.import_module("peers.pinocchio_peer").PinocchioPeer(case.tree)
     model = peer.model
-    rows: list[tuple[str, Any]] = []
+    rows: list[tuple[str, Any]] = [("gravity", model.gravity.linear)]
     for index in range(1, model.njoints):
         place, inertia = model.jointPlacements[index], model.inertias[index]
         kind = _KINDS[model.joints[index].shortname()]
@@ -90,7 +139,7 @@ def write_pinocchio(case: Case, folder: Path) -> Path:
         rows.append((f"body {index}", [inertia.mass, *inertia.lever, *six]))
     rows += [("q", peer.configuration(case.q)), ("v", peer.velocity(case.q, case.v))]
     rows.append(("tau", peer.force(case.q, case.v)))
-    path = folder / "pinocchio.txt"
+    path = folder / f"{case.name}_pinocchio.txt"
     path.write_text(_lines(rows))
     return path
 

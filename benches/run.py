@@ -1,4 +1,4 @@
-"""Kingpost beside Pinocchio and MuJoCo: forward dynamics and one RK4 step of the paper's model.
+"""Kingpost beside Pinocchio and MuJoCo: the paper's model, chains, and many runs at once.
 
 Prints ``engine|model|operation|median_ns|instructions``, a line for each; lines that start with ``#`` are
 for people. See README.md beside this file.
@@ -20,10 +20,8 @@ from pathlib import Path
 import engines as programs
 import measure
 import models
+import report
 from measure import Figure
-
-README = Path(__file__).resolve().parent / "README.md"
-TABLE_START, TABLE_END = "<!-- table: start -->", "<!-- table: end -->"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -42,11 +40,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         figures = measure.figures(found, measure.QUICK if options.quick else measure.FULL)
     for figure in figures:
         lines.add(_line(figure))
-    for line in ratios(figures):
-        lines.add(f"# {line}")
+    for line in report.ratios(figures):
+        lines.add(f"# ratio: {line}")
+    for line in report.growth(figures):
+        lines.add(f"# growth: {line}")
     lines.write()
     if options.readme:
-        write_readme(figures)
+        report.write_readme(report.table(figures, versions()))
     return 0
 
 
@@ -78,26 +78,30 @@ class _Lines:
 
 
 def _engines(options: argparse.Namespace, folder: Path, lines: _Lines) -> list[programs.Engine]:
-    """The engines that can be measured here; a line says why another is left out."""
-    case = models.make_case()
+    """The engines that can be measured here, on each model; a line says why another is left out."""
+    names = options.engines.split(",")
+    unknown = [name for name in names if name not in programs.BUILDERS]
+    if unknown:
+        raise SystemExit(f"unknown engine {unknown[0]!r}, known: {', '.join(programs.BUILDERS)}")
+    chains = models.CHAIN_LINKS[::2] if options.quick else models.CHAIN_LINKS
     found = []
-    for name in options.engines.split(","):
-        if name not in programs.BUILDERS:
-            raise SystemExit(f"unknown engine {name!r}, known: {', '.join(programs.BUILDERS)}")
-        try:
-            engine = programs.BUILDERS[name](case, folder, options.quick)
-        except programs.NotHereError as reason:
-            lines.add(f"# skipped: {name}: {reason}")
-            continue
-        lines.add(f"# engine: {name}: {engine.version}")
-        found.append(engine)
+    for case in (models.paper(), *map(models.chain, chains)):
+        for name in names if not case.links else [n for n in names if n in programs.ON_CHAINS]:
+            try:
+                engine = programs.BUILDERS[name](case, folder, options.quick)
+            except programs.NotHereError as reason:
+                lines.add(f"# skipped: {name}, {case.name}: {reason}")
+                continue
+            if not case.links:
+                lines.add(f"# engine: {name}: {engine.version}")
+            found.append(engine)
     return found
 
 
 def _line(figure: Figure) -> str:
     """One figure as a script reads it."""
     count = "-" if figure.instructions is None else f"{figure.instructions:.0f}"
-    return f"{figure.engine}|{models.MODEL}|{figure.operation}|{figure.median_ns:.1f}|{count}"
+    return f"{figure.engine}|{figure.model}|{figure.operation}|{figure.median_ns:.1f}|{count}"
 
 
 def describe() -> Iterator[str]:
@@ -128,36 +132,10 @@ def _version(tool: str) -> str:
     return done.stdout.splitlines()[0] if done.stdout else "unknown"
 
 
-def ratios(figures: Sequence[Figure]) -> Iterator[str]:
-    """Each of Kingpost's figures over each peer's for the same work."""
-    for ours in figures:
-        if not ours.engine.startswith("kingpost"):
-            continue
-        for peer in figures:
-            same = ours.operation.removesuffix("_ledger") == peer.operation
-            if not same or peer.engine.startswith("kingpost"):
-                continue
-            text = f"time {ours.median_ns / peer.median_ns:.2f}"
-            if ours.instructions and peer.instructions:
-                text += f", instructions {ours.instructions / peer.instructions:.2f}"
-            yield f"ratio: {ours.engine} {ours.operation} / {peer.engine} {peer.operation}: {text}"
-
-
-def table(figures: Sequence[Figure]) -> str:
-    """The figures and ratios as Markdown."""
-    head = f"{datetime.datetime.now(datetime.UTC).date().isoformat()}, {machine()}; "
-    versions = [f"{name} {_package_version(name)}" for name in ("kingpost", "mujoco", "pin")]
-    rows = [head + ", ".join(versions) + ", " + _version("g++") + ", " + _version("rustc") + ".", ""]
-    rows += [
-        "| engine | operation | median, ns | fastest tenth, ns | instructions |",
-        "| --- | --- | --- | --- | --- |",
-    ]
-    for figure in figures:
-        count = "-" if figure.instructions is None else f"{figure.instructions:,.0f}"
-        cells = [figure.engine, figure.operation, f"{figure.median_ns:,.0f}", f"{figure.low_ns:,.0f}", count]
-        rows.append(f"| {' | '.join(cells)} |")
-    rows += ["", *(f"- {line.removeprefix('ratio: ')}" for line in ratios(figures))]
-    return "\n".join(rows)
+def versions() -> str:
+    """Machine, packages and compilers, for the head of the table."""
+    packages = [f"{name} {_package_version(name)}" for name in ("kingpost", "mujoco", "pin")]
+    return f"{machine()}; " + ", ".join([*packages, _version("g++"), _version("rustc")])
 
 
 def _package_version(name: str) -> str:
@@ -166,13 +144,6 @@ def _package_version(name: str) -> str:
         return importlib.metadata.version(name)
     except importlib.metadata.PackageNotFoundError:
         return "absent"
-
-
-def write_readme(figures: Sequence[Figure]) -> None:
-    """Replaces the table in README.md."""
-    before, _, rest = README.read_text().partition(TABLE_START)
-    _, _, after = rest.partition(TABLE_END)
-    README.write_text(f"{before}{TABLE_START}\n\n{table(figures)}\n\n{TABLE_END}{after}")
 
 
 if __name__ == "__main__":

@@ -49,7 +49,7 @@ int run(int argc, char **argv, Reset reset, Operation operation, Result result) 
     for (double value : result()) std::printf("%.17g\n", value);
     return 0;
   }
-  std::fprintf(stderr, "usage: PROGRAM MODEL forward|rk4_step time BATCHES REPETITIONS|count N|check N\n");
+  std::fprintf(stderr, "usage: PROGRAM MODEL OPERATION time BATCHES REPETITIONS|count N|check N\n");
   return 2;
 }
 

@@ -1,6 +1,7 @@
-// MuJoCo's forward dynamics and one step of its RK4. The model is MJCF beside a text file with the lines
+// MuJoCo's forward dynamics and one step of its Euler scheme or RK4. The model is MJCF beside a text file with the lines
 // "qpos ...", "qvel ...", "qfrc ..." (MODEL.xml and MODEL.txt). Every stage that this model has no use for
-// is switched off as its users can: contacts, constraints, passive forces, actuation, gravity, sensors.
+// is switched off as its users can: contacts, constraints, passive forces, actuation, sensors, gravity where
+// there is none.
 #include <mujoco/mujoco.h>
 
 #include <cstring>
@@ -30,7 +31,7 @@ static std::vector<double> values(const mjtNum *first, std::size_t count) {
   return std::vector<double>(first, first + count);
 }
 
-static int measure(int argc, char **argv, const mjModel *model, mjData *data, const Start &start) {
+static int measure(int argc, char **argv, mjModel *model, mjData *data, const Start &start) {
   const std::string operation = argv[2];
   auto reset = [&] {
     mj_resetData(model, data);
@@ -42,7 +43,8 @@ static int measure(int argc, char **argv, const mjModel *model, mjData *data, co
     return bench::run(
         argc, argv, reset, [&] { mj_forward(model, data); },
         [&] { return values(data->qacc, start.qvel.size()); });
-  if (operation == "rk4_step")
+  model->opt.integrator = operation == "euler_step" ? mjINT_EULER : mjINT_RK4;
+  if (operation == "euler_step" || operation == "rk4_step")
     return bench::run(
         argc, argv, reset, [&] { mj_step(model, data); },
         [&] {
@@ -63,7 +65,8 @@ int main(int argc, char **argv) {
     std::fprintf(stderr, "%s\n", error);
     return 2;
   }
-  model->opt.disableflags |= mjDSBL_SPRING | mjDSBL_DAMPER | mjDSBL_GRAVITY | mjDSBL_AUTORESET;
+  model->opt.disableflags |= mjDSBL_SPRING | mjDSBL_DAMPER | mjDSBL_AUTORESET;
+  if (model->opt.gravity[2] == 0.0) model->opt.disableflags |= mjDSBL_GRAVITY;
   const Start start = read_start(path + ".txt");
   if (static_cast<int>(start.qpos.size()) != model->nq || static_cast<int>(start.qvel.size()) != model->nv) {
     std::fprintf(stderr, "the state does not fit the model\n");

@@ -1,5 +1,5 @@
 // Pinocchio's articulated body algorithm, and one RK4 step on the Lie group made of four of them.
-// The model file is plain text: "joint PARENT KIND R(9) p(3)", "body JOINT mass com(3) I(6)", "q ...",
+// The model file is plain text: "gravity g(3)", "joint PARENT KIND R(9) p(3)", "body JOINT mass com(3) I(6)", "q ...",
 // "v ...", "tau ..."; a body's numbers are in its joint's frame.
 #include <pinocchio/fwd.hpp>
 
@@ -65,18 +65,22 @@ static void read_body(std::istream &line, pinocchio::Model &model) {
 
 static Case read_case(const char *path) {
   Case result;
-  result.model.gravity.setZero();
+  VectorXd gravity;
   std::ifstream file(path);
   for (std::string text; std::getline(file, text);) {
     std::istringstream line(text);
     std::string what;
     line >> what;
+    if (what == "gravity") read_vector(line, gravity);
     if (what == "joint") read_joint(line, result.model);
     if (what == "body") read_body(line, result.model);
     if (what == "q") read_vector(line, result.q);
     if (what == "v") read_vector(line, result.v);
     if (what == "tau") read_vector(line, result.tau);
   }
+  if (gravity.size() != 3) throw std::runtime_error("gravity is not given");
+  result.model.gravity.linear() = gravity;
+  result.model.gravity.angular().setZero();
   if (result.q.size() != result.model.nq) throw std::runtime_error("q does not fit the model");
   return result;
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import re
 import shutil
 import subprocess
 import sys
@@ -22,22 +23,45 @@ def peers_here() -> set[str]:
     return found
 
 
-def test_bench_prints_readable_lines(tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def lines(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """What a quick run prints."""
     if not peers_here():
         pytest.skip("neither cargo nor g++ with MuJoCo is installed")
-    output = tmp_path / "bench.txt"
+    output = tmp_path_factory.mktemp("bench") / "bench.txt"
     command = [sys.executable, str(SCRIPT), "--quick", "-o", str(output)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert output.read_text() == done.stdout
-    rows = [line.split("|") for line in done.stdout.splitlines() if not line.startswith("#")]
+    return done.stdout.splitlines()
+
+
+def test_bench_prints_readable_lines(lines: list[str]) -> None:
+    rows = [line.split("|") for line in lines if not line.startswith("#")]
     assert peers_here() <= {row[0] for row in rows}
     for _engine, model, operation, nanoseconds, instructions in rows:
-        assert model == "paper_free_load"
-        assert operation in {"forward", "rk4_step", "rk4_step_ledger"}
+        assert re.fullmatch("paper_free_load|chain_[0-9]+", model)
+        assert re.fullmatch("forward|euler_step|rk4_step(_ledger)?|batch_(euler|rk4)_[12]", operation)
         assert float(nanoseconds) > 0.0
         assert instructions == "-" or float(instructions) > 0.0
-    for line in done.stdout.splitlines():
-        if line.startswith("# agreement"):
-            limit = 1e-9 if "forward" in line else 1e-4
-            assert float(line.split(": ")[-1].split()[0]) < limit, line
+
+
+def test_the_engines_of_the_bench_agree(lines: list[str]) -> None:
+    agreements = [line for line in lines if line.startswith("# agreement")]
+    assert len(agreements) >= len(peers_here()) - 1
+    for line in agreements:
+        limit = 1e-9 if "forward" in line else 1e-4
+        assert float(line.split(": ")[-1].split()[0]) < limit, line
+
+
+def test_instructions_grow_linearly_with_the_links_of_a_chain(lines: list[str]) -> None:
+    """One more link takes as many instructions in a long chain as in a short one, within 2 %.
+
+    What is left is in the branches of sine and cosine, which depend on each angle.
+    """
+    growth = [line for line in lines if line.startswith("# growth: kingpost,")]
+    if not growth:
+        pytest.skip("valgrind counts no instructions here")
+    counts = [float(count.replace(",", "")) for count in re.findall(r"([0-9,]+) to", growth[0])]
+    assert len(counts) == 2
+    assert max(counts) < 1.02 * min(counts), growth

@@ -1,4 +1,4 @@
-//! Kingpost's forward dynamics and RK4 step, in the manner of the peers' programs:
+//! Kingpost's forward dynamics and steps, in the manner of the peers' programs:
 //! `kingpost-bench MODEL OPERATION MODE NUMBERS`, where `MODEL.json` is the resolved scenario and
 //! `MODEL.txt` the state.
 //!

@@ -1,10 +1,7 @@
 //! What is measured.
 
 use crate::Outcome;
-use kingpost::drives::{Clock, Drive};
-use kingpost::dynamics::{LinkKinematics, Loads, forward};
-use kingpost::integrate::{Interval, Scheme, System};
-use kingpost::model::Model;
+use kingpost::integrate::{Interval, Scheme, Sizes, Stage, System};
 use kingpost::plant::Plant;
 use kingpost::scenario;
 use kingpost::simulation::{Setup, Simulation};
@@ -28,20 +25,23 @@ pub struct Task {
     setup: Setup,
     q: Vec<f64>,
     v: Vec<f64>,
+    force: Vec<f64>,
 }
 
 impl Task {
-    /// Reads a resolved scenario and a state with the lines `q ...` and `v ...`.
+    /// Reads a resolved scenario and a state with the lines `q ...`, `v ...` and `force ...`.
     pub fn read(scenario: &str, state: &str) -> Outcome<Self> {
         let setup = scenario::read(scenario, "kingpost.json", &[])?.setup()?;
-        Ok(Self { setup, q: numbers(state, "q")?, v: numbers(state, "v")? })
+        let [q, v, force] = ["q", "v", "force"].map(|word| numbers(state, word));
+        Ok(Self { setup, q: q?, v: v?, force: force? })
     }
 
     /// The operation of that name on this task.
     pub fn operation(self, name: &str) -> Outcome<Box<dyn Operation>> {
         match name {
             "forward" => Ok(Box::new(Forward::new(self))),
-            "rk4_step" => Ok(Box::new(Step::new(self))),
+            "euler_step" => Ok(Box::new(Step::new(self, Scheme::forward_euler))),
+            "rk4_step" => Ok(Box::new(Step::new(self, Scheme::runge_kutta_4))),
             "rk4_step_ledger" => Ok(Box::new(Shipped::new(self))),
             other => Err(format!("unknown operation {other}").into()),
         }
@@ -55,28 +55,23 @@ fn numbers(text: &str, word: &str) -> Outcome<Vec<f64>> {
     Ok(line.split_whitespace().map(str::parse).collect::<Result<_, _>>()?)
 }
 
-/// Forward dynamics under constant loads: sine and cosine, kinematics, accelerations.
+/// Forward dynamics under the scenario's forces and a given force along each coordinate: sine and cosine,
+/// kinematics, accelerations.
 struct Forward {
-    model: Model,
-    links: LinkKinematics,
-    loads: Loads,
-    work: forward::Workspace,
+    plant: Plant,
     q: Vec<f64>,
     v: Vec<f64>,
+    force: Vec<f64>,
     v_dot: Vec<f64>,
 }
 
 impl Forward {
-    /// The loads are those of the drives at time zero.
-    fn new(Task { setup, q, v }: Task) -> Self {
-        let Setup { model, drives, .. } = setup;
-        let mut loads = Loads::new(&model);
-        let clock = Clock { time_s: 0.0, middle_s: 0.0 };
-        drives.iter().for_each(|drive: &Drive| drive.apply(clock, &q, &v, &[], &mut loads));
-        let links = LinkKinematics::new(&model);
-        let work = forward::Workspace::new(&model);
+    /// The force stands for the drives.
+    fn new(Task { setup, q, v, force }: Task) -> Self {
+        let mut plant = Plant::new(setup.model, setup.forces, Vec::new());
+        plant.keeps_ledger = false;
         let v_dot = vec![0.0; v.len()];
-        Self { model, links, loads, work, q, v, v_dot }
+        Self { plant, q, v, force, v_dot }
     }
 }
 
@@ -87,9 +82,10 @@ impl Operation for Forward {
 
     fn repeat(&mut self, times: usize) -> Outcome<()> {
         for _ in 0..times {
-            let Self { model, links, loads, work, q, v, v_dot } = black_box(&mut *self);
-            links.update(model, q, v);
-            forward::forward_dynamics(model, links, v, loads, work, v_dot);
+            let Self { plant, q, v, force, v_dot } = black_box(&mut *self);
+            let interval = Interval { start_s: 0.0, end_s: STEP_S };
+            let stage = Stage { time_s: 0.0, interval, q, v, s: &[], d: &[] };
+            plant.acceleration(stage, Some(force), v_dot);
         }
         Ok(())
     }
@@ -99,7 +95,7 @@ impl Operation for Forward {
     }
 }
 
-/// One RK4 step of the plant without its ledger.
+/// One step of the plant without its ledger.
 struct Step {
     plant: Plant,
     scheme: Scheme,
@@ -109,10 +105,10 @@ struct Step {
 
 impl Step {
     /// The plant with its forces and drives.
-    fn new(Task { setup, q, v }: Task) -> Self {
+    fn new(Task { setup, q, v, .. }: Task, scheme: fn(Sizes) -> Scheme) -> Self {
         let mut plant = Plant::new(setup.model, setup.forces, setup.drives);
         plant.keeps_ledger = false;
-        let scheme = Scheme::runge_kutta_4(plant.sizes());
+        let scheme = scheme(plant.sizes());
         let start = State { q, v, ..State::default() };
         Self { plant, scheme, state: start.clone(), start }
     }
@@ -149,7 +145,7 @@ struct Shipped {
 
 impl Shipped {
     /// The scenario's simulation.
-    fn new(Task { setup, q, v }: Task) -> Self {
+    fn new(Task { setup, q, v, .. }: Task) -> Self {
         Self { simulation: Simulation::new(setup), q, v }
     }
 }

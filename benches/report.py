@@ -1,0 +1,102 @@
+"""What a run's figures come to: ratios, growth with the number of links, and the tables of README.md."""
+
+from __future__ import annotations
+
+import datetime
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from pathlib import Path
+
+import models
+from measure import Figure
+
+README = Path(__file__).resolve().parent / "README.md"
+TABLE_START, TABLE_END = "<!-- table: start -->", "<!-- table: end -->"
+
+
+def ratios(figures: Sequence[Figure]) -> Iterator[str]:
+    """Each of Kingpost's figures over each peer's for the same work on the same model."""
+    for ours in figures:
+        if not ours.engine.startswith("kingpost"):
+            continue
+        for peer in figures:
+            same = ours.model == peer.model and ours.operation.removesuffix("_ledger") == peer.operation
+            if not same or peer.engine.startswith("kingpost"):
+                continue
+            yield (
+                f"{ours.engine} {ours.operation} / {peer.engine} {peer.operation}, {ours.model}: "
+                f"{_ratio(ours, peer)}"
+            )
+
+
+def _ratio(ours: Figure, peer: Figure) -> str:
+    """Times, and instructions where both are counted."""
+    text = f"time {ours.median_ns / peer.median_ns:.2f}"
+    if ours.instructions and peer.instructions:
+        text += f", instructions {ours.instructions / peer.instructions:.2f}"
+    return text
+
+
+def growth(figures: Sequence[Figure]) -> Iterator[str]:
+    """Instructions of one more link, from each length of chain to the next: equal where growth is linear."""
+    for engine in dict.fromkeys(figure.engine for figure in figures):
+        counts = {
+            links: figure.instructions
+            for links in models.CHAIN_LINKS
+            for figure in figures
+            if (figure.engine, figure.model) == (engine, models.chain_name(links)) and figure.instructions
+        }
+        if len(counts) > 1:
+            steps = [(b, (counts[b] - counts[a]) / (b - a)) for a, b in pairwise(counts)]
+            yield f"{engine}, one more link: " + ", ".join(f"{each:,.0f} to {b}" for b, each in steps)
+
+
+def table(figures: Sequence[Figure], head: str) -> str:
+    """The figures, ratios and growth as Markdown."""
+    chains = {models.chain_name(links) for links in models.CHAIN_LINKS}
+    paper = [figure for figure in figures if figure.model not in chains]
+    rows = [
+        f"{datetime.datetime.now(datetime.UTC).date().isoformat()}, {head}.",
+        "",
+        "### The paper's free ship, tower, arm and load",
+        "",
+        "| engine | operation | median, ns | fastest tenth, ns | instructions |",
+        "| --- | --- | --- | --- | --- |",
+    ]
+    for figure in paper:
+        cells = [figure.engine, figure.operation, f"{figure.median_ns:,.0f}", f"{figure.low_ns:,.0f}"]
+        rows.append(f"| {' | '.join([*cells, _count(figure)])} |")
+    rows += ["", *(f"- {line.replace(f', {models.PAPER}', '')}" for line in ratios(paper))]
+    if len(paper) < len(figures):
+        rows += ["", "### Chains: forward dynamics", "", *_chains(figures)]
+        rows += ["", *(f"- {line}" for line in growth(figures))]
+    return "\n".join(rows)
+
+
+def _chains(figures: Sequence[Figure]) -> Iterator[str]:
+    """A row for each length and engine."""
+    yield "| links | engine | median, ns | instructions | kingpost over it: time | instructions |"
+    yield "| --- | --- | --- | --- | --- | --- |"
+    for links in models.CHAIN_LINKS:
+        here = [figure for figure in figures if figure.model == models.chain_name(links)]
+        for figure in here:
+            ours = next((f for f in here if f.engine == "kingpost"), None)
+            time, count = "-", "-"
+            if ours and figure is not ours:
+                time = f"{ours.median_ns / figure.median_ns:.2f}"
+                if ours.instructions and figure.instructions:
+                    count = f"{ours.instructions / figure.instructions:.2f}"
+            cells = [str(links), figure.engine, f"{figure.median_ns:,.0f}", _count(figure), time, count]
+            yield f"| {' | '.join(cells)} |"
+
+
+def _count(figure: Figure) -> str:
+    """Instructions, or a dash where they are not counted."""
+    return "-" if figure.instructions is None else f"{figure.instructions:,.0f}"
+
+
+def write_readme(text: str) -> None:
+    """Replaces the tables in README.md."""
+    before, _, rest = README.read_text().partition(TABLE_START)
+    _, _, after = rest.partition(TABLE_END)
+    README.write_text(f"{before}{TABLE_START}\n\n{text}\n\n{TABLE_END}{after}")
