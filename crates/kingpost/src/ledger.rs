@@ -45,8 +45,6 @@ pub struct JointLoad<S = f64> {
     pub frame: Frame<S>,
     /// About that frame's origin, in its axes.
     pub wrench: Wrench<S>,
-    /// Along the joint's own axis, N or N m; zero for joints that have none.
-    pub along_axis: S,
 }
 
 /// What the rates of the ledger are made of.
@@ -68,8 +66,9 @@ pub struct Entries<'a, S = f64> {
 }
 
 impl<S: Scalar> Entries<'_, S> {
-    /// Writes the rates; `joint` says what the joint of a node of the tree carries.
-    pub fn rates(&self, joint: impl Fn(usize) -> JointLoad<S>, s_dot: &mut [S]) {
+    /// Writes the rates; `joint` says what the joint of a node of the tree carries, `along` how much
+    /// of that, in N or N m, along one of its coordinates.
+    pub fn rates(&self, joint: impl Fn(usize) -> JointLoad<S>, along: impl Fn(usize, usize) -> S, s_dot: &mut [S]) {
         let (mut force, mut moment) = (Vector3::zero(), Vector3::zero());
         let mut add = |frame: &Frame<S>, wrench: &Wrench<S>| {
             let f = frame.rotation * wrench.force;
@@ -88,9 +87,10 @@ impl<S: Scalar> Entries<'_, S> {
                 let carried = joint(i);
                 add(&carried.frame, &self.reaction_of_the_world(node, &carried));
             }
-            if node.mode == Mode::Prescribed {
-                let at = node.velocities;
-                prescribed_power += (joint(i).along_axis - self.loads.force[at]) * self.v[at];
+            for at in (node.velocities..).take(node.kind.velocity_count()) {
+                if self.model.modes[at] == Mode::Prescribed {
+                    prescribed_power += (along(i, at) - self.loads.force[at]) * self.v[at];
+                }
             }
         }
         let power = &self.loads.power;

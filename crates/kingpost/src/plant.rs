@@ -6,7 +6,7 @@ use crate::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, invers
 use crate::forces::Force;
 use crate::integrate::{Interval, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
-use crate::model::{JointKind, Mode, Model};
+use crate::model::{Mode, Model, Node};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -48,15 +48,11 @@ type SolveMatrices<S> = fn(&mut Plant<S>, q: &[S], v: &[S], v_dot: &mut [S]);
 impl<S: Scalar> Plant<S> {
     /// Puts a plant together, its equations in the recursive form.
     pub fn new(model: Model<S>, forces: Vec<Force<S>>, drives: Vec<Drive<S>>) -> Self {
-        let rotation_rates = model
-            .tree
-            .nodes
-            .iter()
-            .flat_map(|node| {
-                let floating = matches!(node.kind, JointKind::Floating(_));
-                (0..node.kind.velocity_count()).map(move |i| floating && i >= 3)
-            })
-            .collect();
+        let turns = |node: &Node<S>| {
+            let first = node.kind.quaternion().map_or(usize::MAX, |(_, rates)| rates);
+            (0..node.kind.velocity_count()).map(move |k| k >= first)
+        };
+        let rotation_rates = model.tree.nodes.iter().flat_map(turns).collect();
         Self {
             links: LinkKinematics::new(&model),
             bodies: Kinematics::new(&model.tree),
@@ -249,18 +245,13 @@ impl<S: Scalar> System<S> for Plant<S> {
         let entries = Entries { model, tree, has_fixed, links, v: at.v, loads, centre };
         match self.form {
             Form::Recursive => entries.rates(
-                |i| {
-                    let (frame, wrench) = (links.root_in_world[model.roots[i]], work.joint_wrench(i));
-                    JointLoad { frame, wrench, along_axis: wrench.dot(&links.axis[i]) }
-                },
+                |i| JointLoad { frame: links.root_in_world[model.roots[i]], wrench: work.joint_wrench(i) },
+                |i, _| work.joint_wrench(i).dot(&links.axis[i]),
                 s_dot,
             ),
             Form::MovingFrame(_) => entries.rates(
-                |i| {
-                    let wrench = inverse.joint_wrench[i];
-                    let along_axis = tree.nodes[i].kind.axis_twist().map_or(S::ZERO, |axis| wrench.dot(axis));
-                    JointLoad { frame: bodies.world[i], wrench, along_axis }
-                },
+                |i| JointLoad { frame: bodies.world[i], wrench: inverse.joint_wrench[i] },
+                |i, coordinate| inverse.joint_wrench[i].dot(&bodies.columns[coordinate]),
                 s_dot,
             ),
         }

@@ -1,7 +1,7 @@
 //! The registry of result channels: names, units, frames and dimensions, in one table.
 
 use crate::ledger;
-use crate::model::{JointKind, Model};
+use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::plant::Observation;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Quaternion, Twist, Vector3, Wrench, roll_pitch_yaw};
@@ -18,7 +18,7 @@ pub enum Dimension {
     Axis,
     /// w, x, y, z.
     Quaternion,
-    /// Coordinates of joints with one degree of freedom.
+    /// Coordinates of all joints but floating ones.
     Coordinate,
     /// Joints by name.
     Joint,
@@ -114,12 +114,12 @@ impl<S: Scalar> Table<S> {
         Entry { variable: "angular_velocity", long_name: "angular velocity: roll, pitch and yaw rate", unit: Plain("rad/s"), frame: InBody, dims: &[Body, Axis],
             write: |x, out| out.extend(x.observed.bodies.twist.iter().flat_map(|twist| twist.angular.0)) },
         Entry { variable: "acceleration", long_name: "acceleration of the centre of mass", unit: Plain("m/s^2"), frame: World, dims: &[Body, Axis], write: acceleration },
-        Entry { variable: "joint_position", long_name: "joint angle or extension", unit: By(["rad", "m", "rad or m"]), frame: Number, dims: &[Coordinate],
-            write: |x, out| each_coordinate(x, out, |x, i| x.q[x.observed.model.tree.nodes[i].positions]) },
-        Entry { variable: "joint_velocity", long_name: "joint rate", unit: By(["rad/s", "m/s", "rad/s or m/s"]), frame: Number, dims: &[Coordinate],
-            write: |x, out| each_coordinate(x, out, |x, i| x.v[x.observed.model.tree.nodes[i].velocities]) },
+        Entry { variable: "joint_position", long_name: "joint angle or extension; the rotation vector of a spherical joint", unit: By(["rad", "m", "rad or m"]), frame: Number, dims: &[Coordinate],
+            write: |x, out| each_coordinate(x, out, joint_position) },
+        Entry { variable: "joint_velocity", long_name: "joint rate; the angular velocity of a spherical joint in child axes", unit: By(["rad/s", "m/s", "rad/s or m/s"]), frame: Number, dims: &[Coordinate],
+            write: |x, out| each_coordinate(x, out, |x, c| x.v[c.index]) },
         Entry { variable: "joint_force", long_name: "force or moment that the joint carries along its coordinate: drive, friction, hold", unit: By(["N m", "N", "N m or N"]), frame: Number,
-            dims: &[Coordinate], write: |x, out| each_coordinate(x, out, joint_force) },
+            dims: &[Coordinate], write: |x, out| each_coordinate(x, out, |x, c| x.observed.inverse.joint_wrench[c.body].dot(&x.observed.bodies.columns[c.index])) },
         Entry { variable: "joint_reaction", long_name: "wrench of the joint on the child, at the joint, in the child's axes, drive included", unit: Plain("N, N m"), frame: InJoint,
             dims: &[Joint, Component], write: joint_reaction },
         Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
@@ -178,7 +178,10 @@ impl Dimension {
             Body => model.bodies.iter().map(|body| body.name.clone()).collect(),
             Axis => fixed(&["x", "y", "z"]),
             QuaternionDim => fixed(&["w", "x", "y", "z"]),
-            Coordinate => axis_joints(model).map(|i| model.joints[i].name.clone()).collect(),
+            Coordinate => {
+                let names = model.coordinate_names();
+                joint_coordinates(model).map(|c| names[c.index].clone()).collect()
+            }
             Joint => model.joints.iter().map(|joint| joint.name.clone()).collect(),
             Component => fixed(&["force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"]),
             Point => {
@@ -196,8 +199,8 @@ impl Unit {
         match self {
             Plain(unit) => unit,
             By([rotation, translation, both]) => {
-                let turns = |i: usize| matches!(model.joints[i].kind, JointKind::Revolute(_));
-                match (axis_joints(model).any(turns), axis_joints(model).any(|i| !turns(i))) {
+                let slides = |c: JointCoordinate<'_, S>| c.motion() == Some(AxisMotion::Translation);
+                match (joint_coordinates(model).any(|c| !slides(c)), joint_coordinates(model).any(slides)) {
                     (true, true) => both,
                     (false, true) => translation,
                     _ => rotation,
@@ -207,9 +210,27 @@ impl Unit {
     }
 }
 
-/// Joints with one degree of freedom.
-fn axis_joints<S: Scalar>(model: &Model<S>) -> impl Iterator<Item = usize> + '_ {
-    (0..model.joints.len()).filter(|&i| model.joints[i].kind.axis_twist().is_some())
+/// A coordinate of a joint that does not float.
+struct JointCoordinate<'a, S> {
+    node: &'a Node<S>,
+    /// The body whose joint it is.
+    body: usize,
+    /// In v.
+    index: usize,
+}
+
+impl<S: Scalar> JointCoordinate<'_, S> {
+    /// `None` for a spherical joint's.
+    fn motion(&self) -> Option<AxisMotion> {
+        self.node.kind.axis_motion(self.index - self.node.velocities)
+    }
+}
+
+fn joint_coordinates<S: Scalar>(model: &Model<S>) -> impl Iterator<Item = JointCoordinate<'_, S>> + '_ {
+    let joints = model.tree.nodes.iter().enumerate();
+    joints.filter(|(_, node)| !matches!(node.kind, JointKind::Floating(_))).flat_map(|(body, node)| {
+        (node.velocities..).take(node.kind.velocity_count()).map(move |index| JointCoordinate { node, body, index })
+    })
 }
 
 fn each_frame<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>, write: impl Fn(&Frame<S>, &mut Vec<S>)) {
@@ -220,8 +241,12 @@ fn angle<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>, which: usize) {
     each_frame(x, out, |frame, out| out.push(roll_pitch_yaw(&frame.rotation)[which]));
 }
 
-fn each_coordinate<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>, value: impl Fn(&Sample<'_, S>, usize) -> S) {
-    out.extend(axis_joints(x.observed.model).map(|i| value(x, i)));
+fn each_coordinate<S: Scalar>(
+    x: &Sample<'_, S>,
+    out: &mut Vec<S>,
+    value: impl Fn(&Sample<'_, S>, JointCoordinate<'_, S>) -> S,
+) {
+    out.extend(joint_coordinates(x.observed.model).map(|c| value(x, c)));
 }
 
 fn each_point<S: Scalar>(
@@ -251,9 +276,12 @@ fn acceleration<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>) {
     }
 }
 
-fn joint_force<S: Scalar>(x: &Sample<'_, S>, joint: usize) -> S {
-    let axis = x.observed.model.joints[joint].kind.axis_twist();
-    axis.map_or(S::ZERO, |axis| x.observed.inverse.joint_wrench[joint].dot(axis))
+fn joint_position<S: Scalar>(x: &Sample<'_, S>, c: JointCoordinate<'_, S>) -> S {
+    let (q, k) = (&x.q[c.node.positions..], c.index - c.node.velocities);
+    match c.node.kind {
+        JointKind::Spherical(_) => Quaternion::from_slice(q).log()[k],
+        _ => q[k],
+    }
 }
 
 fn joint_reaction<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>) {

@@ -4,6 +4,7 @@
 //! with prescribed joints (ch. 9), over the fused links, in the axes of each branch's root. It
 //! solves M* q'' + N* q' = F* (eq. 61) without forming the matrices, and allocates nothing.
 
+use super::ball::Ball;
 use super::{LinkKinematics, Loads};
 use crate::model::{JointKind, Mode, Model, Node, joint::Floating};
 use crate::scalar::Scalar;
@@ -64,23 +65,36 @@ pub fn forward_dynamics<S: Scalar>(
 ) {
     gather(model, links, v, loads, work);
     for (i, node) in model.links.nodes.iter().enumerate().rev() {
-        if let (Some(parent), true) = (node.parent, node.kind.axis_twist().is_some()) {
-            let (inertia, bias) = transmitted(node, &links.axis[i], loads, &mut work.links[i]);
+        let link = &mut work.links[i];
+        let (inertia, bias) = match &node.kind {
+            JointKind::Floating(_) => continue,
+            JointKind::Spherical(joint) => {
+                let ball = Ball::new(joint, node, &links.in_root[i]);
+                ball.transmitted(&link.inertia, &link.bias, &link.drift, loads)
+            }
+            _ => transmitted(node, &links.axis[i], loads, link),
+        };
+        if let Some(parent) = node.parent {
             let parent = &mut work.links[parent];
             parent.inertia += inertia;
             parent.bias += bias;
-        } else if node.kind.axis_twist().is_some() {
-            transmitted(node, &links.axis[i], loads, &mut work.links[i]);
         }
     }
     for (i, node) in model.links.nodes.iter().enumerate() {
-        if let JointKind::Floating(floating) = node.kind {
-            let motion =
-                Root { floating, node, rotation: links.root_in_world[i].rotation, omega: links.twist[i].angular };
-            motion.accelerate(v, loads, &mut work.links[i], v_dot);
-        } else {
-            let carried = node.parent.map_or(Twist::zero(), |p| work.links[p].acceleration);
-            v_dot[node.velocities] = accelerate(node, &links.axis[i], carried, loads, &mut work.links[i]);
+        let (carried, link) = match node.parent {
+            Some(p) => (work.links[p].acceleration, &mut work.links[i]),
+            None => (Twist::zero(), &mut work.links[i]),
+        };
+        match &node.kind {
+            JointKind::Floating(floating) => {
+                let (rotation, omega) = (links.root_in_world[i].rotation, links.twist[i].angular);
+                Root { floating: *floating, node, rotation, omega }.accelerate(v, loads, link, v_dot);
+            }
+            JointKind::Spherical(joint) => {
+                let (ball, carried) = (Ball::new(joint, node, &links.in_root[i]), carried + link.drift);
+                link.acceleration = ball.accelerate(&link.inertia, &link.bias, &carried, loads, v_dot);
+            }
+            _ => v_dot[node.velocities] = accelerate(node, &links.axis[i], carried, loads, link),
         }
     }
 }
@@ -102,8 +116,13 @@ fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, v: &[S], loads
             }
         };
         link.bias = twist.cross_momentum(&momentum);
-        if node.kind.axis_twist().is_some() {
-            link.drift = twist.cross(&links.axis[i]) * v[node.velocities];
+        match &node.kind {
+            JointKind::Floating(_) => {}
+            JointKind::Spherical(joint) => {
+                let ball = Ball::new(joint, node, &links.in_root[i]);
+                link.drift = twist.cross(&ball.twist(&v[node.velocities..]));
+            }
+            _ => link.drift = twist.cross(&links.axis[i]) * v[node.velocities],
         }
     }
     for (body, added) in &loads.added_inertia {

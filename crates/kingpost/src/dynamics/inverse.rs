@@ -39,9 +39,12 @@ impl<S: Scalar> InverseDynamics<S> {
                     let turning = twist.angular.cross(body(&v[at..]));
                     Twist { angular: Vector3::from_slice(&v_dot[at + 3..]), linear: body(&v_dot[at..]) - turning }
                 }
-                kind => kind
-                    .axis_twist()
-                    .map_or(Twist::zero(), |axis| *axis * v_dot[at] + twist.cross(&bodies.joint_twist[i])),
+                _ => {
+                    let rates = &v_dot[at..][..node.kind.velocity_count()];
+                    let columns = bodies.columns[at..].iter().zip(rates);
+                    let turning = bodies.joint_drift[i] + twist.cross(&bodies.joint_twist[i]);
+                    columns.fold(turning, |sum, (column, rate)| *column * *rate + sum)
+                }
             };
             self.acceleration[i] = carried + own;
             self.joint_wrench[i] =
@@ -66,17 +69,8 @@ impl<S: Scalar> InverseDynamics<S> {
     /// The generalized force along each coordinate of v: the joint wrenches on the joints' axes.
     pub fn generalized_force(&self, model: &Model<S>, bodies: &Kinematics<S>, out: &mut [S]) {
         for (i, node) in model.tree.nodes.iter().enumerate() {
-            let (wrench, at) = (&self.joint_wrench[i], node.velocities);
-            match &node.kind {
-                JointKind::Floating(_) => {
-                    (bodies.world[i].rotation * wrench.force).write_to(&mut out[at..]);
-                    wrench.moment.write_to(&mut out[at + 3..]);
-                }
-                kind => {
-                    if let Some(axis) = kind.axis_twist() {
-                        out[at] = wrench.dot(axis);
-                    }
-                }
+            for at in (node.velocities..).take(node.kind.velocity_count()) {
+                out[at] = self.joint_wrench[i].dot(&bodies.columns[at]);
             }
         }
     }

@@ -15,6 +15,11 @@ pub struct Kinematics<S = f64> {
     pub twist: Vec<Twist<S>>,
     /// The part of the twist that the node's own joint makes.
     pub joint_twist: Vec<Twist<S>>,
+    /// That part's rate, component by component, at constant rates of the joint's coordinates: zero
+    /// but for joints whose columns turn.
+    pub joint_drift: Vec<Twist<S>>,
+    /// By coordinate of v: the twist per unit rate of the node whose joint owns it.
+    pub columns: Vec<Twist<S>>,
 }
 
 impl<S: Scalar> Kinematics<S> {
@@ -26,26 +31,38 @@ impl<S: Scalar> Kinematics<S> {
             world: vec![Frame::identity(); n],
             twist: vec![Twist::zero(); n],
             joint_twist: vec![Twist::zero(); n],
+            joint_drift: vec![Twist::zero(); n],
+            columns: vec![Twist::zero(); tree.velocity_count()],
         }
     }
 
     /// Computes everything from q and v.
     pub fn update(&mut self, tree: &Tree<S>, q: &[S], v: &[S]) {
         for (i, node) in tree.nodes.iter().enumerate() {
-            let relative = node.kind.relative(&q[node.positions..]);
+            let (q, v) = (&q[node.positions..], &v[node.velocities..]);
+            let relative = node.kind.relative(q);
             let (world, carried) = match node.parent {
                 Some(p) => (self.world[p].times(&relative), relative.twist_to_child(&self.twist[p])),
                 None => (relative, Twist::zero()),
             };
+            let columns = node.kind.columns(q, &world);
             let own = match &node.kind {
-                JointKind::Floating(_) => Floating::twist(&world, &v[node.velocities..]),
-                JointKind::Fixed(_) => Twist::zero(),
-                kind => kind.axis_twist().map_or(Twist::zero(), |axis| *axis * v[node.velocities]),
+                JointKind::Floating(_) => Floating::twist(&world, v),
+                _ => combined(&columns, v),
             };
+            let twist = carried + own;
             self.relative[i] = relative;
             self.world[i] = world;
             self.joint_twist[i] = own;
-            self.twist[i] = carried + own;
+            self.twist[i] = twist;
+            self.joint_drift[i] = combined(&node.kind.column_rates(&columns, v, twist.angular), v);
+            self.columns[node.velocities..][..columns.len()].copy_from_slice(&columns);
         }
     }
+}
+
+/// Columns times rates.
+fn combined<S: Scalar>(columns: &[Twist<S>], rates: &[S]) -> Twist<S> {
+    let mut terms = columns.iter().zip(rates).map(|(column, rate)| *column * *rate);
+    terms.next().map_or(Twist::zero(), |first| terms.fold(first, |sum, term| sum + term))
 }

@@ -4,6 +4,7 @@
 //! link. The root's frame is near, so that lengths stay as small as the crane, however far the ship
 //! is from the world's origin.
 
+use super::ball::Ball;
 use crate::model::{JointKind, Model, joint::Floating};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
@@ -18,7 +19,7 @@ pub struct LinkKinematics<S = f64> {
     pub in_root: Vec<Frame<S>>,
     /// Twist of each link about the root's origin, root axes.
     pub twist: Vec<Twist<S>>,
-    /// The same per unit rate of the link's own joint; zero for a floating link.
+    /// The same per unit rate of the link's own joint, where that has one axis; zero elsewhere.
     pub axis: Vec<Twist<S>>,
 }
 
@@ -51,8 +52,11 @@ impl<S: Scalar> LinkKinematics<S> {
                 }
             };
             self.axis[i] = axis;
-            self.twist[i] = match node.kind {
+            self.twist[i] = match &node.kind {
                 JointKind::Floating(_) => Floating::twist(&relative, &v[node.velocities..]),
+                JointKind::Spherical(joint) => {
+                    carried + Ball::new(joint, node, &self.in_root[i]).twist(&v[node.velocities..])
+                }
                 _ => carried + axis * v[node.velocities],
             };
         }

@@ -6,6 +6,7 @@
 //!
 //! Nothing here knows where loads come from: they arrive as one struct, [`Loads`].
 
+mod ball;
 pub mod energy;
 pub mod forward;
 pub mod inverse;

@@ -1,5 +1,6 @@
 //! Does every coordinate move some mass?
 
+use super::ball::Ball;
 use super::{LinkKinematics, Loads, forward};
 use crate::model::{JointKind, Mode, Model};
 use crate::spatial::{SpatialInertia, Twist};
@@ -16,8 +17,9 @@ pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> 
     let locked = locked_inertias(model, links);
     for (i, node) in model.links.nodes.iter().enumerate() {
         let (free, at) = (work.articulated_inertia(i), node.velocities);
-        let directions = match node.kind {
+        let directions = match &node.kind {
             JointKind::Floating(_) => unit_twists().to_vec(),
+            JointKind::Spherical(joint) => Ball::new(joint, node, &links.in_root[i]).axes().to_vec(),
             _ => vec![links.axis[i]],
         };
         // A floating joint's coordinates list the translation first, its twists the rotation.

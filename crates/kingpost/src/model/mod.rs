@@ -7,7 +7,7 @@ pub mod joint;
 mod shape;
 mod tree;
 
-pub use joint::{Joint, JointKind, Mode};
+pub use joint::{AxisMotion, Joint, JointKind, Mode};
 pub use shape::{Axis, Shape};
 pub use tree::{Node, Tree};
 
@@ -50,7 +50,9 @@ pub struct Body<S = f64> {
 ///
 /// It holds the tree twice. In `tree`, node i is body i: the form that the moving frame method,
 /// the results and the joint reactions use. In `links`, bodies that are fixed to one another are
-/// fused into one node: the form that the recursive dynamics uses.
+/// fused into one node, and a joint of several axes is as many nodes of one axis, with links of no
+/// mass between them: the form that the recursive dynamics uses. Its joints are floating, revolute,
+/// prismatic or spherical.
 #[derive(Clone, Debug)]
 pub struct Model<S = f64> {
     /// The bodies, parents first.
@@ -74,7 +76,7 @@ pub struct Model<S = f64> {
 }
 
 impl<S: Scalar> Model<S> {
-    /// Lays out the coordinates and fuses fixed joints.
+    /// Lays out the coordinates, fuses fixed joints and splits joints of several axes.
     ///
     /// # Panics
     /// When a parent does not come before its child: the caller orders the bodies.
@@ -93,11 +95,7 @@ impl<S: Scalar> Model<S> {
                 parent.map_or((None, Frame::identity()), |p| (bodies[p].link, bodies[p].in_link));
             let (link, in_link) = match joint.kind {
                 JointKind::Fixed(fixed) => (carrier, in_carrier.times(&fixed.relative())),
-                _ => {
-                    let kind = joint.kind.seen_from(&in_carrier);
-                    links.nodes.push(Node { parent: carrier, kind, inertia: SpatialInertia::default(), ..node });
-                    (Some(links.nodes.len() - 1), Frame::identity())
-                }
+                _ => (Some(links.append(&node, carrier, &in_carrier)), Frame::identity()),
             };
             if let Some(link) = link {
                 links.nodes[link].inertia += inertia.to_parent(&in_link);
@@ -125,9 +123,36 @@ impl<S: Scalar> Model<S> {
         self.joints.iter().position(|j| j.name == name)
     }
 
+    /// Index in v of the coordinate of this name.
+    pub fn coordinate(&self, name: &str) -> Option<usize> {
+        self.coordinate_names().iter().position(|n| n == name)
+    }
+
+    /// The body whose joint owns a coordinate of v, and which of the joint's coordinates it is.
+    pub fn owner(&self, coordinate: usize) -> Option<(usize, usize)> {
+        let place = |node: &Node<S>| {
+            let k = coordinate.checked_sub(node.velocities)?;
+            (k < node.kind.velocity_count()).then_some(k)
+        };
+        self.tree.nodes.iter().enumerate().find_map(|(body, node)| Some((body, place(node)?)))
+    }
+
+    /// Whether a coordinate of v is turned about or slid along, and its index in q; `None` for those
+    /// of floating and spherical joints.
+    pub fn axis_coordinate(&self, coordinate: usize) -> Option<(AxisMotion, usize)> {
+        let (body, k) = self.owner(coordinate)?;
+        let node = &self.tree.nodes[body];
+        Some((node.kind.axis_motion(k)?, node.positions + k))
+    }
+
     /// Names of all coordinates of v, in order: `ship.x`, ..., `slew`.
     pub fn coordinate_names(&self) -> Vec<String> {
         self.joints.iter().flat_map(Joint::coordinate_names).collect()
+    }
+
+    /// Where in q the unit quaternions begin.
+    pub fn quaternions(&self) -> impl Iterator<Item = usize> + '_ {
+        self.tree.nodes.iter().filter_map(|node| Some(node.positions + node.kind.quaternion()?.0))
     }
 
     /// Indices into v of the free coordinates: the rows of M*, N* and F*.

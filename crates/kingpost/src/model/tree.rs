@@ -2,7 +2,7 @@
 
 use super::joint::{JointKind, Mode};
 use crate::scalar::Scalar;
-use crate::spatial::SpatialInertia;
+use crate::spatial::{Frame, SpatialInertia};
 
 /// One body or link: its parent, its joint and its inertia.
 #[derive(Clone, Copy, Debug)]
@@ -11,7 +11,8 @@ pub struct Node<S = f64> {
     pub parent: Option<usize>,
     /// The joint to the parent.
     pub kind: JointKind<S>,
-    /// Whether the joint moves freely, is held or follows a prescribed motion.
+    /// Whether a joint of one axis moves freely, is held or follows a prescribed motion, and whether
+    /// a spherical joint is held; floating joints and lists of axes have their own modes.
     pub mode: Mode,
     /// First entry in q.
     pub positions: usize,
@@ -29,6 +30,28 @@ pub struct Tree<S = f64> {
 }
 
 impl<S: Scalar> Tree<S> {
+    /// Appends the links of a body's joint, on the link `carrier` that carries the parent at
+    /// `in_carrier`; their inertia is left at zero. Returns the index of the last.
+    pub(super) fn append(&mut self, body: &Node<S>, carrier: Option<usize>, in_carrier: &Frame<S>) -> usize {
+        let inertia = SpatialInertia::default();
+        match body.kind.seen_from(in_carrier) {
+            JointKind::AxisList(list) => {
+                for (k, (kind, mode)) in list.split().enumerate() {
+                    let parent = if k == 0 { carrier } else { Some(self.nodes.len() - 1) };
+                    let (positions, velocities) = (body.positions + k, body.velocities + k);
+                    self.nodes.push(Node { parent, kind, mode, positions, velocities, inertia });
+                }
+            }
+            kind => self.nodes.push(Node { parent: carrier, kind, inertia, ..*body }),
+        }
+        self.nodes.len() - 1
+    }
+
+    /// Length of v.
+    pub fn velocity_count(&self) -> usize {
+        self.nodes.last().map_or(0, |node| node.velocities + node.kind.velocity_count())
+    }
+
     /// `out = q retracted by xi`: on rotations `R exp(hat(xi))`, elsewhere the sum.
     pub fn retract(&self, q: &[S], xi: &[S], out: &mut [S]) {
         for node in &self.nodes {

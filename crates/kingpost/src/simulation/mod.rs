@@ -230,8 +230,8 @@ impl Simulation {
         next.q = q.to_vec();
         next.v = v.to_vec();
         self.check_motion(&next)?;
-        for node in self.plant.model.tree.nodes.iter().filter(|node| node.kind.position_count() == 7) {
-            let quaternion = &mut next.q[node.positions + 3..node.positions + 7];
+        for first in self.plant.model.quaternions() {
+            let quaternion = &mut next.q[first..first + 4];
             let unit = Quaternion::from_slice(quaternion).normalized();
             quaternion.copy_from_slice(&unit.0);
         }
@@ -254,8 +254,7 @@ impl Simulation {
         if let Some(i) = (0..v.len()).find(|&i| model.modes[i] == Mode::Held && v[i] != 0.0) {
             return entry("v", i, v[i], "0, for a coordinate that is held");
         }
-        for node in model.tree.nodes.iter().filter(|node| node.kind.position_count() == 7) {
-            let first = node.positions + 3;
+        for first in model.quaternions() {
             let norm = libm::sqrt(q[first..first + 4].iter().map(|x| x * x).sum());
             if (norm - 1.0).abs() > 1e-6 {
                 return entry("length of the quaternion that begins at q", first, norm, "1");

@@ -41,6 +41,26 @@ impl<S: Scalar> Quaternion<S> {
         Self([w, a[0] * k, a[1] * k, a[2] * k])
     }
 
+    /// The rotation vector of a unit quaternion, of length at most pi, rad: `2 atan(|u| / w) u / |u|`
+    /// with `u` = (x, y, z).
+    pub fn log(self) -> Vector3<S> {
+        let c = S::constant;
+        let [w, x, y, z] = self.0;
+        let sign = w.select_below(0.0, || -S::ONE, || S::ONE);
+        let (w, u) = (w * sign, Vector3::new(x, y, z) * sign);
+        let n2 = u.norm_squared();
+        let scale = n2.select_below(
+            SERIES_LIMIT,
+            || {
+                let t = n2 / (w * w);
+                let rest = c(1.0 / 7.0) - t * (c(1.0 / 9.0) - t * c(1.0 / 11.0));
+                (S::ONE - t * (c(1.0 / 3.0) - t * (c(1.0 / 5.0) - t * rest))) / w
+            },
+            || n2.sqrt().atan2(w) / n2.sqrt(),
+        );
+        u * (scale + scale)
+    }
+
     /// Quaternion product: first turn by `b`, then by `self`.
     #[inline]
     pub fn times(self, b: Self) -> Self {
@@ -117,6 +137,16 @@ mod tests {
             assert!(difference.0.iter().flatten().all(|x: &f64| x.abs() < 1e-15));
             let back = Quaternion::from_matrix(&r);
             assert!((0..4).all(|i| (back.0[i] - q.0[i]).abs() < 1e-14));
+        }
+    }
+
+    #[test]
+    fn logarithm_undoes_the_exponential_whatever_the_sign_of_the_quaternion() {
+        for v in [[0.3, -0.2, 0.5], [1e-9, 0.0, 2e-9], [0.05, 0.03, -0.02], [0.0; 3], [2.0, 1.0, -1.5]] {
+            let q = Quaternion::exp(Vector3(v));
+            for q in [q, Quaternion(q.0.map(|x| -x))] {
+                assert!((q.log() - Vector3(v)).norm() < 1e-15 * 4.0);
+            }
         }
     }
 

@@ -2,18 +2,23 @@
 //!
 //! Rows of body a: x' of its centre of mass (world), then omega (its own axes). Columns: the
 //! coordinates of every joint on the way from the world to a. With c the joint's child body,
-//! `s` the way from c to a in c's axes, and R_ac = R_a^T R_c:
+//! `s` the way from c to a in c's axes, R_ac = R_a^T R_c, and (w, u) the joint's column of motion,
+//! that is c's twist per unit rate in c's axes:
 //!
-//! | joint of c | row x' | row omega |
-//! | --- | --- | --- |
-//! | floating, translation | I | 0 |
-//! | floating, rotation | R_c hat(s)^T | R_ac |
-//! | revolute, axis e | R_c (e x (s + s_C)) | R_ac e |
-//! | prismatic, axis e | R_c e | 0 |
+//! | joint of c | w | u | row x' | row omega |
+//! | --- | --- | --- | --- | --- |
+//! | any | | | R_c (u + w x s) | R_ac w |
+//! | floating, translation | 0 | R_c^T | I | 0 |
+//! | floating, rotation | I | 0 | R_c hat(s)^T | R_ac |
+//! | revolute, axis e | e | e x s_C | R_c (e x (s + s_C)) | R_ac e |
+//! | prismatic, axis e | 0 | e | R_c e | 0 |
+//! | spherical | I | hat(s_C)^T | R_c hat(s + s_C)^T | R_ac |
+//!
+//! Joints of several axes have a column for each, carried to the child by the axes after it.
 
 use super::Loads;
-use crate::model::{JointKind, Model, Tree};
-use crate::spatial::{Frame, Matrix3, SpatialInertia, Vector3, hat};
+use crate::model::{JointKind, Model, Node, Tree, joint::Columns};
+use crate::spatial::{Frame, Matrix3, SpatialInertia, Twist, Vector3, Wrench, hat};
 use nalgebra::{DMatrix, DVector};
 
 /// x' of a body (world, m/s).
@@ -55,64 +60,60 @@ fn for_each_path(tree: &Tree, mut visit: impl FnMut(usize, usize)) {
     }
 }
 
+/// Columns of motion of each body's joint, body axes about its centre of mass.
+pub(super) fn joint_columns(tree: &Tree, frames: &[Frame], q: &[f64]) -> Vec<Columns> {
+    tree.nodes.iter().zip(frames).map(|(node, frame)| node.kind.columns(&q[node.positions..], frame)).collect()
+}
+
+/// Their rates.
+pub(super) fn joint_column_rates(tree: &Tree, columns: &[Columns], v: &[f64], x_dot: &DVector<f64>) -> Vec<Columns> {
+    let rates = |(c, columns)| {
+        let node: &Node = &tree.nodes[c];
+        node.kind.column_rates(columns, &v[node.velocities..], omega_of(x_dot, c))
+    };
+    columns.iter().enumerate().map(rates).collect()
+}
+
 /// B (eq. 46a, as corrected).
-pub(super) fn b_matrix(tree: &Tree, frames: &[Frame]) -> DMatrix<f64> {
-    let mut b = DMatrix::zeros(6 * tree.nodes.len(), coordinate_count(tree));
+pub(super) fn b_matrix(tree: &Tree, frames: &[Frame], columns: &[Columns]) -> DMatrix<f64> {
+    let mut b = DMatrix::zeros(6 * tree.nodes.len(), tree.velocity_count());
     for_each_path(tree, |a, c| {
-        let (row, column) = (6 * a, tree.nodes[c].velocities);
         let r_c = frames[c].rotation;
         let s = r_c.transpose_times(frames[a].position - frames[c].position);
         let r_ac = frames[a].rotation.transpose() * r_c;
-        match &tree.nodes[c].kind {
-            JointKind::Floating(_) => {
-                set_matrix(&mut b, row, column, &Matrix3::identity());
-                set_matrix(&mut b, row, column + 3, &(r_c * hat(s).transpose()));
-                set_matrix(&mut b, row + 3, column + 3, &r_ac);
-            }
-            JointKind::Revolute(joint) => {
-                set_column(&mut b, row, column, r_c * joint.axis().cross(s + joint.to_child()));
-                set_column(&mut b, row + 3, column, r_ac * joint.axis());
-            }
-            JointKind::Prismatic(joint) => set_column(&mut b, row, column, r_c * joint.axis()),
-            JointKind::Fixed(_) => {}
+        for (k, Twist { angular, linear }) in columns[c].iter().enumerate() {
+            let (row, column) = (6 * a, tree.nodes[c].velocities + k);
+            set_column(&mut b, row, column, r_c * (*linear + angular.cross(s)));
+            set_column(&mut b, row + 3, column, r_ac * *angular);
         }
     });
     b
 }
 
 /// B', from R' = R hat(omega) (eq. 62) in every block.
-pub(super) fn b_dot_matrix(tree: &Tree, frames: &[Frame], x_dot: &DVector<f64>) -> DMatrix<f64> {
-    let mut b_dot = DMatrix::zeros(6 * tree.nodes.len(), coordinate_count(tree));
+pub(super) fn b_dot_matrix(
+    tree: &Tree,
+    frames: &[Frame],
+    x_dot: &DVector<f64>,
+    columns: &[Columns],
+    column_rates: &[Columns],
+) -> DMatrix<f64> {
+    let mut b_dot = DMatrix::zeros(6 * tree.nodes.len(), tree.velocity_count());
     for_each_path(tree, |a, c| {
-        let (row, column) = (6 * a, tree.nodes[c].velocities);
         let (r_c, omega_c) = (frames[c].rotation, omega_of(x_dot, c));
         let s = r_c.transpose_times(frames[a].position - frames[c].position);
         let s_dot = r_c.transpose_times(x_dot_of(x_dot, a) - x_dot_of(x_dot, c)) - omega_c.cross(s);
         let r_ac = frames[a].rotation.transpose() * r_c;
         let omega_of_c_in_a = r_ac * omega_c - omega_of(x_dot, a);
-        match &tree.nodes[c].kind {
-            JointKind::Floating(_) => {
-                let rate = hat(omega_c) * hat(s).transpose() + hat(s_dot).transpose();
-                set_matrix(&mut b_dot, row, column + 3, &(r_c * rate));
-                set_matrix(&mut b_dot, row + 3, column + 3, &(hat(omega_of_c_in_a) * r_ac));
-            }
-            JointKind::Revolute(joint) => {
-                let (axis, lever) = (joint.axis(), s + joint.to_child());
-                let rate = omega_c.cross(axis.cross(lever)) + axis.cross(s_dot);
-                set_column(&mut b_dot, row, column, r_c * rate);
-                set_column(&mut b_dot, row + 3, column, omega_of_c_in_a.cross(r_ac * axis));
-            }
-            JointKind::Prismatic(joint) => {
-                set_column(&mut b_dot, row, column, r_c * omega_c.cross(joint.axis()));
-            }
-            JointKind::Fixed(_) => {}
+        for (k, (own, rate)) in columns[c].iter().zip(column_rates[c].iter()).enumerate() {
+            let (row, column) = (6 * a, tree.nodes[c].velocities + k);
+            let turned = omega_c.cross(own.linear + own.angular.cross(s));
+            let moved = rate.linear + rate.angular.cross(s) + own.angular.cross(s_dot);
+            set_column(&mut b_dot, row, column, r_c * (turned + moved));
+            set_column(&mut b_dot, row + 3, column, omega_of_c_in_a.cross(r_ac * own.angular) + r_ac * rate.angular);
         }
     });
     b_dot
-}
-
-fn coordinate_count(tree: &Tree) -> usize {
-    tree.nodes.last().map_or(0, |node| node.velocities + node.kind.velocity_count())
 }
 
 /// Inertia of each body with what the loads add to it.
@@ -169,35 +170,43 @@ pub(super) fn d_matrix(model: &Model, frames: &[Frame], x_dot: &DVector<f64>, lo
 
 /// {F} (eq. 59): by body, force in the world, moment in body axes. A force along a coordinate acts
 /// on the child and, reversed, on the parent.
-pub(super) fn force_list(model: &Model, frames: &[Frame], loads: &Loads) -> DVector<f64> {
+pub(super) fn force_list(model: &Model, frames: &[Frame], columns: &[Columns], loads: &Loads) -> DVector<f64> {
     let mut f = DVector::zeros(6 * frames.len());
     for (body, wrench) in &loads.wrenches {
         add(&mut f, *body, frames[*body].rotation * wrench.force, wrench.moment);
     }
     for (body, node) in model.tree.nodes.iter().enumerate() {
-        let tau = &loads.force[node.velocities..];
-        match &node.kind {
-            JointKind::Floating(_) => add(&mut f, body, Vector3::from_slice(tau), Vector3::from_slice(&tau[3..])),
-            JointKind::Revolute(joint) => {
-                let moment = joint.axis() * tau[0];
-                add(&mut f, body, Vector3::zero(), moment);
-                if let Some(parent) = node.parent {
-                    let in_parent = frames[parent].rotation.transpose_times(frames[body].rotation * moment);
-                    add(&mut f, parent, Vector3::zero(), -in_parent);
-                }
-            }
-            JointKind::Prismatic(joint) => {
-                let force = frames[body].rotation * (joint.axis() * tau[0]);
-                add(&mut f, body, force, Vector3::zero());
-                if let Some(parent) = node.parent {
-                    let lever = frames[body].position - frames[parent].position;
-                    add(&mut f, parent, -force, frames[parent].rotation.transpose_times(lever.cross(-force)));
-                }
-            }
-            JointKind::Fixed(_) => {}
+        let tau = &loads.force[node.velocities..][..node.kind.velocity_count()];
+        if let JointKind::Floating(_) = node.kind {
+            add(&mut f, body, Vector3::from_slice(tau), Vector3::from_slice(&tau[3..]));
+            continue;
+        }
+        let frame = &frames[body];
+        let Wrench { moment, force } = joint_wrench(&columns[body], tau, node.kind.to_child());
+        let (moment_in_world, force) = (frame.rotation * moment, frame.rotation * force);
+        let to_child = frame.rotation * node.kind.to_child();
+        add(&mut f, body, force, frame.rotation.transpose_times(moment_in_world - to_child.cross(force)));
+        if let Some(parent) = node.parent {
+            let lever = frame.position - to_child - frames[parent].position;
+            let moment = moment_in_world + lever.cross(force);
+            add(&mut f, parent, -force, -frames[parent].rotation.transpose_times(moment));
         }
     }
     f
+}
+
+/// The smallest wrench at a joint that works on each of its coordinates by that coordinate's force:
+/// `S (S^T S)^-1 tau` with the columns S about the joint, child axes.
+fn joint_wrench(columns: &Columns, tau: &[f64], to_child: Vector3) -> Wrench {
+    let at_joint = |twist: &Twist| {
+        let Twist { angular, linear } = twist;
+        let linear = *linear - angular.cross(to_child);
+        [angular.0, linear.0].concat()
+    };
+    let s = DMatrix::from_iterator(6, columns.len(), columns.iter().flat_map(at_joint));
+    let gram = (s.transpose() * &s).cholesky();
+    let wrench = gram.map_or(DVector::zeros(6), |gram| &s * gram.solve(&DVector::from_column_slice(tau)));
+    Wrench { moment: Vector3::from_slice(wrench.as_slice()), force: Vector3::from_slice(&wrench.as_slice()[3..]) }
 }
 
 fn add(f: &mut DVector<f64>, body: usize, force: Vector3, moment: Vector3) {

@@ -76,15 +76,17 @@ impl MovingFrame {
             frames.push(node.parent.map_or(*relative, |p: usize| frames[p].times(relative)));
         }
         let velocity = DVector::from_column_slice(v);
-        let b = blocks::b_matrix(&model.tree, &frames);
+        let columns = blocks::joint_columns(&model.tree, &frames, q);
+        let b = blocks::b_matrix(&model.tree, &frames, &columns);
         let x_dot = &b * &velocity;
-        let b_dot = blocks::b_dot_matrix(&model.tree, &frames, &x_dot);
+        let column_rates = blocks::joint_column_rates(&model.tree, &columns, v, &x_dot);
+        let b_dot = blocks::b_dot_matrix(&model.tree, &frames, &x_dot, &columns, &column_rates);
         let (m, m_dot) = blocks::mass_matrices(model, &frames, &x_dot, loads);
         let d = match variation {
             Variation::Restricted => blocks::d_matrix(model, &frames, &x_dot, loads),
             Variation::Naive => DMatrix::zeros(m.nrows(), m.ncols()),
         };
-        let f = blocks::force_list(model, &frames, loads);
+        let f = blocks::force_list(model, &frames, &columns, loads);
 
         let free = model.free_coordinates();
         let (b_free, b_dot_free) = (b.select_columns(&free), b_dot.select_columns(&free));

@@ -1,6 +1,6 @@
 //! A body free against the world: the ship (eqs. 3, 14).
 
-use super::Mode;
+use super::{Columns, Mode};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Quaternion, Twist, Vector3, dexp_inverse_body};
 
@@ -35,6 +35,25 @@ impl Floating {
     #[inline]
     pub fn twist<S: Scalar>(frame: &Frame<S>, v: &[S]) -> Twist<S> {
         Twist { angular: Vector3::from_slice(&v[3..6]), linear: frame.rotation.transpose_times(Vector3::from_slice(v)) }
+    }
+
+    /// The twist in body components per unit rate of each coordinate.
+    pub fn columns<S: Scalar>(frame: &Frame<S>) -> Columns<S> {
+        let mut columns = Columns::new(6);
+        for k in 0..3 {
+            columns[k].linear = frame.rotation.row(k);
+            columns[k + 3].angular[k] = S::ONE;
+        }
+        columns
+    }
+
+    /// Rates of the columns: what stands still in the world turns in the body, by `-omega x`.
+    pub fn column_rates<S: Scalar>(columns: &Columns<S>, omega: Vector3<S>) -> Columns<S> {
+        let mut rates = Columns::new(6);
+        for k in 0..3 {
+            rates[k].linear = columns[k].linear.cross(omega);
+        }
+        rates
     }
 
     /// Position adds; rotation is multiplied by the exponential of the local rotation vector.

@@ -1,17 +1,30 @@
 //! Joints, one file each.
 //!
 //! A joint carries the child's centre of mass from the parent's: "translate, rotate, translate".
-//! A new joint is one new file and one arm in each `match` of [`JointKind`].
+//! Joints of several axes are an [`AxisList`]: a new one is one new file that says which axes. Any
+//! other joint is one new file and one arm in each `match` of [`JointKind`].
 
+mod axis;
+mod axis_list;
+mod columns;
+mod cylindrical;
+mod elastic;
 mod fixed;
 mod floating;
+mod planar;
 mod prismatic;
 mod revolute;
+mod spherical;
+mod universal;
 
+pub use axis::{AxisMotion, ElementaryAxis};
+pub use axis_list::{AxisList, MOST_AXES};
+pub use columns::Columns;
 pub use fixed::Fixed;
 pub use floating::Floating;
 pub use prismatic::Prismatic;
 pub use revolute::Revolute;
+pub use spherical::Spherical;
 
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
@@ -34,7 +47,8 @@ pub struct Joint<S = f64> {
     pub name: String,
     /// What it lets move.
     pub kind: JointKind<S>,
-    /// How a joint of one degree of freedom moves; a floating joint has its own holds.
+    /// How a joint of one degree of freedom moves, and whether a spherical joint is held. Floating
+    /// joints and lists of axes have their own modes.
     pub mode: Mode,
 }
 
@@ -47,6 +61,10 @@ pub enum JointKind<S = f64> {
     Revolute(Revolute<S>),
     /// Translation along one axis.
     Prismatic(Prismatic<S>),
+    /// Several axes, one after another: cylindrical, universal, planar, elastic.
+    AxisList(AxisList<S>),
+    /// Rotation about a point.
+    Spherical(Spherical<S>),
     /// None.
     Fixed(Fixed<S>),
 }
@@ -54,8 +72,11 @@ pub enum JointKind<S = f64> {
 impl<S: Scalar> Joint<S> {
     /// Names of the coordinates of v that the joint owns.
     pub fn coordinate_names(&self) -> Vec<String> {
-        match self.kind {
-            JointKind::Floating(_) => Floating::LABELS.iter().map(|label| format!("{}.{label}", self.name)).collect(),
+        let labelled = |labels: &[&str]| labels.iter().map(|label| format!("{}.{label}", self.name)).collect();
+        match &self.kind {
+            JointKind::Floating(_) => labelled(&Floating::LABELS),
+            JointKind::AxisList(list) => labelled(list.labels()),
+            JointKind::Spherical(_) => labelled(&Spherical::<S>::LABELS),
             JointKind::Revolute(_) | JointKind::Prismatic(_) => vec![self.name.clone()],
             JointKind::Fixed(_) => Vec::new(),
         }
@@ -65,6 +86,7 @@ impl<S: Scalar> Joint<S> {
     pub fn coordinate_modes(&self) -> Vec<Mode> {
         match &self.kind {
             JointKind::Floating(floating) => floating.modes().to_vec(),
+            JointKind::AxisList(list) => list.axes().iter().map(|axis| axis.mode).collect(),
             kind => vec![self.mode; kind.velocity_count()],
         }
     }
@@ -76,6 +98,8 @@ impl<S: Scalar> JointKind<S> {
         match self {
             JointKind::Floating(_) => 7,
             JointKind::Revolute(_) | JointKind::Prismatic(_) => 1,
+            JointKind::AxisList(list) => list.axes().len(),
+            JointKind::Spherical(_) => 4,
             JointKind::Fixed(_) => 0,
         }
     }
@@ -85,6 +109,8 @@ impl<S: Scalar> JointKind<S> {
         match self {
             JointKind::Floating(_) => 6,
             JointKind::Revolute(_) | JointKind::Prismatic(_) => 1,
+            JointKind::AxisList(list) => list.axes().len(),
+            JointKind::Spherical(_) => 3,
             JointKind::Fixed(_) => 0,
         }
     }
@@ -95,6 +121,8 @@ impl<S: Scalar> JointKind<S> {
             JointKind::Floating(floating) => JointKind::Floating(floating),
             JointKind::Revolute(revolute) => JointKind::Revolute(revolute.seen_from(parent)),
             JointKind::Prismatic(prismatic) => JointKind::Prismatic(prismatic.seen_from(parent)),
+            JointKind::AxisList(list) => JointKind::AxisList(list.seen_from(parent)),
+            JointKind::Spherical(ball) => JointKind::Spherical(ball.seen_from(parent)),
             JointKind::Fixed(fixed) => JointKind::Fixed(fixed.seen_from(parent)),
         }
     }
@@ -107,6 +135,8 @@ impl<S: Scalar> JointKind<S> {
             JointKind::Floating(_) => Floating::relative(q),
             JointKind::Revolute(revolute) => revolute.relative(q[0]),
             JointKind::Prismatic(prismatic) => prismatic.relative(q[0]),
+            JointKind::AxisList(list) => list.relative(q),
+            JointKind::Spherical(ball) => ball.relative(q),
             JointKind::Fixed(fixed) => fixed.relative(),
         }
     }
@@ -118,7 +148,53 @@ impl<S: Scalar> JointKind<S> {
         match self {
             JointKind::Revolute(revolute) => Some(revolute.axis_twist()),
             JointKind::Prismatic(prismatic) => Some(prismatic.axis_twist()),
-            JointKind::Floating(_) | JointKind::Fixed(_) => None,
+            JointKind::Floating(_) | JointKind::AxisList(_) | JointKind::Spherical(_) | JointKind::Fixed(_) => None,
+        }
+    }
+
+    /// The child's twist per unit rate of each coordinate, in child axes about the child's centre
+    /// of mass; `child` is its frame in the world, whose axes a floating joint's translation has.
+    pub fn columns(&self, q: &[S], child: &Frame<S>) -> Columns<S> {
+        match self {
+            JointKind::Floating(_) => Floating::columns(child),
+            JointKind::Revolute(revolute) => Columns::of(&[*revolute.axis_twist()]),
+            JointKind::Prismatic(prismatic) => Columns::of(&[*prismatic.axis_twist()]),
+            JointKind::AxisList(list) => list.columns(q),
+            JointKind::Spherical(ball) => ball.columns(),
+            JointKind::Fixed(_) => Columns::new(0),
+        }
+    }
+
+    /// Rates of those columns, component by component, at the rates `v` of the joint's coordinates;
+    /// `omega` is the child's angular velocity in its own axes, rad/s.
+    pub fn column_rates(&self, columns: &Columns<S>, v: &[S], omega: Vector3<S>) -> Columns<S> {
+        match self {
+            JointKind::Floating(_) => Floating::column_rates(columns, omega),
+            JointKind::AxisList(_) => AxisList::column_rates(columns, v),
+            JointKind::Revolute(_) | JointKind::Prismatic(_) | JointKind::Spherical(_) | JointKind::Fixed(_) => {
+                Columns::new(columns.len())
+            }
+        }
+    }
+
+    /// Whether coordinate k of the joint is turned about or slid along; `None` for those of floating
+    /// and spherical joints, which are no positions' derivatives.
+    pub fn axis_motion(&self, k: usize) -> Option<AxisMotion> {
+        match self {
+            JointKind::Revolute(_) => Some(AxisMotion::Rotation),
+            JointKind::Prismatic(_) => Some(AxisMotion::Translation),
+            JointKind::AxisList(list) => list.axes().get(k).map(|axis| axis.motion),
+            JointKind::Floating(_) | JointKind::Spherical(_) | JointKind::Fixed(_) => None,
+        }
+    }
+
+    /// Where in the joint's entries of q a unit quaternion begins, and where in those of v the body
+    /// rates that turn it.
+    pub fn quaternion(&self) -> Option<(usize, usize)> {
+        match self {
+            JointKind::Floating(_) => Some((3, 3)),
+            JointKind::Spherical(_) => Some((0, 0)),
+            _ => None,
         }
     }
 
@@ -128,6 +204,8 @@ impl<S: Scalar> JointKind<S> {
             JointKind::Floating(_) => Vector3::zero(),
             JointKind::Revolute(revolute) => revolute.to_child(),
             JointKind::Prismatic(prismatic) => prismatic.to_child(),
+            JointKind::AxisList(list) => list.to_child(),
+            JointKind::Spherical(ball) => ball.to_child(),
             JointKind::Fixed(fixed) => fixed.to_child(),
         }
     }
@@ -138,6 +216,12 @@ impl<S: Scalar> JointKind<S> {
         match self {
             JointKind::Floating(_) => Floating::retract(q, xi, out),
             JointKind::Revolute(_) | JointKind::Prismatic(_) => out[0] = q[0] + xi[0],
+            JointKind::AxisList(list) => {
+                for (i, out) in out[..list.axes().len()].iter_mut().enumerate() {
+                    *out = q[i] + xi[i];
+                }
+            }
+            JointKind::Spherical(_) => Spherical::retract(q, xi, out),
             JointKind::Fixed(_) => {}
         }
     }
@@ -148,6 +232,8 @@ impl<S: Scalar> JointKind<S> {
         match self {
             JointKind::Floating(_) => Floating::dexp_inverse(xi, v, out),
             JointKind::Revolute(_) | JointKind::Prismatic(_) => out[0] = v[0],
+            JointKind::AxisList(list) => out[..list.axes().len()].copy_from_slice(&v[..list.axes().len()]),
+            JointKind::Spherical(_) => Spherical::dexp_inverse(xi, v, out),
             JointKind::Fixed(_) => {}
         }
     }

@@ -1,0 +1,92 @@
+//! A spherical joint in the recursion: three equations about the ball.
+//!
+//! About the ball the joint's axes are `S = [I; 0]`, so that what it lets through is a force alone:
+//! with the articulated inertia `[J, C; C^T, L]` about the ball, only `L - C^T J^-1 C` remains of
+//! it (Featherstone 2008, sec. 7.2, with S taken about the joint).
+
+use super::Loads;
+use crate::model::{Mode, Node, joint::Spherical};
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
+
+/// A link on its ball, root axes.
+pub(super) struct Ball<'a, S> {
+    node: &'a Node<S>,
+    /// The link in its root's frame.
+    in_root: &'a Frame<S>,
+    /// From the root's origin to the ball, m.
+    position: Vector3<S>,
+}
+
+impl<'a, S: Scalar> Ball<'a, S> {
+    pub(super) fn new(joint: &Spherical<S>, node: &'a Node<S>, in_root: &'a Frame<S>) -> Self {
+        Self { node, in_root, position: in_root.point(-joint.to_child()) }
+    }
+
+    /// The twist about the root's origin of a rate (or of its derivative) in child axes.
+    pub(super) fn twist(&self, rate: &[S]) -> Twist<S> {
+        let angular = self.in_root.rotation * Vector3::from_slice(rate);
+        Twist { angular, linear: self.position.cross(angular) }
+    }
+
+    /// Those twists for a unit rate about each axis of the child.
+    pub(super) fn axes(&self) -> [Twist<S>; 3] {
+        core::array::from_fn(|k| {
+            let mut rate = [S::ZERO; 3];
+            rate[k] = S::ONE;
+            self.twist(&rate)
+        })
+    }
+
+    /// What the ball lets through to the parent: articulated inertia and bias.
+    pub(super) fn transmitted(
+        &self,
+        inertia: &SpatialInertia<S>,
+        bias: &Wrench<S>,
+        drift: &Twist<S>,
+        loads: &Loads<S>,
+    ) -> (SpatialInertia<S>, Wrench<S>) {
+        if self.node.mode != Mode::Free {
+            return (*inertia, *bias + inertia.times(drift));
+        }
+        let to_ball = Frame::translation(-self.position);
+        let (about_ball, bias) = (inertia.to_parent(&to_ball), to_ball.wrench_to_parent(bias));
+        let (applied, inverse) = (self.moment(loads), about_ball.angular.inverse());
+        let yielding = about_ball.coupling.transpose() * (inverse.to_matrix() * about_ball.coupling);
+        let linear = Symmetric3::from_upper(&(about_ball.linear.to_matrix() - yielding));
+        let reduced = SpatialInertia { linear, ..SpatialInertia::default() };
+        let push = bias.force + about_ball.coupling.transpose_times(inverse * (applied - bias.moment));
+        let from_ball = Frame::translation(self.position);
+        let reduced = reduced.to_parent(&from_ball);
+        let carried = from_ball.wrench_to_parent(&Wrench { moment: applied, force: push });
+        (reduced, carried + reduced.times(drift))
+    }
+
+    /// The moment applied in the joint.
+    fn moment(&self, loads: &Loads<S>) -> Vector3<S> {
+        self.in_root.rotation * Vector3::from_slice(&loads.force[self.node.velocities..])
+    }
+
+    /// Acceleration of the link, once what the parent and the velocities carry is known; writes that
+    /// of the joint's coordinates.
+    pub(super) fn accelerate(
+        &self,
+        inertia: &SpatialInertia<S>,
+        bias: &Wrench<S>,
+        carried: &Twist<S>,
+        loads: &Loads<S>,
+        v_dot: &mut [S],
+    ) -> Twist<S> {
+        let to_ball = Frame::translation(-self.position);
+        let load = inertia.times(carried) + *bias;
+        let missing = self.moment(loads) - to_ball.wrench_to_parent(&load).moment;
+        let rate = if self.node.mode == Mode::Free {
+            inertia.to_parent(&to_ball).angular.inverse() * missing
+        } else {
+            Vector3::zero()
+        };
+        let in_child = self.in_root.rotation.transpose_times(rate);
+        in_child.write_to(&mut v_dot[self.node.velocities..]);
+        *carried + self.twist(&in_child.0)
+    }
+}

@@ -1,0 +1,59 @@
+//! One elementary axis: what joints of several axes are lists of.
+
+use super::Mode;
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Matrix3, Twist, Vector3, hat};
+
+/// Whether an axis is turned about or slid along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxisMotion {
+    /// Its coordinate is an angle, rad.
+    Rotation,
+    /// Its coordinate is an extension, m.
+    Translation,
+}
+
+/// A rotation about or a translation along a unit vector, in the frame after the axes before it.
+#[derive(Clone, Copy, Debug)]
+pub struct ElementaryAxis<S = f64> {
+    /// What it lets happen.
+    pub motion: AxisMotion,
+    /// Unit vector.
+    pub direction: Vector3<S>,
+    /// How its coordinate comes by its acceleration.
+    pub mode: Mode,
+}
+
+impl<S: Scalar> ElementaryAxis<S> {
+    /// A free rotation about the unit vector `direction`.
+    pub fn rotation(direction: Vector3<S>) -> Self {
+        Self { motion: AxisMotion::Rotation, direction, mode: Mode::Free }
+    }
+
+    /// A free translation along the unit vector `direction`.
+    pub fn translation(direction: Vector3<S>) -> Self {
+        Self { motion: AxisMotion::Translation, direction, mode: Mode::Free }
+    }
+
+    /// The frame after the axis in the frame before it, at a coordinate in rad or m; a rotation by
+    /// Rodrigues' formula, `R = e e^T + sin(q) hat(e) + cos(q) (I - e e^T)`.
+    pub fn frame(&self, q: S) -> Frame<S> {
+        let e = self.direction;
+        match self.motion {
+            AxisMotion::Rotation => {
+                let ((sin, cos), along) = (q.sin_cos(), Matrix3::outer(e, e));
+                let rotation = along + hat(e).scaled(sin) + (Matrix3::identity() - along).scaled(cos);
+                Frame { rotation, position: Vector3::zero() }
+            }
+            AxisMotion::Translation => Frame::translation(e * q),
+        }
+    }
+
+    /// Twist per unit rate of the frame after the axis, about its origin, in its axes.
+    pub fn twist(&self) -> Twist<S> {
+        match self.motion {
+            AxisMotion::Rotation => Twist { angular: self.direction, linear: Vector3::zero() },
+            AxisMotion::Translation => Twist { angular: Vector3::zero(), linear: self.direction },
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! The columns of a joint's motion.
+
+use super::axis_list::MOST_AXES;
+use crate::scalar::Scalar;
+use crate::spatial::Twist;
+use core::ops::{Deref, DerefMut};
+
+/// One twist a coordinate of a joint, in child axes about the child's centre of mass; a slice of
+/// none to six.
+#[derive(Clone, Copy, Debug)]
+pub struct Columns<S = f64> {
+    twists: [Twist<S>; MOST_AXES],
+    count: usize,
+}
+
+impl<S: Scalar> Columns<S> {
+    /// So many columns of zeros, at most six.
+    pub fn new(count: usize) -> Self {
+        Self { twists: [Twist::zero(); MOST_AXES], count }
+    }
+
+    /// The columns given by a slice of at most six.
+    pub fn of(twists: &[Twist<S>]) -> Self {
+        let mut columns = Self::new(twists.len());
+        columns.copy_from_slice(twists);
+        columns
+    }
+}
+
+impl<S> Deref for Columns<S> {
+    type Target = [Twist<S>];
+    fn deref(&self) -> &[Twist<S>] {
+        &self.twists[..self.count]
+    }
+}
+
+impl<S> DerefMut for Columns<S> {
+    fn deref_mut(&mut self) -> &mut [Twist<S>] {
+        &mut self.twists[..self.count]
+    }
+}

@@ -1,0 +1,21 @@
+//! The ways in which one segment of a beam gives way against the next.
+
+use super::{AxisList, ElementaryAxis};
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Vector3};
+
+impl<S: Scalar> AxisList<S> {
+    /// A beam along x between two of its segments: coordinates `shear_y`, `shear_z` (m), then
+    /// `torsion` about x, `bending_y` about y and `bending_z` about z (rad). It does not stretch.
+    pub fn elastic(placement: Frame<S>, to_child: Vector3<S>) -> Self {
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vector3::constant);
+        let axes = [
+            ElementaryAxis::translation(y),
+            ElementaryAxis::translation(z),
+            ElementaryAxis::rotation(x),
+            ElementaryAxis::rotation(y),
+            ElementaryAxis::rotation(z),
+        ];
+        Self::new(placement, &axes, &["shear_y", "shear_z", "torsion", "bending_y", "bending_z"], to_child)
+    }
+}
