@@ -4,6 +4,7 @@
 //! Python package in `python/kingpost`.
 
 mod errors;
+mod gradient;
 mod simulation;
 
 use kingpost::scenario;
@@ -32,6 +33,9 @@ fn parse_assignment(text: &str) -> PyResult<(String, String)> {
 mod _engine {
     #[pymodule_export]
     use super::{parse_assignment, read};
+
+    #[pymodule_export]
+    use super::gradient::gradient;
 
     #[pymodule_export]
     use super::simulation::Simulation;

@@ -1,21 +1,23 @@
 //! The class `Simulation` of the module.
 
 use crate::{errors, overrides};
+use kingpost::analysis::{self, Linearizer, NoEquilibrium};
 use kingpost::scenario::{self, Scenario};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-type Vector<'py> = Bound<'py, PyArray1<f64>>;
-type Matrix<'py> = Bound<'py, PyArray2<f64>>;
+pub type Vector<'py> = Bound<'py, PyArray1<f64>>;
+pub type Matrix<'py> = Bound<'py, PyArray2<f64>>;
 type Block<'py> = (String, Matrix<'py>, Vec<String>, Vec<String>, String);
 /// Steps between two looks for Ctrl-C.
 const STEPS_BETWEEN_SIGNALS: usize = 10_000;
 
+type Linear<'py> = (Matrix<'py>, Matrix<'py>, Vector<'py>, Vec<String>, Vec<String>);
 type Input = (String, String, f64, f64, f64);
 
 /// A row-major matrix as an array of two dimensions.
-fn matrix(py: Python<'_>, data: Vec<f64>, rows: usize, columns: usize) -> PyResult<Matrix<'_>> {
+pub fn matrix(py: Python<'_>, data: Vec<f64>, rows: usize, columns: usize) -> PyResult<Matrix<'_>> {
     data.into_pyarray(py).reshape([rows, columns])
 }
 
@@ -46,8 +48,7 @@ impl Simulation {
         Ok(())
     }
 
-    /// Rows recorded from now to the end, and the error that ended the run or None: divergence, Ctrl-C
-    /// or what the progress callback raised.
+    /// Rows recorded from now to the end, and the error that ended the run or None.
     #[pyo3(signature = (progress=None))]
     fn run<'py>(&mut self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<(Matrix<'py>, Option<PyErr>)> {
         let mut stopped = None;
@@ -60,9 +61,12 @@ impl Simulation {
                 }
             })
         });
+        if let Some(error) = stopped {
+            return Err(error);
+        }
         let rows = run.rows.len() / run.columns.max(1);
         let rows = matrix(py, run.rows, rows, run.columns)?;
-        Ok((rows, stopped.or_else(|| run.status.err().map(errors::run))))
+        Ok((rows, run.status.err().map(errors::run)))
     }
 
     fn reset(&mut self) {
@@ -168,6 +172,25 @@ impl Simulation {
             .collect()
     }
 
+    /// A and B by rows, the rates, and the names of states and inputs.
+    fn linearize<'py>(&self, py: Python<'py>) -> PyResult<Linear<'py>> {
+        let linear = Linearizer::new(&self.scenario).map_err(errors::scenario)?.at(&self.inner);
+        let (n, m) = (linear.states.len(), linear.inputs.len());
+        let a = matrix(py, linear.a.transpose().as_slice().to_vec(), n, n)?;
+        let b = matrix(py, linear.b.transpose().as_slice().to_vec(), n, m)?;
+        Ok((a, b, linear.rates.into_pyarray(py), linear.states, linear.inputs))
+    }
+
+    /// Moves to an equilibrium: Newton's iterations, and the largest acceleration that is left.
+    fn settle(&mut self, py: Python<'_>) -> PyResult<(usize, f64)> {
+        let found = py.detach(|| analysis::settle(&self.scenario, &mut self.inner));
+        match found {
+            Ok(found) => Ok((found.iterations, found.residual)),
+            Err(NoEquilibrium::Scenario(error)) => Err(errors::scenario(error)),
+            Err(error) => Err(errors::input(error)),
+        }
+    }
+
     fn model_json(&self) -> PyResult<String> {
         let description = self.scenario.describe().map_err(errors::scenario)?;
         serde_json::to_string(&description).map_err(errors::input)
@@ -175,7 +198,7 @@ impl Simulation {
 }
 
 /// Let Python see Ctrl-C and tell the progress callback where the run is.
-fn report(time_s: f64, progress: Option<&Py<PyAny>>) -> PyResult<()> {
+pub fn report(time_s: f64, progress: Option<&Py<PyAny>>) -> PyResult<()> {
     Python::attach(|py| {
         py.check_signals()?;
         match progress {

@@ -32,5 +32,7 @@ pub mod simulation;
 
 pub mod scenario;
 
+pub mod analysis;
+
 pub use scenario::Scenario;
 pub use simulation::Simulation;

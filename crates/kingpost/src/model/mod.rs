@@ -73,11 +73,6 @@ pub struct Model<S = f64> {
     pub velocity_count: usize,
     /// Mode of each coordinate of v.
     pub modes: Vec<Mode>,
-    /// By coordinate of v: the inertia of what turns with the coordinate's drive only, times the
-    /// gear ratio squared, kg m^2 or kg; 0 for floating and spherical joints. It counts along the
-    /// coordinate, in M* and in the kinetic energy. The rotor's momentum in space is left out: where
-    /// it stands is not known.
-    pub rotor_inertia: Vec<S>,
 }
 
 impl<S: Scalar> Model<S> {
@@ -115,8 +110,7 @@ impl<S: Scalar> Model<S> {
         }
         let rigid_links = links.nodes.iter().map(|link| RigidInertia::from_spatial(&link.inertia)).collect();
         let (position_count, velocity_count) = (positions, velocities);
-        let rotor_inertia = vec![S::ZERO; velocity_count];
-        Self { bodies, joints, tree, links, roots, rigid_links, position_count, velocity_count, modes, rotor_inertia }
+        Self { bodies, joints, tree, links, roots, rigid_links, position_count, velocity_count, modes }
     }
 
     /// Index of the body of this name.

@@ -9,6 +9,7 @@ pub mod describe;
 mod error;
 #[cfg(feature = "schema")]
 pub mod json_schema;
+mod neighbour;
 mod parameters;
 mod parse;
 pub mod range;

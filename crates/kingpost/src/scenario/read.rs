@@ -3,6 +3,7 @@
 use serde_json::Value;
 use serde_path_to_error::Segment;
 
+use super::build::reading::{Gathered, Reading};
 use super::error::{Fault, FieldError, ScenarioError};
 use super::parameters::{self, Target};
 use super::schema::Scenario;
@@ -189,5 +190,13 @@ impl Scenario {
     /// Bodies, joints, forces, drives or settings that do not fit together; the error has a field but no place.
     pub fn setup(&self) -> Result<Setup, ScenarioError> {
         Ok(super::build::build(self)?)
+    }
+
+    /// The same over another scalar, all numbers constants.
+    ///
+    /// # Errors
+    /// As [`setup`](Self::setup), but for the checks that take plain numbers.
+    pub fn setup_over<S: Gathered>(&self) -> Result<Setup<S>, ScenarioError> {
+        Ok(super::build::assemble(&Reading::new(vec![self; S::WIDTH]))?)
     }
 }

@@ -2,8 +2,6 @@
 
 use serde_json::Value;
 
-use super::units;
-
 /// What a [`Positive`](super::range::Positive) allows.
 pub const POSITIVE: &str = "a number greater than 0";
 /// What a [`NonNegative`](super::range::NonNegative) allows.
@@ -113,11 +111,10 @@ pub(super) fn names_in_backquotes(message: &str) -> Vec<&str> {
     message.split('`').skip(1).step_by(2).collect()
 }
 
-/// The name nearest to `written`, with its unit or an alias of it, if one is near enough to be meant.
-fn nearest(names: &[&str], written: &str) -> Option<String> {
+/// The name nearest to `written`, if one is near enough to be meant.
+fn nearest<'a>(names: &[&'a str], written: &str) -> Option<&'a str> {
     let limit = written.chars().count() / 3;
-    let aliases = names.iter().flat_map(|name| units::aliases_of(name));
-    let near = names.iter().map(|name| (*name).to_owned()).chain(aliases).map(|name| (edits(&name, written), name));
+    let near = names.iter().map(|name| (edits(name, written), *name));
     near.min_by_key(|(distance, _)| *distance).filter(|(distance, _)| *distance <= limit).map(|(_, name)| name)
 }
 
@@ -199,6 +196,9 @@ pub(super) const PATHS: &str = "paths of fields, as bodies.ship.mass_kg";
 pub(super) const SET_BY_NAME: &str = "the name of a parameter, to set it";
 pub(super) const CHOICES: &str = "a list of the texts allowed";
 pub(super) const RANGE: &str = "two numbers, the smaller first";
+pub(super) const NO_NUMBER: &str = "no number";
+pub(super) const NO_DERIVATIVE: &str = "a number that no derivative follows";
+pub(super) const CONTINUOUS: &str = "a parameter, or the path of a number, that moves the model continuously";
 pub(super) const REQUIRED: &str = "a value: this field is required";
 
 /// What an override's name may be.

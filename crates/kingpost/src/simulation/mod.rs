@@ -92,6 +92,18 @@ impl<S: Scalar> Simulation<S> {
         &self.plant.model
     }
 
+    /// Where the right-hand side stands: at the start of the next interval.
+    pub fn stage(&self) -> Stage<'_, S> {
+        now(&self.settings, &self.edges, &self.state)
+    }
+
+    /// `q` moved by the local coordinates `xi`, as a scheme moves it.
+    pub fn moved(&self, q: &[S], xi: &[S]) -> Vec<S> {
+        let mut moved = q.to_vec();
+        self.plant.retract(q, xi, &mut moved);
+        moved
+    }
+
     /// The complete state.
     pub fn state(&self) -> &State<S> {
         &self.state

@@ -2,6 +2,7 @@
 
 use crate::scalar::{Dual, Lanes, Scalar};
 use crate::spatial::Vector3;
+use core::cell::Cell;
 
 /// The same part of one scenario or of several. Structure (names, switches, kinds) is that of the
 /// first. A number is gathered from all: from one scenario as it is, from N side by side into lanes,
@@ -9,24 +10,35 @@ use crate::spatial::Vector3;
 #[derive(Debug)]
 pub struct Reading<'a, T> {
     parts: Vec<&'a T>,
-    moved: &'a [f64],
+    neighbours: &'a [Neighbour],
+}
+
+/// What sets a neighbour apart from the first scenario.
+#[derive(Debug)]
+pub struct Neighbour {
+    /// By how much its parameter was moved.
+    pub moved: f64,
+    /// Whether a number that was read differs.
+    pub seen: Cell<bool>,
 }
 
 /// A scalar that can be gathered from the numbers of several scenarios.
 pub trait Gathered: Scalar {
-    /// From the number in each scenario, and by how much each neighbour's parameter was moved.
-    fn gather(numbers: &[f64], moved: &[f64]) -> Self;
+    /// How many scenarios stand side by side, neighbours apart.
+    const WIDTH: usize;
+    /// From the number in each scenario.
+    fn gather(numbers: &[f64], neighbours: &[Neighbour]) -> Self;
 }
 
 impl<'a, T> Reading<'a, T> {
     /// One scenario, or several side by side.
     pub fn new(parts: Vec<&'a T>) -> Self {
-        Self { parts, moved: &[] }
+        Self { parts, neighbours: &[] }
     }
 
-    /// A scenario and its neighbours; in neighbour k a parameter was moved by `moved[k]`.
-    pub fn with_neighbours(parts: Vec<&'a T>, moved: &'a [f64]) -> Self {
-        Self { parts, moved }
+    /// A scenario, and after it its neighbours.
+    pub fn with_neighbours(parts: Vec<&'a T>, neighbours: &'a [Neighbour]) -> Self {
+        Self { parts, neighbours }
     }
 
     /// The part in the first scenario: the one that decides.
@@ -36,7 +48,7 @@ impl<'a, T> Reading<'a, T> {
 
     /// A part of this part.
     pub fn part<U>(&self, pick: impl Fn(&'a T) -> &'a U) -> Reading<'a, U> {
-        Reading { parts: self.parts.iter().map(|part| pick(part)).collect(), moved: self.moved }
+        Reading { parts: self.parts.iter().map(|part| pick(part)).collect(), neighbours: self.neighbours }
     }
 
     /// A part that the first scenario is known to have.
@@ -50,7 +62,10 @@ impl<'a, T> Reading<'a, T> {
     /// A number of this part.
     pub fn number<S: Gathered>(&self, read: impl Fn(&T) -> f64) -> S {
         let numbers: Vec<f64> = self.parts.iter().map(|part| read(part)).collect();
-        S::gather(&numbers, self.moved)
+        for (neighbour, number) in self.neighbours.iter().zip(&numbers[1..]) {
+            neighbour.seen.set(neighbour.seen.get() || *number != numbers[0]);
+        }
+        S::gather(&numbers, self.neighbours)
     }
 
     /// Several numbers of this part.
@@ -70,22 +85,28 @@ impl<'a, T> Reading<'a, T> {
 }
 
 impl Gathered for f64 {
-    fn gather(numbers: &[f64], _: &[f64]) -> Self {
+    const WIDTH: usize = 1;
+
+    fn gather(numbers: &[f64], _: &[Neighbour]) -> Self {
         numbers[0]
     }
 }
 
 impl<const N: usize> Gathered for Lanes<N> {
-    fn gather(numbers: &[f64], _: &[f64]) -> Self {
+    const WIDTH: usize = N;
+
+    fn gather(numbers: &[f64], _: &[Neighbour]) -> Self {
         Self(core::array::from_fn(|k| numbers[k]))
     }
 }
 
-/// A parameter is written to a field as it is or by a constant factor of its unit, so the quotient
-/// of differences is the derivative, to rounding.
+/// A parameter is written to a field as it is or by the constant factor of its unit, so the
+/// quotient of differences is the derivative, to rounding.
 impl<const N: usize> Gathered for Dual<N> {
-    fn gather(numbers: &[f64], moved: &[f64]) -> Self {
-        let along = |k: usize| moved.get(k).map_or(0.0, |by| (numbers[k + 1] - numbers[0]) / by);
+    const WIDTH: usize = 1;
+
+    fn gather(numbers: &[f64], neighbours: &[Neighbour]) -> Self {
+        let along = |k: usize| neighbours.get(k).map_or(0.0, |n| (numbers[k + 1] - numbers[0]) / n.moved);
         Self { value: numbers[0], derivative: core::array::from_fn(along) }
     }
 }

@@ -1,0 +1,40 @@
+//! The function `gradient` of the module.
+
+use crate::simulation::{Matrix, matrix, report};
+use crate::{errors, overrides};
+use kingpost::{analysis, scenario};
+use pyo3::prelude::*;
+
+/// Rows, the derivatives of the rows along each name, the channels as JSON, and the error that
+/// ended the run or None.
+type Gradient<'py> = (Matrix<'py>, Vec<Matrix<'py>>, String, Option<PyErr>);
+
+#[pyfunction]
+#[pyo3(signature = (text, file, overrides_json, names, progress=None))]
+pub fn gradient<'py>(
+    py: Python<'py>,
+    text: &str,
+    file: &str,
+    overrides_json: &str,
+    names: Vec<String>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Gradient<'py>> {
+    let pairs = overrides(overrides_json)?;
+    let scenario = scenario::read(text, file, &pairs).map_err(errors::scenario)?;
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let mut stopped = None;
+    let found = py.detach(|| {
+        analysis::gradient(&scenario, &names, |time_s| {
+            report(time_s, progress.as_ref()).map_err(|error| stopped = Some(error)).is_ok()
+        })
+    });
+    if let Some(error) = stopped {
+        return Err(error);
+    }
+    let found = found.map_err(errors::scenario)?;
+    let (columns, count) = (found.columns, found.rows.len() / found.columns.max(1));
+    let derivatives = found.derivatives.into_iter().map(|rows| matrix(py, rows, count, columns));
+    let channels = serde_json::to_string(&found.channels).map_err(errors::input)?;
+    let rows = matrix(py, found.rows, count, columns)?;
+    Ok((rows, derivatives.collect::<PyResult<_>>()?, channels, found.status.err().map(errors::run)))
+}

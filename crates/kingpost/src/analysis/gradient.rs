@@ -1,0 +1,64 @@
+//! Gradients of results along parameters, by dual numbers through the whole run.
+
+use crate::dynamics::moving_frame::Variation;
+use crate::plant::{DIRECTIONS, Form};
+use crate::results::Channel;
+use crate::scenario::{FieldError, Scenario, ScenarioError};
+use crate::simulation::{RunError, Simulation};
+
+/// A run and its derivatives.
+#[derive(Clone, Debug)]
+pub struct Gradient {
+    /// The channels of a row.
+    pub channels: Vec<Channel>,
+    /// Rows one after another.
+    pub rows: Vec<f64>,
+    /// Derivatives of the rows along each parameter, in the order of the names.
+    pub derivatives: Vec<Vec<f64>>,
+    /// Entries in a row.
+    pub columns: usize,
+    /// An error leaves the rows that came before it.
+    pub status: Result<(), RunError>,
+}
+
+/// Runs a scenario from start to end with the derivative of every result along every parameter (or
+/// path of a number) in `names`, exact for the scheme and step: they are the derivatives of the
+/// numbers that a run gives, not of the motion that it approximates. `progress` hears the time and
+/// may stop the run by returning false.
+///
+/// # Errors
+/// A name that no derivative follows: see [`Scenario::setup_along`]. Equations without D.
+pub fn gradient(
+    scenario: &Scenario,
+    names: &[&str],
+    mut progress: impl FnMut(f64) -> bool,
+) -> Result<Gradient, ScenarioError> {
+    let plain = scenario.setup()?;
+    if plain.settings.form == Form::MovingFrame(Variation::Naive) {
+        let allowed = "recursive or moving_frame, for a gradient";
+        return Err(FieldError::new("simulation.form", "moving_frame_without_d", allowed).into());
+    }
+    let mut gradient: Option<Gradient> = None;
+    let mut stopped = false;
+    for chunk in names.chunks(DIRECTIONS) {
+        let mut simulation = Simulation::recursive(scenario.setup_along::<DIRECTIONS>(chunk)?);
+        let run = simulation.run(|time_s| {
+            stopped = !progress(time_s);
+            !stopped
+        });
+        let all = gradient.get_or_insert_with(|| Gradient {
+            channels: simulation.channels().to_vec(),
+            rows: run.rows.iter().map(|x| x.value).collect(),
+            derivatives: Vec::with_capacity(names.len()),
+            columns: run.columns,
+            status: run.status.clone(),
+        });
+        for k in 0..chunk.len() {
+            all.derivatives.push(run.rows.iter().map(|x| x.derivative[k]).collect());
+        }
+        if stopped {
+            break;
+        }
+    }
+    gradient.ok_or_else(|| FieldError::new("parameters", "none", "at least one name, for a gradient").into())
+}

@@ -1,0 +1,127 @@
+//! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
+
+use crate::integrate::Stage;
+use crate::ledger;
+use crate::model::{Mode, Model};
+use crate::plant::{Along, DIRECTIONS, Number, Plant, Tangent};
+use crate::scenario::{Scenario, ScenarioError};
+use crate::simulation::Simulation;
+use nalgebra::{DMatrix, DVector};
+
+/// A and B about one state, and the rates there.
+///
+/// The states x are small motions from the state: first the local coordinates of the free
+/// coordinates (m; rad, for a rotation in space the rotation vector in body axes), then their rates
+/// as in v, then the extra states of forces and drives. Held and prescribed coordinates are not
+/// among them; prescribed ones keep the motion that they have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Linearization {
+    /// Names of the states: `slew`, ..., `slew.rate`, ..., `state_0`.
+    pub states: Vec<String>,
+    /// Names of the inputs.
+    pub inputs: Vec<String>,
+    /// A: rate of the row's state by the column's.
+    pub a: DMatrix<f64>,
+    /// B: rate of the row's state by the column's input.
+    pub b: DMatrix<f64>,
+    /// The rates at the state itself; zero at an equilibrium.
+    pub rates: Vec<f64>,
+}
+
+impl Linearization {
+    /// Number of free coordinates: the states begin with them, then come their rates.
+    fn free(&self) -> usize {
+        self.states.iter().filter(|state| state.ends_with(RATE)).count()
+    }
+
+    /// Accelerations of the free coordinates at the state itself, m/s^2 or rad/s^2.
+    pub fn accelerations(&self) -> DVector<f64> {
+        let n = self.free();
+        DVector::from_column_slice(&self.rates[n..2 * n])
+    }
+
+    /// Acceleration of each free coordinate by each: the block of A below its diagonal.
+    pub fn stiffness(&self) -> DMatrix<f64> {
+        let n = self.free();
+        self.a.view((n, 0), (n, n)).into_owned()
+    }
+}
+
+/// Ends the name of a coordinate's rate.
+const RATE: &str = ".rate";
+
+/// Linearises simulations of one scenario.
+#[derive(Clone, Debug)]
+pub struct Linearizer {
+    tangent: Tangent,
+    states: Vec<String>,
+    inputs: Vec<String>,
+    /// What each state is.
+    along: Vec<Along>,
+}
+
+impl Linearizer {
+    /// For simulations of a scenario. The equations are those of the recursive form.
+    ///
+    /// # Errors
+    /// A scenario that does not build.
+    pub fn new(scenario: &Scenario) -> Result<Self, ScenarioError> {
+        let setup = scenario.setup_over::<Number>()?;
+        let inputs: Vec<String> = setup.inputs.iter().map(|input| input.name.clone()).collect();
+        let (states, along) = states(&setup.model, ledger::COUNT..ledger::COUNT);
+        let plant = Plant::new(setup.model, setup.forces, setup.drives);
+        Ok(Self { tangent: Tangent::new(plant, inputs.len()), states, inputs, along })
+    }
+
+    /// Indices in v of the free coordinates, in the order of the states.
+    pub fn positions(&self) -> impl Iterator<Item = usize> + '_ {
+        self.along.iter().filter_map(|along| if let Along::Position(i) = along { Some(*i) } else { None })
+    }
+
+    /// A and B where a simulation of the scenario stands.
+    pub fn at(&mut self, simulation: &Simulation) -> Linearization {
+        self.about(simulation.stage())
+    }
+
+    /// A and B at a stage.
+    pub fn about(&mut self, at: Stage<'_>) -> Linearization {
+        let (n, m) = (self.states.len(), self.inputs.len());
+        let mut derivatives = DMatrix::zeros(n, n + m);
+        let mut rates = vec![0.0; n];
+        let still = vec![0.0; at.v.len()];
+        let all: Vec<Along> = self.along.iter().copied().chain((0..m).map(Along::Input)).collect();
+        for (chunk, directions) in all.chunks(DIRECTIONS).enumerate() {
+            self.tangent.evaluate(at.q, &still, at, directions);
+            for (row, state) in self.along.iter().enumerate() {
+                let rate = match *state {
+                    Along::Position(i) => self.tangent.xi_dot[i],
+                    Along::Velocity(i) => self.tangent.v_dot[i],
+                    Along::Extra(i) => self.tangent.s_dot[i],
+                    Along::Input(_) => Number::default(),
+                };
+                rates[row] = rate.value;
+                for k in 0..directions.len() {
+                    derivatives[(row, chunk * DIRECTIONS + k)] = rate.derivative[k];
+                }
+            }
+        }
+        Linearization {
+            states: self.states.clone(),
+            inputs: self.inputs.clone(),
+            a: derivatives.columns(0, n).into_owned(),
+            b: derivatives.columns(n, m).into_owned(),
+            rates,
+        }
+    }
+}
+
+/// Names and meaning of the states of a model whose extra states stand at `extras` of s.
+fn states(model: &Model<Number>, extras: core::ops::Range<usize>) -> (Vec<String>, Vec<Along>) {
+    let names = model.coordinate_names();
+    let free: Vec<usize> = (0..names.len()).filter(|&i| model.modes[i] == Mode::Free).collect();
+    let positions = free.iter().map(|&i| (names[i].clone(), Along::Position(i)));
+    let rates = free.iter().map(|&i| (format!("{}{RATE}", names[i]), Along::Velocity(i)));
+    let first = extras.start;
+    let extras = extras.map(|i| (format!("state_{}", i - first), Along::Extra(i)));
+    positions.chain(rates).chain(extras).unzip()
+}

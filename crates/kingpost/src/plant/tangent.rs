@@ -1,0 +1,89 @@
+//! Exact derivatives of the right-hand side, by dual numbers.
+
+use super::Plant;
+use crate::integrate::{Sizes, Stage, System};
+use crate::scalar::{Dual, Scalar};
+
+/// Directions that one evaluation carries.
+pub const DIRECTIONS: usize = 4;
+
+/// The dual number of this module.
+pub type Number = Dual<DIRECTIONS>;
+
+/// Something that the right-hand side depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    /// The local coordinate of a coordinate of v.
+    Position(usize),
+    /// An entry of v.
+    Velocity(usize),
+    /// An entry of s.
+    Extra(usize),
+    /// An input: an entry of d.
+    Input(usize),
+}
+
+/// A plant over dual numbers, with the working memory to differentiate it.
+#[derive(Clone, Debug)]
+pub struct Tangent {
+    plant: Plant<Number>,
+    base: Vec<Number>,
+    q: Vec<Number>,
+    xi: Vec<Number>,
+    v: Vec<Number>,
+    s: Vec<Number>,
+    d: Vec<Number>,
+    /// Rate of the local coordinates at the last evaluation.
+    pub xi_dot: Vec<Number>,
+    /// Accelerations at the last evaluation.
+    pub v_dot: Vec<Number>,
+    /// Rates of the extra states at the last evaluation.
+    pub s_dot: Vec<Number>,
+}
+
+impl Tangent {
+    /// Takes over a plant with so many inputs.
+    pub fn new(plant: Plant<Number>, inputs: usize) -> Self {
+        let Sizes { positions, velocities, extras } = plant.sizes();
+        let zeros = |n| vec![Number::ZERO; n];
+        Self {
+            plant,
+            base: zeros(positions),
+            q: zeros(positions),
+            xi: zeros(velocities),
+            v: zeros(velocities),
+            s: zeros(extras),
+            d: zeros(inputs),
+            xi_dot: zeros(velocities),
+            v_dot: zeros(velocities),
+            s_dot: zeros(extras),
+        }
+    }
+
+    /// Evaluates the rates at `q = retract(base, xi)` and `at`'s v, s, d, with derivatives along at
+    /// most [`DIRECTIONS`] directions; `at.q` is not read. Allocates nothing.
+    pub fn evaluate(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, along: &[Along]) {
+        let lift = |from: &[f64], to: &mut [Number]| {
+            to.iter_mut().zip(from).for_each(|(to, from)| *to = Number::constant(*from));
+        };
+        lift(base, &mut self.base);
+        lift(xi, &mut self.xi);
+        lift(at.v, &mut self.v);
+        lift(at.s, &mut self.s);
+        lift(at.d, &mut self.d);
+        for (k, direction) in along.iter().enumerate() {
+            let entry = match *direction {
+                Along::Position(i) => &mut self.xi[i],
+                Along::Velocity(i) => &mut self.v[i],
+                Along::Extra(i) => &mut self.s[i],
+                Along::Input(i) => &mut self.d[i],
+            };
+            entry.derivative[k] = 1.0;
+        }
+        self.plant.retract(&self.base, &self.xi, &mut self.q);
+        self.plant.dexp_inverse(&self.xi, &self.v, &mut self.xi_dot);
+        let (q, v, s, d) = (&self.q, &self.v, &self.s, &self.d);
+        let stage = Stage { time_s: at.time_s, interval: at.interval, q, v, s, d };
+        self.plant.rates(stage, &mut self.v_dot, &mut self.s_dot);
+    }
+}

@@ -1,0 +1,193 @@
+//! Exact derivatives: the linearised system against differences and closed forms, equilibria, and
+//! gradients of whole runs against runs with moved parameters.
+
+mod common;
+
+use common::{everything, paper_setup};
+use kingpost::analysis::{Linearizer, NoEquilibrium, gradient, settle};
+use kingpost::scenario::{Scenario, read};
+use kingpost::simulation::Simulation;
+use serde_json::{Value, json};
+
+fn scenario(text: &str) -> Scenario {
+    read(text, "test.yaml", &[]).expect("the scenario reads")
+}
+
+fn simulation(scenario: &Scenario) -> Simulation {
+    Simulation::new(scenario.setup().expect("the scenario builds"))
+}
+
+/// A rod of length 2 m that hangs on a hinge, or stands on it upside down.
+fn pendulum(angle_rad: f64) -> String {
+    format!(
+        "version: 1
+title: a pendulum
+bodies:
+  rod:
+    mass_kg: 3
+    inertia: {{tensor: {{moments_kg_m2: [1, 1, 0]}}}}
+    joint:
+      revolute: {{name: swing, axis: [0, 1, 0], child_position_m: [0, 0, 1], initial_angle_rad: {angle_rad}, damping_N_m_s: 0.4}}
+forces:
+  gravity: {{gravity: {{}}}}
+"
+    )
+}
+
+/// Accelerations of all coordinates a little away from where a simulation stands.
+fn accelerations(simulation: &Simulation, xi: &[f64], dv: &[f64]) -> Vec<f64> {
+    let mut moved = simulation.clone();
+    let q = simulation.moved(&simulation.state().q, xi);
+    let v: Vec<f64> = simulation.state().v.iter().zip(dv).map(|(v, dv)| v + dv).collect();
+    moved.set_state(&q, &v, None).expect("a motion of the model");
+    moved.acceleration(None).expect("no forces beside its own")
+}
+
+/// Central differences with step h err by h squared times a third derivative, and by rounding over h.
+#[test]
+fn the_linearised_system_is_what_central_differences_say() {
+    let scenario = scenario(&everything("recursive"));
+    let mut simulation = simulation(&scenario);
+    simulation.step(200).expect("a second of motion");
+    let mut linearizer = Linearizer::new(&scenario).expect("the scenario builds");
+    let linear = linearizer.at(&simulation);
+    let free: Vec<usize> = linearizer.positions().collect();
+    let (n, h) = (free.len(), 1e-6);
+    let still = vec![0.0; simulation.state().v.len()];
+    let scale = linear.a.amax();
+    for (k, &i) in free.iter().enumerate() {
+        let along = |by: f64| {
+            let mut along = still.clone();
+            along[i] = by;
+            along
+        };
+        let by_position =
+            [accelerations(&simulation, &along(h), &still), accelerations(&simulation, &along(-h), &still)];
+        let by_rate = [accelerations(&simulation, &still, &along(h)), accelerations(&simulation, &still, &along(-h))];
+        for row in 0..n {
+            for (column, [ahead, behind]) in [(k, &by_position), (n + k, &by_rate)] {
+                let difference = (ahead[row] - behind[row]) / (2.0 * h);
+                assert!((linear.a[(n + row, column)] - difference).abs() < 1e-7 * scale, "row {row}, column {column}");
+            }
+        }
+    }
+    assert_eq!(linear.rates[n..2 * n], simulation.acceleration(None).expect("accelerations")[..]);
+}
+
+/// A = [0 1; -m g l / J  -c / J] with J = 1 + m l^2 about the hinge.
+#[test]
+fn a_pendulum_has_its_textbook_a_matrix() {
+    let scenario = scenario(&pendulum(0.0));
+    let linear = Linearizer::new(&scenario).expect("it builds").at(&simulation(&scenario));
+    assert_eq!(linear.states, ["swing", "swing.rate"]);
+    let expected = [[0.0, 1.0], [-3.0 * 9.80665 / 4.0, -0.1]];
+    for (i, row) in expected.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate() {
+            assert!((linear.a[(i, j)] - entry).abs() < 1e-14);
+        }
+    }
+}
+
+/// B of a lever is its full torque by the inertia that it turns.
+#[test]
+fn a_lever_is_an_input_of_the_linearised_system() {
+    let scenario = scenario(&format!(
+        "{}drives:\n  hand: {{motor: {{joint: swing, torque_N_m: 8, history: lever}}}}\n",
+        pendulum(0.3)
+    ));
+    let linear = Linearizer::new(&scenario).expect("it builds").at(&simulation(&scenario));
+    assert_eq!(linear.inputs, ["hand"]);
+    assert!((linear.b[(1, 0)] - 8.0 / 4.0).abs() < 1e-14 && linear.b[(0, 0)] == 0.0);
+}
+
+#[test]
+fn a_pendulum_settles_downwards_from_anywhere_but_the_top() {
+    for angle in [0.01, 1.0, core::f64::consts::FRAC_PI_2, 3.0, -2.5] {
+        let scenario = scenario(&pendulum(angle));
+        let mut simulation = simulation(&scenario);
+        let found = settle(&scenario, &mut simulation).expect("a pendulum rests");
+        assert!(simulation.state().q[0].abs() < 1e-10, "from {angle}: {found:?}");
+        assert!(found.iterations < 60, "from {angle}: {found:?}");
+    }
+}
+
+#[test]
+fn what_falls_has_no_equilibrium_and_stays_where_it_was() {
+    let setup = |gravity: bool| {
+        read_paper(&[("hold_centre", json!(false)), ("gravity", json!(gravity)), ("motor_1", json!(false))])
+    };
+    let (free, falling) = (setup(false), setup(true));
+    let mut simulation = simulation(&falling);
+    let before = simulation.snapshot();
+    let error = settle(&falling, &mut simulation).expect_err("it falls");
+    assert!(matches!(&error, NoEquilibrium::NotFound { residual, .. } if *residual > 1.0), "{error}");
+    assert_eq!(simulation.snapshot(), before);
+    // Without gravity every place is one: nothing moves.
+    let mut simulation = Simulation::new(free.setup().expect("it builds"));
+    assert_eq!(settle(&free, &mut simulation).expect("it rests").iterations, 0);
+}
+
+fn read_paper(overrides: &[(&str, Value)]) -> Scenario {
+    let text = include_str!("../../../scenarios/paper.yaml");
+    let overrides: Vec<(String, Value)> = overrides.iter().map(|(n, v)| ((*n).to_owned(), v.clone())).collect();
+    read(text, "paper.yaml", &overrides).expect("the gallery reads")
+}
+
+/// Derivatives of every result of a run along masses, places, torques, damping and an initial angle,
+/// more than one evaluation carries, against central differences of runs.
+#[test]
+fn gradients_of_a_run_agree_with_central_differences() {
+    let base = [
+        ("motor_2", json!(true)),
+        ("damping", json!(true)),
+        ("load", json!(true)),
+        ("gravity", json!(true)),
+        ("torque_history", json!("pulse")),
+        ("hold_centre", json!(false)),
+        ("crane_x_m", json!(-8)),
+        ("simulation.duration_s", json!(0.4)),
+        ("simulation.step_s", json!(0.01)),
+        ("simulation.record_every_s", json!(0.1)),
+    ];
+    let parameters: [(&str, f64); 5] = [
+        ("bodies.load.mass_kg", 1000.0),
+        ("crane_x_m", -8.0),
+        ("drives.motor_1.motor.torque_N_m", 100_000.0),
+        ("forces.damping.viscous_damping.angular_N_m_s.2", 25_000.0),
+        ("bodies.arm.joint.revolute.initial_angle_deg", 0.0),
+    ];
+    let names = parameters.map(|(name, _)| name);
+    let exact = gradient(&read_paper(&base), &names, |_| true).expect("they have derivatives");
+    exact.status.clone().expect("it does not diverge");
+    for ((name, value), derivatives) in parameters.iter().zip(&exact.derivatives) {
+        let h = 1e-4 * value.abs().max(1.0);
+        let run = |value: f64| {
+            let mut with = base.to_vec();
+            with.push((name, json!(value)));
+            Simulation::new(paper_setup(&with)).run(|_| true).rows
+        };
+        let (ahead, behind) = (run(value + h), run(value - h));
+        // The ledger's errors are themselves of the size of rounding.
+        for channel in exact.channels.iter().filter(|channel| !channel.variable.ends_with("error")) {
+            let at = |rows: &[f64], row: usize, k: usize| rows[row * exact.columns + channel.offset + k];
+            let rows = exact.rows.len() / exact.columns;
+            let entries = || (0..rows).flat_map(|row| (0..channel.len).map(move |k| (row, k)));
+            let difference = |(row, k): (usize, usize)| (at(&ahead, row, k) - at(&behind, row, k)) / (2.0 * h);
+            let size = entries().map(|e| difference(e).abs()).fold(0.0, f64::max);
+            let value_size = entries().map(|(row, k)| at(&exact.rows, row, k).abs()).fold(0.0, f64::max);
+            // The differences' own error: h squared of a third derivative, and rounding over h.
+            let rounding = 1e-12 * value_size / h;
+            for (row, k) in entries() {
+                let error = (at(derivatives, row, k) - difference((row, k))).abs();
+                assert!(error <= 1e-5 * size + rounding, "{} by {name}: {error} of {size}", channel.variable);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_gradient_without_d_or_without_names_is_refused() {
+    let naive = read_paper(&[("simulation.form", json!("moving_frame_without_d"))]);
+    assert!(gradient(&naive, &["crane_x_m"], |_| true).is_err());
+    assert!(gradient(&read_paper(&[]), &[], |_| true).is_err());
+}
