@@ -94,17 +94,19 @@ def _run(options: argparse.Namespace) -> int:
 
     scenario = _scenario(options)
     output = results.check_output(options.output) if options.output is not None else None
-    failure: RunError | None = None
+    failure: RunError | KeyboardInterrupt | None = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
         try:
             recorded = Simulation(scenario).run(update)
-        except RunError as error:
-            if error.results is None:
+        except (RunError, KeyboardInterrupt) as error:
+            if getattr(error, "results", None) is None:
                 raise
             failure, recorded = error, error.results
     print(report.summary(recorded, scenario))
     if output:
         print(f"written         {results.write(recorded, output)}")
+    if isinstance(failure, KeyboardInterrupt):
+        return _fail(f"interrupted at {recorded['time'].values[-1]:g} s", INTERRUPTED)
     return _fail(failure, FAILED) if failure else DONE
 
 

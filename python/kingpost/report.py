@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .results import gravity_m_s2
+
 if TYPE_CHECKING:
     import xarray
 
@@ -14,6 +16,9 @@ if TYPE_CHECKING:
 
 # Share of the energy in play beyond which a summary warns that the step is too large.
 WORST_ENERGY_ERROR = 0.01
+
+# Rows of a table that a summary prints.
+MOST_ROWS = 20
 
 ANGLES = {"roll": "x", "pitch": "y", "yaw": "z"}
 
@@ -52,7 +57,7 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
     for body in ships(scenario):
         lines += ["", *_ship(results, body)]
     if results.sizes.get("coordinate", 0):
-        lines += ["", *_joints(results)]
+        lines += ["", *_joints(results, scenario), "", *_reactions(results)]
     return "\n".join([*lines, "", *_ledger(results)])
 
 
@@ -82,6 +87,15 @@ def fixed(value: float, places: int) -> str:
     return f"{value:z.{places}f}"
 
 
+def significant(value: float, scale: float) -> str:
+    """A number with five digits; 0 where it is rounding beside `scale`.
+
+    >>> significant(17922.43, 2e4), significant(1e-8, 2e4)
+    ('17922', '0')
+    """
+    return f"{0.0 if abs(value) < 1e-12 * scale else value:.5g}"
+
+
 def joules(value: float) -> str:
     """An energy with the prefix that suits its size.
 
@@ -103,14 +117,56 @@ def largest(values: np.ndarray) -> float:
     return values[np.argmax(np.abs(values))]
 
 
-def _joints(results: xarray.Dataset) -> list[str]:
-    rows = [("joint", "position", "", "rate", "")]
+def _joints(results: xarray.Dataset, scenario: Scenario) -> list[str]:
+    """Each joint coordinate: where it ends, the largest values, and the force or torque it carries."""
+    rows = [("joint", "position", "largest", "", "rate", "largest", "", "largest force", "")]
+    most_force = float(np.abs(results["joint_reaction"].values).max())
+    slides = {joint["name"] for joint in scenario.model["joints"] if joint["kind"] == "prismatic"}
     for name in results["coordinate"].values:
-        position = results["joint_position"].sel(coordinate=name)
-        rate = results["joint_velocity"].sel(coordinate=name)
-        rows.append((str(name), fixed(position.values[-1], 6), position.attrs["units"],
-                     fixed(rate.values[-1], 6), rate.attrs["units"]))  # fmt: skip
-    return table(rows, "<><><")
+        position, rate, force = (
+            results[variable].sel(coordinate=name)
+            for variable in ("joint_position", "joint_velocity", "joint_force")
+        )
+        rows.append((
+            str(name),
+            *(fixed(value, 6) for value in (position.values[-1], largest(position.values))),
+            _unit(position, name in slides),
+            *(fixed(value, 6) for value in (rate.values[-1], largest(rate.values))),
+            _unit(rate, name in slides),
+            significant(largest(force.values), most_force),
+            _unit(force, name in slides),
+        ))  # fmt: skip
+    return table(_shortened(rows), "<>><>><><")
+
+
+def _unit(values: xarray.DataArray, slides: bool) -> str:
+    """The unit of one coordinate, where the channel names that of turning and that of sliding."""
+    units = values.attrs["units"].split(" or ")
+    return units[-1 if slides else 0]
+
+
+def _reactions(results: xarray.Dataset) -> list[str]:
+    """What each joint carries at most: the lengths of its force and of its moment."""
+    force, moment = (
+        np.linalg.norm(
+            results["joint_reaction"].sel(component=[f"{kind}_{axis}" for axis in "xyz"]), axis=-1
+        ).max(axis=0)
+        for kind in ("force", "moment")
+    )
+    most = max(force.max(), moment.max())
+    rows = [("reaction, largest", "force", "", "moment", "")]
+    for name, f, m in zip(results["joint"].values, force, moment, strict=True):
+        rows.append((str(name), significant(f, most), "N", significant(m, most), "N m"))
+    return table(_shortened(rows), "<><><")
+
+
+def _shortened(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
+    """A heading and the first rows under it; the rest is in the results."""
+    left = len(rows) - 1 - MOST_ROWS
+    if left <= 0:
+        return rows
+    more = (f"and {left} more, in the results", *("" for _ in rows[0][1:]))
+    return [*rows[: 1 + MOST_ROWS], more]
 
 
 def _ledger(results: xarray.Dataset) -> list[str]:
@@ -146,7 +202,9 @@ def model(scenario: Scenario, coordinates: Sequence[str]) -> str:
         [f"total mass: {mass:g} kg", f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}"],
         _parameters(described["parameters"]),
         _laws("drives", resolved.get("drives", {})),
+        _prescribed(resolved),
         _laws("forces", resolved.get("forces", {})),
+        _falling(resolved),
         [
             f"{settings['integrator']}, {settings['duration_s']:g} s in steps of "
             f"{settings['step_s']:g} s, recorded every {settings['record_every_s']:g} s"
@@ -178,19 +236,55 @@ def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
 def _laws(heading: str, laws: dict[str, Any]) -> list[str]:
     if not laws:
         return [f"{heading}: none"]
-    rows = [(heading, "", "")]
+    rows = [(heading, "", "", "")]
     for name, law in laws.items():
         ((kind, fields),) = law.items()
-        rows.append((name, kind.replace("_", " "), "on" if fields["enabled"] else "off"))
-    return table(rows, "<<<")
+        rows.append((name, kind.replace("_", " "), "on" if fields["enabled"] else "off", _fields(fields)))
+    return table(rows, "<<<<")
+
+
+def _fields(fields: dict[str, Any]) -> str:
+    """A law's fields as a scenario writes them; a pulse only where it is the history.
+
+    >>> _fields({"enabled": True, "joint": "luff", "target_rad": 0.5, "pulse": None})
+    'joint: luff, target_rad: 0.5'
+    """
+    hidden = {"enabled"} if fields.get("history") == "pulse" else {"enabled", "pulse"}
+    return ", ".join(f"{name}: {text(value)}" for name, value in fields.items() if name not in hidden)
+
+
+def _prescribed(resolved: dict[str, Any]) -> list[str]:
+    """The joints that a given rate moves."""
+    rows = [("prescribed", "")]
+    for name, body in resolved["bodies"].items():
+        ((_, joint),) = body["joint"].items()
+        mode = joint.get("mode")
+        if body["enabled"] and isinstance(mode, dict):
+            rows.append((joint.get("name") or name, _fields(mode["prescribed"])))
+    return table(rows, "<<") if len(rows) > 1 else []
+
+
+def _falling(resolved: dict[str, Any]) -> list[str]:
+    """A note on each floating body that gravity pulls on and nothing carries."""
+    if not gravity_m_s2(resolved):
+        return []
+    floating = {
+        name: body["joint"].get("floating") for name, body in resolved["bodies"].items() if body["enabled"]
+    }
+    free = [name for name, joint in floating.items() if joint and not joint["hold_translation"]]
+    return [f"note: gravity acts and nothing carries {name}: it falls" for name in free]
 
 
 def text(value: Any) -> str:
     """A value as a scenario writes it.
 
-    >>> text(True), text(-10.0), text("pulse")
-    ('true', '-10', 'pulse')
+    >>> text(True), text(-10.0), text("pulse"), text([0, 0.5]), text({"rise_s": 1})
+    ('true', '-10', 'pulse', '[0, 0.5]', '{rise_s: 1}')
     """
     if isinstance(value, bool):
         return str(value).lower()
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{name}: {text(entry)}' for name, entry in value.items())}}}"
+    if isinstance(value, list):
+        return f"[{', '.join(map(text, value))}]"
     return f"{value:g}" if isinstance(value, int | float) else str(value)

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from . import _engine, gallery
+from .errors import KingpostError
 
 Overrides = Mapping[str, Any]
 
@@ -104,6 +105,8 @@ def load(path_or_name: str | Path, overrides: Overrides | None = None, **paramet
 
 
 def _pairs(overrides: Overrides | None, parameters: Overrides) -> tuple[tuple[str, Any], ...]:
+    if not isinstance(overrides, Mapping | NoneType):
+        raise KingpostError(f"overrides: found {overrides!r}, allowed: a dictionary of names and values")
     given = (*(overrides or {}).items(), *parameters.items())
     return tuple((str(name), _plain(value)) for name, value in given)
 

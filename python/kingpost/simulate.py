@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .errors import KingpostError
 from .scenario import Overrides, Scenario, load
 
 if TYPE_CHECKING:
@@ -89,8 +90,12 @@ class Simulation:
         ------
         RunError
             When the motion diverges; the state stays at the last good step.
+        KingpostError
+            When `n` is no whole number from 0 on.
         """
-        self._engine.step(n)
+        if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 0:
+            raise KingpostError(f"n: found {n!r}, allowed: a whole number not less than 0")
+        self._engine.step(int(n))
 
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
         """Run from here to the scenario's duration and return what was recorded.
@@ -101,11 +106,13 @@ class Simulation:
         ------
         RunError
             When the motion diverges; `.results` holds what was computed.
+        KeyboardInterrupt
+            On Ctrl-C; `.results` holds what was computed. So it is with whatever `progress` raises.
         """
         from .results import dataset
 
         rows, error = self._engine.run(progress)
-        status = "finished" if error is None else str(error)
+        status = "finished" if error is None else str(error) or "interrupted"
         results = dataset(self.scenario, self.channels, rows, status)
         if error is not None:
             error.results = results

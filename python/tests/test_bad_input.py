@@ -138,3 +138,18 @@ def test_a_wrong_command_line_is_one_line_and_exit_code_2(arguments, capsys):
         main(arguments)
     assert ended.value.code == 2
     assert one_line(capsys.readouterr().err).startswith("error: ")
+
+
+def test_overrides_that_are_no_dictionary_are_refused():
+    """Source: the signature of `kingpost.run`."""
+    with pytest.raises(kingpost.KingpostError, match=r"overrides: found \[1\], allowed: a dictionary"):
+        kingpost.run("paper", [1])
+
+
+@pytest.mark.parametrize("n", [-1, 1.5, True, "2"])
+def test_a_count_of_steps_that_is_none_is_refused(n):
+    """Source: the signature of `Simulation.step`."""
+    simulation = kingpost.Simulation("paper")
+    with pytest.raises(kingpost.KingpostError, match=r"n: found .*, allowed: a whole number not less than 0"):
+        simulation.step(n)
+    assert simulation.time_s == 0

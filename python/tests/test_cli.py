@@ -27,8 +27,9 @@ def test_run_prints_the_digits_of_three_independent_codes(capsys):
     assert list(rates) == pytest.approx(
         [TRUTH[f"{name} rate"][0] for name in ("roll", "pitch", "yaw")], abs=1e-5
     )
+    joints = shown.out[shown.out.index("joint ") : shown.out.index("reaction, largest")]
     for joint in ("slew", "luff"):
-        position, rate = numbers(shown.out, joint)
+        position, _, rate, _ = numbers(joints, joint)[:4]
         assert position == pytest.approx(TRUTH[joint][0], abs=TRUTH[joint][1])
         assert rate == pytest.approx(TRUTH[f"{joint} rate"][0], abs=TRUTH[f"{joint} rate"][1])
 
@@ -43,7 +44,7 @@ def test_run_prints_time_peaks_energy_and_momentum(capsys):
     assert main(["run", "paper", *SETTINGS]) == 0
     text = capsys.readouterr().out
     for words in ("0.5 s by rk4 in steps of 0.001 s", "largest angle, deg", "largest rate, rad/s",
-                  "energy error", "momentum error"):  # fmt: skip
+                  "largest force", "reaction, largest", "energy error", "momentum error"):  # fmt: skip
         assert words in text
 
 
@@ -51,8 +52,60 @@ def test_set_takes_on_and_off(capsys):
     """Source: the public contract of --set."""
     assert main(["check", "paper", "--set", "motor_1=off", "--set", "motor_2=on"]) == 0
     text = capsys.readouterr().out
-    assert re.search(r"^motor_1 +motor +off$", text, re.MULTILINE)
-    assert re.search(r"^motor_2 +motor +on$", text, re.MULTILINE)
+    assert re.search(r"^motor_1 +motor +off +joint: slew", text, re.MULTILINE)
+    assert re.search(r"^motor_2 +motor +on +joint: luff", text, re.MULTILINE)
+
+
+def test_run_prints_the_largest_force_of_a_drive_and_the_largest_reaction(capsys):
+    """Source: motor 1 turns the tower with 1e5 N m; the weight of 1000 kg stands in its joint."""
+    settings = [
+        "--set",
+        "simulation.duration_s=0.01",
+        "--set",
+        "bodies.ship.joint.floating.hold_rotation=true",
+    ]
+    assert main(["run", "paper", *settings]) == 0
+    text = capsys.readouterr().out
+    assert re.search(r"^slew .* 1e\+05  N m$", text, re.MULTILINE)
+    assert (
+        main(
+            [
+                "run",
+                "paper",
+                "--set",
+                "motor_1=off",
+                "--set",
+                "gravity=on",
+                "--set",
+                "bodies.arm.joint.revolute.mode=held",
+                *settings,
+            ]
+        )
+        == 0
+    )
+    text = capsys.readouterr().out
+    assert re.search(r"^slew +9806\.[67]\d?  N ", text, re.MULTILINE), text
+
+
+def test_check_prints_targets_and_prescribed_rates_and_what_nothing_carries(tmp_path, capsys):
+    """Source: the fields of the file, as they stand there."""
+    text = kingpost.load("paper").text
+    servo = "{servo: {joint: luff, target_deg: 90, stiffness_N_m_per_rad: 1, damping_N_m_s_per_rad: 1, "
+    text = text.replace(
+        "drives:\n  motor_1:", f"drives:\n  lift: {servo}torque_limit_kN_m: 2}}}}\n  motor_1:"
+    )
+    text = text.replace("name: slew\n", "name: slew\n        mode: {prescribed: {rate_rad_s: 0.25}}\n")
+    path = tmp_path / "crane.yaml"
+    path.write_text(text)
+    assert main(["check", str(path), "--set", "motor_1=off", "--set", "gravity=on"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(
+        r"^lift +servo +on +joint: luff, target_rad: 1\.5708, .*torque_limit_N_m: 2000$", shown, re.MULTILINE
+    )
+    assert re.search(r"^slew +rate_rad_s: 0\.25, history: constant$", shown, re.MULTILINE)
+    assert "falls" not in shown
+    assert main(["check", "paper", "--set", "gravity=on", "--set", "hold_centre=off"]) == 0
+    assert "note: gravity acts and nothing carries ship: it falls" in capsys.readouterr().out
 
 
 def test_check_says_what_the_model_is(capsys):
@@ -97,8 +150,9 @@ def command(*arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_ctrl_c_ends_a_long_run_with_one_line(capsys):
-    """Source: the shell's convention, 128 + SIGINT."""
+def test_ctrl_c_ends_a_long_run_with_one_line_and_keeps_what_there_is(capsys, tmp_path):
+    """Source: the shell's convention, 128 + SIGINT; a run that ends early keeps its results."""
+    output = tmp_path / "run.csv"
     # A job in the background starts with the signal ignored.
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     ctrl_c = threading.Timer(0.5, signal.raise_signal, [signal.SIGINT])
@@ -110,10 +164,14 @@ def test_ctrl_c_ends_a_long_run_with_one_line(capsys):
         "--set=simulation.record_every_s=1",
     ]
     try:
-        assert main(["run", "paper", *settings]) == 130
+        assert main(["run", "paper", "-o", str(output), *settings]) == 130
     finally:
         signal.signal(signal.SIGINT, before)
-    assert capsys.readouterr().err == "error: interrupted\n"
+    shown = capsys.readouterr()
+    ended = re.fullmatch(r"error: interrupted at (\d+) s\n", shown.err)
+    assert ended, shown.err
+    assert f"written         {output}" in shown.out
+    assert output.read_text().splitlines()[-1].startswith(f"{ended[1]}.0,")
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="terminals are POSIX's")

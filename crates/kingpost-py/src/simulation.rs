@@ -48,7 +48,8 @@ impl Simulation {
         Ok(())
     }
 
-    /// Rows recorded from now to the end, and the error that ended the run or None.
+    /// Rows recorded from now to the end, and the error that ended the run or None: divergence, Ctrl-C
+    /// or what the progress callback raised.
     #[pyo3(signature = (progress=None))]
     fn run<'py>(&mut self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<(Matrix<'py>, Option<PyErr>)> {
         let mut stopped = None;
@@ -61,12 +62,9 @@ impl Simulation {
                 }
             })
         });
-        if let Some(error) = stopped {
-            return Err(error);
-        }
         let rows = run.rows.len() / run.columns.max(1);
         let rows = matrix(py, run.rows, rows, run.columns)?;
-        Ok((rows, run.status.err().map(errors::run)))
+        Ok((rows, stopped.or_else(|| run.status.err().map(errors::run))))
     }
 
     fn reset(&mut self) {

@@ -66,8 +66,8 @@ pub struct Entries<'a, S = f64> {
 }
 
 impl<S: Scalar> Entries<'_, S> {
-    /// Writes the rates; `joint` says what the joint of a node of the tree carries, `along` how much
-    /// of that, in N or N m, along one of its coordinates.
+    /// Writes the rates; `joint` says what the joint of a node of the tree carries, `along` what
+    /// moves one of its coordinates, the rotor included, in N or N m.
     pub fn rates(&self, joint: impl Fn(usize) -> JointLoad<S>, along: impl Fn(usize, usize) -> S, s_dot: &mut [S]) {
         let (mut force, mut moment) = (Vector3::zero(), Vector3::zero());
         let mut add = |frame: &Frame<S>, wrench: &Wrench<S>| {

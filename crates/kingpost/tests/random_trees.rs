@@ -6,14 +6,31 @@ mod common;
 use common::{Random, relative_difference};
 use kingpost::drives::{Drive, Motor, PrescribedMotion, Profile};
 use kingpost::dynamics::moving_frame::Variation;
-use kingpost::forces::{Force, Gravity, JointDamping};
-use kingpost::model::Mode;
+use kingpost::forces::{CoulombFriction, Force, Gravity, JointDamping, JointSpring, JointStop, StopSide};
+use kingpost::model::{Mode, Model};
 use kingpost::plant::Form;
 use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};
 
 const TREES: u64 = 60;
 const STEP_S: f64 = 2e-4;
 const STEPS: usize = 50;
+
+/// Friction, a spring or a stop on a coordinate that is an angle or an extension.
+fn axis_forces(random: &mut Random, model: &Model, coordinate: usize) -> Vec<Force> {
+    let Some((_, position)) = model.axis_coordinate(coordinate) else { return Vec::new() };
+    let mut some = |upper: f64| random.uniform(0.1, upper);
+    match coordinate % 4 {
+        0 => vec![Force::CoulombFriction(CoulombFriction { coordinate, friction: some(2.0), smoothing: some(0.5) })],
+        1 => vec![Force::JointSpring(JointSpring { position, coordinate, stiffness: some(9.0), rest: some(1.0) })],
+        2 => [StopSide::Lower, StopSide::Upper]
+            .map(|side| {
+                let (limit, stiffness, dissipation) = (some(0.2), some(90.0), some(0.5));
+                Force::JointStop(JointStop { position, coordinate, side, limit, stiffness, dissipation })
+            })
+            .to_vec(),
+        _ => Vec::new(),
+    }
+}
 
 /// Gravity, friction and motors on everything that is free; prescribed coordinates at steady rates.
 fn setup(seed: u64, form: Form) -> Setup {
@@ -27,6 +44,7 @@ fn setup(seed: u64, form: Form) -> Setup {
         match mode {
             Mode::Free => {
                 forces.push(Force::JointDamping(JointDamping { coordinate, damping }));
+                forces.extend(axis_forces(&mut random, &model, coordinate));
                 drives.push(Drive::Motor(Motor { coordinate, effort, profile, input: None }));
             }
             Mode::Prescribed => {

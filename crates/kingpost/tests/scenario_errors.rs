@@ -57,6 +57,40 @@ fn an_unknown_field_is_refused_at_its_name_and_the_nearest_one_suggested() {
 }
 
 #[test]
+fn a_misspelt_unit_alias_gets_the_nearest_one() {
+    let fields = "one of enabled, parent, mass_kg, colour, shape, inertia, centre_of_mass_m, joint, points";
+    let error = format!("bodies.ship.mas_t: found an unknown field, allowed: {fields}; did you mean mass_t?");
+    refuses(MASS, "mas_t: 10", "mas_t", &error);
+    let fields = "one of enabled, joint, torque_N_m, history, pulse";
+    let error = format!(
+        "drives.motor_1.motor.torque_kNm: found an unknown field, allowed: {fields}; did you mean torque_kN_m?"
+    );
+    refuses("torque_N_m: 100000", "torque_kNm: 100", "torque_kNm", &error);
+}
+
+#[test]
+fn a_stiffness_per_degree_is_not_taken_for_an_angle() {
+    let servo =
+        "servo: {joint: slew, target_rad: 0, stiffness_N_m_per_deg: 1, damping_N_m_s_per_rad: 1, torque_limit_N_m: 1}";
+    let text = changed("motor_2:\n    motor:", &format!("held: {{{servo}}}\n  motor_2:\n    motor:"));
+    let error = error_of(&text);
+    assert!(error.contains("drives.held.servo.stiffness_N_m_per_deg: found an unknown field"), "{error}");
+}
+
+#[test]
+fn a_drive_in_a_joint_that_is_held_or_prescribed_is_refused() {
+    let allowed = "allowed: a joint whose mode is free, for a drive that is on";
+    let error = format!("drives.motor_1.motor.joint: found slew, which is held, {allowed}");
+    refuses("        name: slew\n", "        name: slew\n        mode: held\n", "slew\n      torque", &error);
+    let prescribed = "        name: slew\n        mode: {prescribed: {rate_rad_s: 1}}\n";
+    let error = format!("drives.motor_1.motor.joint: found slew, which is prescribed, {allowed}");
+    refuses("        name: slew\n", prescribed, "slew\n      torque", &error);
+    // One that is off waits until the joint is free.
+    let held = changed("        name: luff\n", "        name: luff\n        mode: held\n");
+    assert!(read(&held, "paper.yaml", &[]).is_ok());
+}
+
+#[test]
 fn a_negative_mass_is_refused() {
     refuses(MASS, "mass_kg: -5", "-5\n    colour", "bodies.ship.mass_kg: found -5, allowed: a number greater than 0");
 }

@@ -2,11 +2,13 @@
 //!
 //! A new drive is one new file and one arm in each `match` of [`Drive`].
 
+mod brake;
 mod motor;
 mod prescribed;
 mod profile;
 mod servo;
 
+pub use brake::Brake;
 pub use motor::Motor;
 pub use prescribed::PrescribedMotion;
 pub use profile::{Clock, Profile, Pulse};
@@ -22,6 +24,8 @@ pub enum Drive<S = f64> {
     Motor(Motor<S>),
     /// A position servo with a limit.
     Servo(Servo<S>),
+    /// Friction that a lever sets.
+    Brake(Brake<S>),
     /// A motion that happens whatever it takes.
     Prescribed(PrescribedMotion<S>),
 }
@@ -32,6 +36,7 @@ impl<S: Scalar> Drive<S> {
         match self {
             Drive::Motor(motor) => motor.apply(clock, v, inputs, loads),
             Drive::Servo(servo) => servo.apply(q, v, loads),
+            Drive::Brake(brake) => brake.apply(v, inputs, loads),
             Drive::Prescribed(motion) => motion.apply(clock, loads),
         }
     }
@@ -41,7 +46,7 @@ impl<S: Scalar> Drive<S> {
         match self {
             Drive::Motor(motor) => motor.profile.edges(),
             Drive::Prescribed(motion) => motion.profile.edges(),
-            Drive::Servo(_) => &[],
+            Drive::Servo(_) | Drive::Brake(_) => &[],
         }
     }
 }

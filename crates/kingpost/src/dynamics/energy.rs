@@ -1,7 +1,7 @@
 //! Kinetic energy and momentum.
 
 use super::Kinematics;
-use crate::model::Tree;
+use crate::model::{Model, Tree};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -12,6 +12,12 @@ pub fn kinetic_energy<S: Scalar>(tree: &Tree<S>, kinematics: &Kinematics<S>) -> 
         .iter()
         .zip(&kinematics.twist)
         .fold(S::ZERO, |sum, (node, twist)| sum + node.inertia.quadratic(twist));
+    twice * S::constant(0.5)
+}
+
+/// Kinetic energy of the rotors in the joints, J.
+pub fn rotor_energy<S: Scalar>(model: &Model<S>, v: &[S]) -> S {
+    let twice = model.rotor_inertia.iter().zip(v).fold(S::ZERO, |sum, (inertia, v)| sum + *inertia * *v * *v);
     twice * S::constant(0.5)
 }
 

@@ -27,7 +27,7 @@ struct Articulated<S> {
     drift: Twist<S>,
     /// Articulated inertia times the joint's axis.
     gain: Wrench<S>,
-    /// Reciprocal inertia along the joint's axis, 1/kg or 1/(kg m^2).
+    /// Reciprocal inertia along the joint's axis, the rotor's included, 1/kg or 1/(kg m^2).
     compliance: S,
     /// Force along the joint's axis that is left to accelerate it.
     drive: S,
@@ -72,7 +72,7 @@ pub fn forward_dynamics<S: Scalar>(
                 let ball = Ball::new(joint, node, &links.in_root[i]);
                 ball.transmitted(&link.inertia, &link.bias, &link.drift, loads)
             }
-            _ => transmitted(node, &links.axis[i], loads, link),
+            _ => transmitted(node, &links.axis[i], model.rotor_inertia[node.velocities], loads, link),
         };
         if let Some(parent) = node.parent {
             let parent = &mut work.links[parent];
@@ -148,6 +148,7 @@ fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, v: &[S], loads
 fn transmitted<S: Scalar>(
     node: &Node<S>,
     axis: &Twist<S>,
+    rotor_inertia: S,
     loads: &Loads<S>,
     link: &mut Articulated<S>,
 ) -> (SpatialInertia<S>, Wrench<S>) {
@@ -156,7 +157,7 @@ fn transmitted<S: Scalar>(
         return (link.inertia, link.bias + link.inertia.times(&given));
     }
     link.gain = link.inertia.times(axis);
-    link.compliance = S::ONE / link.gain.dot(axis);
+    link.compliance = S::ONE / (link.gain.dot(axis) + rotor_inertia);
     link.drive = loads.force[node.velocities] - link.bias.dot(axis);
     let reduced = link.inertia.minus_outer(&link.gain, link.compliance);
     let bias = link.bias + reduced.times(&link.drift) + link.gain * (link.drive * link.compliance);

@@ -66,11 +66,12 @@ impl<S: Scalar> InverseDynamics<S> {
         }
     }
 
-    /// The generalized force along each coordinate of v: the joint wrenches on the joints' axes.
-    pub fn generalized_force(&self, model: &Model<S>, bodies: &Kinematics<S>, out: &mut [S]) {
+    /// The generalized force along each coordinate of v that the accelerations `v_dot` take: the
+    /// joint wrenches on the joints' axes, and what accelerates the rotors.
+    pub fn generalized_force(&self, model: &Model<S>, bodies: &Kinematics<S>, v_dot: &[S], out: &mut [S]) {
         for (i, node) in model.tree.nodes.iter().enumerate() {
             for at in (node.velocities..).take(node.kind.velocity_count()) {
-                out[at] = self.joint_wrench[i].dot(&bodies.columns[at]);
+                out[at] = self.joint_wrench[i].dot(&bodies.columns[at]) + model.rotor_inertia[at] * v_dot[at];
             }
         }
     }

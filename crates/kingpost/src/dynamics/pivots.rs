@@ -26,7 +26,8 @@ pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> 
         let coordinate = |k: usize| at + if directions.len() == 6 { (k + 3) % 6 } else { k };
         let moving = (0..directions.len()).filter(|&k| model.modes[coordinate(k)] == Mode::Free);
         let moving: Vec<usize> = moving.collect();
-        let free_directions: Vec<Twist> = moving.iter().map(|&k| directions[k]).collect();
+        let free_directions: Vec<(Twist, f64)> =
+            moving.iter().map(|&k| (directions[k], model.rotor_inertia[coordinate(k)])).collect();
         if let Some(k) = first_small_pivot(&free, &locked[i], &free_directions) {
             return Some(coordinate(moving[k]));
         }
@@ -58,18 +59,23 @@ fn unit_twists() -> [Twist; 6] {
     })
 }
 
-/// Cholesky's pivots of the inertia over some directions, each against the locked diagonal.
-fn first_small_pivot(free: &SpatialInertia, locked: &SpatialInertia, directions: &[Twist]) -> Option<usize> {
+/// Cholesky's pivots of the inertia over some directions with their rotors, each against the locked
+/// diagonal.
+fn first_small_pivot(free: &SpatialInertia, locked: &SpatialInertia, directions: &[(Twist, f64)]) -> Option<usize> {
     let n = directions.len();
     let mut l = vec![0.0; n * n];
     for i in 0..n {
-        let scale = locked.quadratic(&directions[i]);
+        let (direction, rotor) = directions[i];
+        let scale = locked.quadratic(&direction) + rotor;
         for j in 0..=i {
             let sum: f64 = (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum();
-            let rest = free.times(&directions[i]).dot(&directions[j]) - sum;
+            let rest = free.times(&direction).dot(&directions[j].0) - sum;
             if i != j {
                 l[i * n + j] = rest / l[j * n + j];
-            } else if rest.is_finite() && scale > 0.0 && rest > SMALLEST_SHARE * scale {
+                continue;
+            }
+            let rest = rest + rotor;
+            if rest.is_finite() && scale > 0.0 && rest > SMALLEST_SHARE * scale {
                 l[i * n + i] = rest.sqrt();
             } else {
                 return Some(i);

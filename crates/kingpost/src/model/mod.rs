@@ -73,6 +73,11 @@ pub struct Model<S = f64> {
     pub velocity_count: usize,
     /// Mode of each coordinate of v.
     pub modes: Vec<Mode>,
+    /// By coordinate of v: the inertia of what turns with the coordinate's drive only, times the
+    /// gear ratio squared, kg m^2 or kg; 0 for floating and spherical joints. It counts along the
+    /// coordinate, in M* and in the kinetic energy. The rotor's momentum in space is left out: where
+    /// it stands is not known.
+    pub rotor_inertia: Vec<S>,
 }
 
 impl<S: Scalar> Model<S> {
@@ -110,7 +115,8 @@ impl<S: Scalar> Model<S> {
         }
         let rigid_links = links.nodes.iter().map(|link| RigidInertia::from_spatial(&link.inertia)).collect();
         let (position_count, velocity_count) = (positions, velocities);
-        Self { bodies, joints, tree, links, roots, rigid_links, position_count, velocity_count, modes }
+        let rotor_inertia = vec![S::ZERO; velocity_count];
+        Self { bodies, joints, tree, links, roots, rigid_links, position_count, velocity_count, modes, rotor_inertia }
     }
 
     /// Index of the body of this name.

@@ -80,7 +80,7 @@ impl<S: Scalar> Plant<S> {
         self.links.update(&self.model, at.q, at.v);
         self.loads.clear();
         for force in &self.forces {
-            force.apply(&self.model, &self.links, at.v, &mut self.loads);
+            force.apply(&self.model, &self.links, at.q, at.v, &mut self.loads);
         }
         for drive in &self.drives {
             drive.apply(clock, at.q, at.v, at.d, &mut self.loads);
@@ -105,7 +105,7 @@ impl<S: Scalar> Plant<S> {
         self.accelerate(at.q, at.v, v_dot);
         self.bodies.update(&self.model.tree, at.q, at.v);
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
-        let totals = self.totals_here(at.q);
+        let totals = self.totals_here(at.q, at.v);
         Observation { model: &self.model, bodies: &self.bodies, inverse: &self.inverse, totals }
     }
 
@@ -138,17 +138,17 @@ impl<S: Scalar> Plant<S> {
     pub fn totals(&mut self, q: &[S], v: &[S]) -> Totals<S> {
         self.links.update(&self.model, q, v);
         self.bodies.update(&self.model.tree, q, v);
-        self.totals_here(q)
+        self.totals_here(q, v)
     }
 
     /// The same, where the kinematics stands.
-    fn totals_here(&self, q: &[S]) -> Totals<S> {
-        let Self { model, links, bodies, .. } = self;
+    fn totals_here(&self, q: &[S], v: &[S]) -> Totals<S> {
+        let Self { model, forces, links, bodies, .. } = self;
         let centre = ledger::reference_point(model, q);
         let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
         Totals {
-            kinetic_energy: energy::kinetic_energy(&model.tree, bodies),
-            potential_energy: self.forces.iter().fold(S::ZERO, |sum, force| sum + force.potential_energy(model, links)),
+            kinetic_energy: energy::kinetic_energy(&model.tree, bodies) + energy::rotor_energy(model, v),
+            potential_energy: forces.iter().fold(S::ZERO, |sum, force| sum + force.potential_energy(model, links, q)),
             linear_momentum,
             angular_momentum,
         }
@@ -250,12 +250,12 @@ impl<S: Scalar> System<S> for Plant<S> {
         match self.form {
             Form::Recursive => entries.rates(
                 |i| JointLoad { frame: links.root_in_world[model.roots[i]], wrench: work.joint_wrench(i) },
-                |i, _| work.joint_wrench(i).dot(&links.axis[i]),
+                |i, at| work.joint_wrench(i).dot(&links.axis[i]) + model.rotor_inertia[at] * v_dot[at],
                 s_dot,
             ),
             Form::MovingFrame(_) => entries.rates(
                 |i| JointLoad { frame: bodies.world[i], wrench: inverse.joint_wrench[i] },
-                |i, coordinate| inverse.joint_wrench[i].dot(&bodies.columns[coordinate]),
+                |i, at| inverse.joint_wrench[i].dot(&bodies.columns[at]) + model.rotor_inertia[at] * v_dot[at],
                 s_dot,
             ),
         }

@@ -44,10 +44,20 @@ pub const UNIT_ALIASES: [UnitAlias; 12] = [
 
 /// The SI name and the factor, where the name ends in a unit alias.
 pub(super) fn si_name(name: &str) -> Option<(String, f64)> {
+    // A stiffness per degree is no angle.
+    if name.ends_with("_per_deg") {
+        return None;
+    }
     UNIT_ALIASES.iter().find_map(|alias| {
         let stem = name.strip_suffix(alias.ending)?;
         Some((format!("{stem}{}", alias.si), alias.factor))
     })
+}
+
+/// The names under which a quantity of this SI name may be written besides.
+pub(super) fn aliases_of(name: &str) -> impl Iterator<Item = String> + '_ {
+    let written = |alias: &UnitAlias| Some(format!("{}{}", name.strip_suffix(alias.si)?, alias.ending));
+    UNIT_ALIASES.iter().filter_map(written).filter(move |written| si_name(written).is_some_and(|(si, _)| si == name))
 }
 
 /// Renames every field of the tree whose name ends in a unit alias, and converts its numbers. A field that holds named

@@ -2,6 +2,8 @@
 
 use serde_json::Value;
 
+use super::units;
+
 /// What a [`Positive`](super::range::Positive) allows.
 pub const POSITIVE: &str = "a number greater than 0";
 /// What a [`NonNegative`](super::range::NonNegative) allows.
@@ -111,10 +113,11 @@ pub(super) fn names_in_backquotes(message: &str) -> Vec<&str> {
     message.split('`').skip(1).step_by(2).collect()
 }
 
-/// The name nearest to `written`, if one is near enough to be meant.
-fn nearest<'a>(names: &[&'a str], written: &str) -> Option<&'a str> {
+/// The name nearest to `written`, with its unit or an alias of it, if one is near enough to be meant.
+fn nearest(names: &[&str], written: &str) -> Option<String> {
     let limit = written.chars().count() / 3;
-    let near = names.iter().map(|name| (edits(name, written), *name));
+    let aliases = names.iter().flat_map(|name| units::aliases_of(name));
+    let near = names.iter().map(|name| (*name).to_owned()).chain(aliases).map(|name| (edits(&name, written), name));
     near.min_by_key(|(distance, _)| *distance).filter(|(distance, _)| *distance <= limit).map(|(_, name)| name)
 }
 

@@ -170,7 +170,12 @@ impl Random {
             let joint = Joint { name: format!("joint_{i}"), kind, mode };
             BodyDescription { name: format!("body_{i}"), parent, joint, mass, inertia, points: Vec::new() }
         };
-        let model = Model::new((0..n).map(describe).collect());
+        let mut model = Model::new((0..n).map(describe).collect());
+        for coordinate in 0..model.velocity_count {
+            if model.axis_coordinate(coordinate).is_some() && self.chance(0.3) {
+                model.rotor_inertia[coordinate] = self.uniform(0.0, 3.0);
+            }
+        }
         if model.free_coordinates().is_empty() { self.model() } else { model }
     }
 

@@ -11,7 +11,7 @@
 //! | `f` | {F} (eq. 59, there {Q}), motors as couples on the child and back on the parent |
 //! | `m_star`, `n_star`, `f_star` | M*, N*, F* (eqs. 60a-60c) |
 //!
-//! For a full 6x6 inertia the block of M turns with the body, so M' enters beside B', and D gets
+//! Rotors add their inertia to the diagonal of M*. For a full 6x6 inertia the block of M turns with the body, so M' enters beside B', and D gets
 //! the term of Kirchhoff's equations that moves momentum: both vanish for the paper's bodies.
 
 mod blocks;
@@ -91,7 +91,10 @@ impl MovingFrame {
         let free = model.free_coordinates();
         let (b_free, b_dot_free) = (b.select_columns(&free), b_dot.select_columns(&free));
         let momentum_rate = &m_dot + &d * &m;
-        let m_star = b_free.transpose() * &m * &b_free;
+        let mut m_star = b_free.transpose() * &m * &b_free;
+        for (k, &i) in free.iter().enumerate() {
+            m_star[(k, k)] += model.rotor_inertia[i];
+        }
         let n_star = b_free.transpose() * (&m * &b_dot_free + &momentum_rate * &b_free);
         let (given_velocity, given_acceleration) = prescribed(model, v, loads);
         let given = &m * (&b * given_acceleration + &b_dot * &given_velocity) + momentum_rate * (&b * given_velocity);

@@ -5,7 +5,7 @@ use super::bodies::joint_name;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::drives::{Clock, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
-use crate::model::Model;
+use crate::model::{Joint, Mode, Model};
 use crate::simulation::Input;
 
 /// The drives that are on, and the table of what can be set from outside.
@@ -29,6 +29,7 @@ pub fn build<S: Gathered>(
             Law::Servo { .. } => None,
         };
         let Some(joint) = model.joint(parts.joint).filter(|_| parts.enabled) else { continue };
+        check_free(&parts, &model.joints[joint])?;
         let (coordinate, position) = (model.tree.nodes[joint].velocities, model.tree.nodes[joint].positions);
         drives.push(match (parts.law, profile) {
             (Law::Motor { effort, history, .. }, Some(profile)) => {
@@ -49,6 +50,17 @@ pub fn build<S: Gathered>(
         drives.push(Drive::Prescribed(motion));
     }
     Ok(Drives { drives, inputs })
+}
+
+/// A drive that is on has nothing to say in a joint that is held or prescribed.
+fn check_free<S: Gathered>(parts: &Parts<S>, joint: &Joint<S>) -> Result<(), FieldError> {
+    let mode = match joint.mode {
+        Mode::Free => return Ok(()),
+        Mode::Held => "held",
+        Mode::Prescribed => "prescribed",
+    };
+    let found = format!("{}, which is {mode}", parts.joint);
+    Err(FieldError::new(format!("{}.joint", parts.field), found, "a joint whose mode is free, for a drive that is on"))
 }
 
 /// A drive without the difference between turning and sliding.

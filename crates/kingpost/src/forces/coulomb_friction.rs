@@ -1,0 +1,32 @@
+//! Dry friction along one axis of a joint.
+
+use crate::dynamics::Loads;
+use crate::scalar::Scalar;
+
+/// Coulomb's law, made smooth about rest: `tau = -T v / sqrt(v^2 + v_s^2)`. Far above the smoothing
+/// speed v_s it is T; far below, it is viscous with the coefficient T / v_s, so that what should
+/// stick creeps. An explicit scheme wants steps well below v_s / T times the inertia that it moves.
+#[derive(Clone, Copy, Debug)]
+pub struct CoulombFriction<S = f64> {
+    /// Index in v.
+    pub coordinate: usize,
+    /// T, N m or N.
+    pub friction: S,
+    /// v_s, rad/s or m/s, greater than 0.
+    pub smoothing: S,
+}
+
+impl<S: Scalar> CoulombFriction<S> {
+    /// Adds the friction and the heat that it makes.
+    pub fn apply(&self, v: &[S], loads: &mut Loads<S>) {
+        let rate = v[self.coordinate];
+        let friction = regularised(self.friction, rate, self.smoothing);
+        loads.force[self.coordinate] -= friction;
+        loads.power.dissipated += friction * rate;
+    }
+}
+
+/// `T v / sqrt(v^2 + v_s^2)`.
+pub(crate) fn regularised<S: Scalar>(friction: S, rate: S, smoothing: S) -> S {
+    friction * rate / (rate * rate + smoothing * smoothing).sqrt()
+}

@@ -1,0 +1,30 @@
+//! A linear spring along one axis of a joint.
+
+use crate::dynamics::Loads;
+use crate::scalar::Scalar;
+
+/// `tau = -k (q - rest)` along one coordinate, with the energy `k (q - rest)^2 / 2`.
+#[derive(Clone, Copy, Debug)]
+pub struct JointSpring<S = f64> {
+    /// Index in q.
+    pub position: usize,
+    /// Index in v.
+    pub coordinate: usize,
+    /// k, N m/rad or N/m.
+    pub stiffness: S,
+    /// Where it is slack, rad or m.
+    pub rest: S,
+}
+
+impl<S: Scalar> JointSpring<S> {
+    /// Adds the spring's force.
+    pub fn apply(&self, q: &[S], loads: &mut Loads<S>) {
+        loads.force[self.coordinate] -= self.stiffness * (q[self.position] - self.rest);
+    }
+
+    /// Energy stored, J.
+    pub fn potential_energy(&self, q: &[S]) -> S {
+        let stretch = q[self.position] - self.rest;
+        self.stiffness * stretch * stretch * S::constant(0.5)
+    }
+}

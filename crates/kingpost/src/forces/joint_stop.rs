@@ -1,0 +1,66 @@
+//! A stop at the end of an axis' travel.
+
+use crate::dynamics::Loads;
+use crate::scalar::Scalar;
+
+/// Which way an axis can go no further.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StopSide {
+    /// It stops coordinates below the limit.
+    Lower,
+    /// It stops coordinates above the limit.
+    Upper,
+}
+
+/// A one-sided spring with damping that begins with the contact, so that the force does not jump:
+/// with the depth d beyond the limit, `F = k d (1 + a d')` back into the travel, and never less than
+/// 0 (Hunt & Crossley, *J. Appl. Mech.* 42, 1975, 440-445, with the exponent 1). What arrives at a
+/// small speed u leaves at about `u (1 - 2/3 a u)`.
+#[derive(Clone, Copy, Debug)]
+pub struct JointStop<S = f64> {
+    /// Index in q.
+    pub position: usize,
+    /// Index in v.
+    pub coordinate: usize,
+    /// The side that it stands on.
+    pub side: StopSide,
+    /// Where the contact begins, rad or m.
+    pub limit: S,
+    /// k, N m/rad or N/m.
+    pub stiffness: S,
+    /// a, s/rad or s/m.
+    pub dissipation: S,
+}
+
+impl<S: Scalar> JointStop<S> {
+    /// Adds the stop's force, and the heat that it makes: what the force takes and the spring does
+    /// not store, `k d d' max(a d', -1)`.
+    pub fn apply(&self, q: &[S], v: &[S], loads: &mut Loads<S>) {
+        let (outwards, depth) = (self.outwards(), self.depth(q));
+        let speed = outwards * v[self.coordinate];
+        let elastic = self.stiffness * depth;
+        let excess = self.dissipation * speed;
+        let excess = excess.select_below(-1.0, || -S::ONE, || excess);
+        loads.force[self.coordinate] -= outwards * elastic * (S::ONE + excess);
+        loads.power.dissipated += elastic * speed * excess;
+    }
+
+    /// Energy stored, J.
+    pub fn potential_energy(&self, q: &[S]) -> S {
+        let depth = self.depth(q);
+        self.stiffness * depth * depth * S::constant(0.5)
+    }
+
+    fn outwards(&self) -> S {
+        match self.side {
+            StopSide::Lower => -S::ONE,
+            StopSide::Upper => S::ONE,
+        }
+    }
+
+    /// How far beyond the limit, 0 within the travel.
+    fn depth(&self, q: &[S]) -> S {
+        let beyond = self.outwards() * (q[self.position] - self.limit);
+        beyond.select_below(0.0, || S::ZERO, || beyond)
+    }
+}
