@@ -72,20 +72,6 @@ def dataset(
     return xarray.Dataset(variables, coordinates, _attributes(scenario, status))
 
 
-def matrix(
-    name: str,
-    values: NDArray[np.float64],
-    row_labels: list[str],
-    column_labels: list[str],
-    unit: str,
-) -> xarray.DataArray:
-    """One matrix of the moving frame method with its labels and unit."""
-    import xarray
-
-    labels = {"row": row_labels, "column": column_labels}
-    return xarray.DataArray(values, labels, ("row", "column"), name, {"units": unit})
-
-
 def frame(results: xarray.Dataset) -> pandas.DataFrame:
     """Results as a flat table, one column per number.
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .errors import KingpostError
+from .matrices import MovingFrame
 from .scenario import Overrides, Scenario, load
 
 if TYPE_CHECKING:
@@ -197,20 +198,19 @@ class Simulation:
         """Bias force N* v of the free coordinates (N or N m)."""
         return self._engine.bias_force()
 
-    def moving_frame(self) -> dict[str, xarray.DataArray]:
+    def moving_frame(self) -> MovingFrame:
         """The matrices of the moving frame method now, by name.
 
         Frame connection matrices ``E_ship`` and ``E_tower/ship``, their rates ``Omega_..``,
-        rotations ``R_..``, then ``B``, ``B_dot``, ``X_dot``, ``M``, ``D``, ``F``, ``M_star``,
-        ``N_star`` and ``F_star``, with labelled rows and columns and their unit.
+        rotations ``R_..``, then ``B``, ``B_dot``, ``X_dot``, ``M``, ``D``, ``F``, ``q_dot``,
+        ``M_star``, ``N_star`` and ``F_star``, with labels and units by row and column; their LaTeX,
+        their formulas and their CSV files (`MovingFrame`).
 
         >>> matrices = Simulation(load("paper")).moving_frame()
-        >>> matrices["M_star"].dims
-        ('row', 'column')
+        >>> matrices["M_star"].sel(row="slew", column="slew")["unit"].item()
+        'kg m^2'
         """
-        from .results import matrix
-
-        return {block[0]: matrix(*block) for block in self._engine.moving_frame()}
+        return MovingFrame(self._engine.moving_frame(), self._engine.symbols_json)
 
 
 def run(

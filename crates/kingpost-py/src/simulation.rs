@@ -2,6 +2,7 @@
 
 use crate::{errors, overrides};
 use kingpost::analysis::{self, Linearizer, NoEquilibrium};
+use kingpost::dynamics::moving_frame::{Naming, Symbols};
 use kingpost::scenario::{self, Scenario};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -9,7 +10,8 @@ use pyo3::types::PyBytes;
 
 pub type Vector<'py> = Bound<'py, PyArray1<f64>>;
 pub type Matrix<'py> = Bound<'py, PyArray2<f64>>;
-type Block<'py> = (String, Matrix<'py>, Vec<String>, Vec<String>, String);
+/// A matrix's name, entries, and for rows and columns their labels and their units.
+type Block<'py> = (String, Matrix<'py>, [Vec<String>; 2], [Vec<&'static str>; 2]);
 /// Steps between two looks for Ctrl-C.
 const STEPS_BETWEEN_SIGNALS: usize = 10_000;
 
@@ -157,7 +159,7 @@ impl Simulation {
         self.inner.bias_force().into_pyarray(py)
     }
 
-    /// Blocks as (name, matrix, row labels, column labels, unit).
+    /// The matrices now, with the labels and the units of rows and columns.
     fn moving_frame<'py>(&mut self, py: Python<'py>) -> PyResult<Vec<Block<'py>>> {
         let blocks = self.inner.moving_frame().named(self.inner.model());
         blocks
@@ -165,7 +167,8 @@ impl Simulation {
             .map(|block| {
                 let (rows, columns) = (block.row_labels.len(), block.column_labels.len());
                 let data = matrix(py, block.data, rows, columns)?;
-                Ok((block.name, data, block.row_labels, block.column_labels, block.unit.to_owned()))
+                let labels = [block.row_labels, block.column_labels];
+                Ok((block.name, data, labels, [block.row_units, block.column_units]))
             })
             .collect()
     }
@@ -187,6 +190,13 @@ impl Simulation {
             Err(NoEquilibrium::Scenario(error)) => Err(errors::scenario(error)),
             Err(error) => Err(errors::input(error)),
         }
+    }
+
+    /// The matrices as formulas, as JSON; bodies by number or by name.
+    fn symbols_json(&self, names: bool) -> PyResult<String> {
+        let naming = if names { Naming::Names } else { Naming::Numbers };
+        let matrices = Symbols::new(self.inner.model(), naming).matrices();
+        serde_json::to_string(&matrices).map_err(errors::input)
     }
 
     fn model_json(&self) -> PyResult<String> {

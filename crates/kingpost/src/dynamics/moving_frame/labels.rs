@@ -1,63 +1,89 @@
 //! The matrices by name, with labels and units, for printing and for other languages.
 
 use super::MovingFrame;
-use crate::model::Model;
+use crate::model::{AxisMotion, JointKind, Model};
 use crate::spatial::{Frame, hat};
 use nalgebra::{DMatrix, DVector};
 
 /// A labelled matrix; `data` by rows.
+///
+/// A matrix takes a list in the units of its columns to one in the units of its rows, so that each
+/// entry is in its row's unit over its column's: M* (row N m, column rad/s^2) has kg m^2.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedMatrix {
     /// As in the paper: `B`, `M_star`, `E_tower/ship`.
     pub name: String,
     /// One label a row.
     pub row_labels: Vec<String>,
-    /// One label a column; a column list has the single label of what it is.
+    /// One label a column; a list has the single label of what it is.
     pub column_labels: Vec<String>,
-    /// Unit of the entries; where rows or columns differ, what the entries are made of.
-    pub unit: &'static str,
+    /// One SI unit a row.
+    pub row_units: Vec<&'static str>,
+    /// One SI unit a column; `1` for a list.
+    pub column_units: Vec<&'static str>,
     /// Entries by rows.
     pub data: Vec<f64>,
 }
 
 const AXES: [&str; 3] = ["x", "y", "z"];
-const MIXED: &str = "SI by row and column";
+
+/// What the rows or columns of a matrix stand for: a label and a unit each.
+struct Side {
+    labels: Vec<String>,
+    units: Vec<&'static str>,
+}
+
+/// Units of what moves along and of what turns: rates, loads, ...
+type Units = [&'static str; 2];
+
+const DISPLACEMENTS: Units = ["m", "rad"];
+const RATES: Units = ["m/s", "rad/s"];
+const ACCELERATIONS: Units = ["m/s^2", "rad/s^2"];
+const LOADS: Units = ["N", "N m"];
 
 impl MovingFrame {
-    /// Every matrix with its labels, in the order of the theory.
+    /// Every matrix with its labels and units, in the order of the theory.
     pub fn named(&self, model: &Model) -> Vec<NamedMatrix> {
+        let bodies = |units: Units| Side { labels: body_labels(model), units: body_units(model, units) };
+        let (names, turning) = (model.coordinate_names(), turning_coordinates(model));
+        let coordinates = |units: Units, which: &[usize]| Side {
+            labels: which.iter().map(|&i| names[i].clone()).collect(),
+            units: which.iter().map(|&i| units[usize::from(turning[i])]).collect(),
+        };
+        let every: Vec<usize> = (0..names.len()).collect();
+        let all_rates = coordinates(RATES, &every);
+        let free = |units: Units| coordinates(units, &self.free);
         let mut all = self.frame_matrices(model);
-        let bodies = body_labels(model);
-        let coordinates = model.coordinate_names();
-        let free: Vec<String> = self.free.iter().map(|&i| coordinates[i].clone()).collect();
-        let column = |label: &str| vec![label.to_owned()];
-        let list = |v: &DVector<f64>| DMatrix::from_column_slice(v.len(), 1, v.as_slice());
-        all.push(named("B", &bodies, &coordinates, MIXED, &self.b));
-        all.push(named("B_dot", &bodies, &coordinates, MIXED, &self.b_dot));
-        all.push(named("X_dot", &bodies, &column("rate"), "m/s, rad/s", &list(&self.x_dot)));
-        all.push(named("M", &bodies, &bodies, "kg, kg m, kg m^2", &self.m));
-        all.push(named("D", &bodies, &bodies, "rad/s, m/s", &self.d));
-        all.push(named("F", &bodies, &column("load"), "N, N m", &list(&self.f)));
-        all.push(named("q_dot", &free, &column("rate"), "m/s, rad/s", &list(&self.free_velocity)));
-        all.push(named("M_star", &free, &free, "kg, kg m, kg m^2", &self.m_star));
-        all.push(named("N_star", &free, &free, "kg/s, kg m/s, kg m^2/s", &self.n_star));
-        all.push(named("F_star", &free, &column("load"), "N, N m", &list(&self.f_star)));
+        all.push(named("B", &bodies(RATES), &all_rates, &self.b));
+        all.push(named("B_dot", &bodies(ACCELERATIONS), &all_rates, &self.b_dot));
+        all.push(list("X_dot", &bodies(RATES), "rate", &self.x_dot));
+        all.push(named("M", &bodies(LOADS), &bodies(ACCELERATIONS), &self.m));
+        all.push(named("D", &bodies(RATES), &bodies(DISPLACEMENTS), &self.d));
+        all.push(list("F", &bodies(LOADS), "load", &self.f));
+        all.push(list("q_dot", &free(RATES), "rate", &self.free_velocity));
+        all.push(named("M_star", &free(LOADS), &free(ACCELERATIONS), &self.m_star));
+        all.push(named("N_star", &free(LOADS), &free(RATES), &self.n_star));
+        all.push(list("F_star", &free(LOADS), "load", &self.f_star));
         all
     }
 
     /// E, R, relative E and Omega of each body.
     fn frame_matrices(&self, model: &Model) -> Vec<NamedMatrix> {
-        let axes: Vec<String> = AXES.iter().map(|s| (*s).to_owned()).collect();
-        let homogeneous: Vec<String> = AXES.iter().chain(&["1"]).map(|s| (*s).to_owned()).collect();
+        let axes = Side { labels: AXES.map(str::to_owned).to_vec(), units: vec!["1"; 3] };
+        let homogeneous = |unit: &'static str, last: &'static str| Side {
+            labels: AXES.iter().chain(&["1"]).map(|s| (*s).to_owned()).collect(),
+            units: vec![unit, unit, unit, last],
+        };
+        let points = homogeneous("m", "1");
         let mut all = Vec::new();
         for (i, body) in model.bodies.iter().enumerate() {
             let frame = &self.frames[i];
             let rotation = DMatrix::from_fn(3, 3, |r, c| frame.rotation.0[r][c]);
-            all.push(named(&format!("R_{}", body.name), &axes, &axes, "1", &rotation));
-            all.push(named(&format!("E_{}", body.name), &homogeneous, &homogeneous, "1, m", &homogeneous_of(frame)));
+            all.push(named(&format!("R_{}", body.name), &axes, &axes, &rotation));
+            all.push(named(&format!("E_{}", body.name), &points, &points, &homogeneous_of(frame)));
             if let Some(parent) = model.tree.nodes[i].parent {
                 let name = format!("E_{}/{}", body.name, model.bodies[parent].name);
-                all.push(named(&name, &homogeneous, &homogeneous, "1, m", &homogeneous_of(&self.relative[i])));
+                all.push(named(&name, &points, &points, &homogeneous_of(&self.relative[i])));
             }
             let (angular, linear) = self.omega(i);
             let skew = hat(angular);
@@ -66,10 +92,23 @@ impl MovingFrame {
                 (_, 3) => linear[r],
                 _ => skew.0[r][c],
             });
-            all.push(named(&format!("Omega_{}", body.name), &homogeneous, &homogeneous, "rad/s, m/s", &omega));
+            all.push(named(&format!("Omega_{}", body.name), &homogeneous("m/s", "1/s"), &points, &omega));
         }
         all
     }
+}
+
+/// Whether each coordinate of v is of a rotation.
+fn turning_coordinates(model: &Model) -> Vec<bool> {
+    let of = |kind: &JointKind| match kind {
+        JointKind::Floating(_) => vec![false, false, false, true, true, true],
+        kind => (0..kind.velocity_count()).map(|k| kind.axis_motion(k) != Some(AxisMotion::Translation)).collect(),
+    };
+    model.tree.nodes.iter().flat_map(|node| of(&node.kind)).collect()
+}
+
+fn body_units(model: &Model, [linear, angular]: Units) -> Vec<&'static str> {
+    model.bodies.iter().flat_map(|_| [linear, linear, linear, angular, angular, angular]).collect()
 }
 
 /// `ship.x_dot`, ..., `ship.omega_z`, body by body.
@@ -91,12 +130,19 @@ fn homogeneous_of(frame: &Frame) -> DMatrix<f64> {
     })
 }
 
-fn named(name: &str, rows: &[String], columns: &[String], unit: &'static str, m: &DMatrix<f64>) -> NamedMatrix {
+fn named(name: &str, rows: &Side, columns: &Side, m: &DMatrix<f64>) -> NamedMatrix {
     NamedMatrix {
         name: name.to_owned(),
-        row_labels: rows.to_vec(),
-        column_labels: columns.to_vec(),
-        unit,
+        row_labels: rows.labels.clone(),
+        column_labels: columns.labels.clone(),
+        row_units: rows.units.clone(),
+        column_units: columns.units.clone(),
         data: m.transpose().as_slice().to_vec(),
     }
+}
+
+/// A list: a matrix of one column.
+fn list(name: &str, rows: &Side, what: &str, entries: &DVector<f64>) -> NamedMatrix {
+    let column = Side { labels: vec![what.to_owned()], units: vec!["1"] };
+    named(name, rows, &column, &DMatrix::from_column_slice(entries.len(), 1, entries.as_slice()))
 }

@@ -15,9 +15,15 @@
 //! the term of Kirchhoff's equations that moves momentum: both vanish for the paper's bodies.
 
 mod blocks;
+mod formula;
 mod labels;
+mod symbolic;
+mod symbols;
 
+pub use formula::{Factor, Formula, Instant, Symbol};
 pub use labels::NamedMatrix;
+pub use symbolic::{BlockMatrix, SymbolicMatrix};
+pub use symbols::{Naming, Symbols};
 
 use super::Loads;
 use crate::model::{Mode, Model};
