@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from .equations import EQUATIONS
 from .figures import DURATION_S
 from .measured import PRINTED_AT_S, Measured
 
@@ -46,44 +47,22 @@ def _kinematics(m: Measured) -> list[Erratum]:
             f"crane in the stern corner and both motors on for {PRINTED_AT_S:g} s, the printed form is off "
             f"by {m.eq_43_m_s:.2f} m/s where the arm's centre moves at {m.arm_m_s:.2f} m/s; the "
             f"corrected form agrees with the engine to {power(m.corrected_m_s)} m/s.",
-            [
-                r"\dot{x}_C^{(3)} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C_3})^T \omega^{(3)} "
-                r"+ R^{(2/1)} S(s_{J_2})^T \omega^{(2)} + S(s_{C_2})^T \omega^{(1)} \right) "
-                r"+ \dot{x}_C^{(1)}"
-            ],
-            [
-                r"\dot{x}_C^{(3)} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C_3})^T \omega^{(3)} "
-                r"+ R^{(2/1)} S(s_{J_2})^T \omega^{(2)} + S(s_{C(2/1)})^T \omega^{(1)} \right) "
-                r"+ \dot{x}_C^{(1)}",
-                r"s_{C(2/1)} = s_{J_1} + s_{C_2} = \left( b, \, l^{(2)}, \, d \right)^T",
-            ],
+            EQUATIONS["43"].printed,
+            EQUATIONS["43"].corrected,
         ),
         Erratum(
             "Eq. 46b: the block B52",
             "The arm's own offset is meant in the first term and the tower's in the last, and the two "
             "transposes stand in the wrong order.",
-            [
-                r"B_{52} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C(2/1)})^T (R^{(2/1)})^T (R^{(3/2)})^T "
-                r"+ R^{(2/1)} S(s_{J_2})^T (R^{(2/1)})^T + S(s_{C_2})^T \right)"
-            ],
-            [
-                r"B_{52} = R^{(1)} \left( R^{(3/1)} S(s_{C_3})^T (R^{(3/1)})^T "
-                r"+ R^{(2/1)} S(s_{J_2})^T (R^{(2/1)})^T + S(s_{C(2/1)})^T \right)",
-                r"R^{(3/1)} = R^{(2/1)} R^{(3/2)}",
-            ],
+            EQUATIONS["B52"].printed,
+            EQUATIONS["B52"].corrected,
         ),
         Erratum(
             "Eq. 46b: the block B53",
             "The same slips; B54 is right. With B52 and B53 as printed the arm's velocity is off by "
             f"{m.eq_46b_m_s:.1f} m/s at the instant of remark 1.",
-            [
-                r"B_{53} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C(2/1)})^T (R^{(3/2)})^T e_2 "
-                r"+ R^{(2/1)} S(s_{C_2})^T e_2 \right)"
-            ],
-            [
-                r"B_{53} = R^{(1)} \left( R^{(3/1)} S(s_{C_3})^T (R^{(3/2)})^T e_2 "
-                r"+ R^{(2/1)} S(s_{J_2})^T e_2 \right)"
-            ],
+            EQUATIONS["B53"].printed,
+            EQUATIONS["B53"].corrected,
         ),
     ]
 

@@ -1,0 +1,130 @@
+"""Eqs. 43 and 46b, the velocity of the arm's centre, as printed and corrected.
+
+LaTeX is in the paper's notation: S(a) is the skew matrix of a, and the paper's axes are 1 athwartship,
+2 up, 3 along the ship. Numbers are in ours (x forward, y to port, z up): the paper's e1 is our y, its
+e2 our z.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import KingpostError
+from ..simulate import Simulation
+from ..teach import skew
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+FORMS = ("printed", "corrected")
+
+
+@dataclass(frozen=True)
+class Equation:
+    """One equation in LaTeX, both ways."""
+
+    printed: list[str]
+    corrected: list[str]
+
+
+_INNER = (
+    r"\dot{{x}}_C^{{(3)}} = R^{{(1)}} \left( R^{{(2/1)}} R^{{(3/2)}} S(s_{{C_3}})^T \omega^{{(3)}} "
+    r"+ R^{{(2/1)}} S(s_{{J_2}})^T \omega^{{(2)}} + S({})^T \omega^{{(1)}} \right) + \dot{{x}}_C^{{(1)}}"
+)
+
+EQUATIONS = {
+    "43": Equation(
+        [_INNER.format("s_{C_2}")],
+        [
+            _INNER.format("s_{C(2/1)}"),
+            r"s_{C(2/1)} = s_{J_1} + s_{C_2} = \left( b, \, l^{(2)}, \, d \right)^T",
+        ],
+    ),
+    "B52": Equation(
+        [
+            r"B_{52} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C(2/1)})^T (R^{(2/1)})^T (R^{(3/2)})^T "
+            r"+ R^{(2/1)} S(s_{J_2})^T (R^{(2/1)})^T + S(s_{C_2})^T \right)"
+        ],
+        [
+            r"B_{52} = R^{(1)} \left( R^{(3/1)} S(s_{C_3})^T (R^{(3/1)})^T "
+            r"+ R^{(2/1)} S(s_{J_2})^T (R^{(2/1)})^T + S(s_{C(2/1)})^T \right)",
+            r"R^{(3/1)} = R^{(2/1)} R^{(3/2)}",
+        ],
+    ),
+    "B53": Equation(
+        [
+            r"B_{53} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C(2/1)})^T (R^{(3/2)})^T e_2 "
+            r"+ R^{(2/1)} S(s_{C_2})^T e_2 \right)"
+        ],
+        [
+            r"B_{53} = R^{(1)} \left( R^{(3/1)} S(s_{C_3})^T (R^{(3/2)})^T e_2 "
+            r"+ R^{(2/1)} S(s_{J_2})^T e_2 \right)"
+        ],
+    ),
+}
+"""By the paper's number, or by the block of B."""
+
+
+def arm_velocity(
+    simulation: Simulation, equation: str = "43", form: str = "corrected"
+) -> NDArray[np.float64]:
+    """Velocity of the arm's centre by eq. 43 or 46b, in one of its forms, m/s in world axes.
+
+    Parameters
+    ----------
+    simulation
+        Of the scenario ``paper``, at any instant.
+    equation
+        ``43``, or ``46b``: the arm's row of B times the generalized velocity.
+    form
+        ``printed`` or ``corrected``.
+
+    >>> from kingpost import load
+    >>> ship = Simulation(load("paper", motor_2=True))
+    >>> ship.step(250)
+    >>> errors = [arm_velocity(ship, "43", form) - arm_velocity(ship, "46b", "corrected") for form in FORMS]
+    >>> [bool(np.linalg.norm(error) > 1e-9) for error in errors]
+    [True, False]
+    """
+    if form not in FORMS:
+        raise KingpostError(f"form: found {form}, allowed: {', '.join(FORMS)}")
+    corrected = form == "corrected"
+    vectors = _vectors(simulation.scenario.resolved)
+    state = simulation.state
+    x1, w1, (slew, luff) = np.split(state.v[:8], [3, 6])
+    frame = simulation.moving_frame()
+    r1, r21, r32 = (frame[f"E_{name}"].values[:3, :3] for name in ("ship", "tower/ship", "arm/tower"))
+    r31, e1, e2 = r21 @ r32, np.eye(3)[1], np.eye(3)[2]
+    j2, c2, c3 = vectors["J2"], vectors["C2"], vectors["C3"]
+    c21 = vectors["J1"] + c2
+    if equation == "43":
+        w2 = r21.T @ w1 + slew * e2
+        w3 = r32.T @ w2 + luff * e1
+        first = c21 if corrected else c2
+        return x1 + r1 @ (r31 @ skew(c3).T @ w3 + r21 @ skew(j2).T @ w2 + skew(first).T @ w1)
+    if equation != "46b":
+        raise KingpostError(f"equation: found {equation}, allowed: 43, 46b")
+    b54 = r1 @ r31 @ skew(c3).T @ e1
+    if corrected:
+        b52 = r1 @ (r31 @ skew(c3).T @ r31.T + r21 @ skew(j2).T @ r21.T + skew(c21).T)
+        b53 = r1 @ (r31 @ skew(c3).T @ r32.T @ e2 + r21 @ skew(j2).T @ e2)
+    else:
+        b52 = r1 @ (r31 @ skew(c21).T @ r21.T @ r32.T + r21 @ skew(j2).T @ r21.T + skew(c2).T)
+        b53 = r1 @ (r31 @ skew(c21).T @ r32.T @ e2 + r21 @ skew(c2).T @ e2)
+    return x1 + b52 @ w1 + b53 * slew + b54 * luff
+
+
+def _vectors(resolved: dict[str, Any]) -> dict[str, NDArray[np.float64]]:
+    """s_J1, s_C2, s_J2 and s_C3 of the paper's crane, m."""
+
+    def joint(body: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        hinge = resolved["bodies"].get(body, {}).get("joint", {}).get("revolute")
+        if hinge is None:
+            raise KingpostError(f"scenario: found no hinge of {body}, allowed: the scenario paper")
+        return np.array(hinge["position_m"]), -np.array(hinge["child_position_m"])
+
+    (j1, c2), (j2, c3) = joint("tower"), joint("arm")
+    return {"J1": j1, "C2": c2, "J2": j2, "C3": c3}
