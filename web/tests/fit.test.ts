@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { cornersOf, fitDistance, frame, middleOf, rotate, unit } from "../src/view/fit";
+import { gridSpacing } from "../src/view/spacing";
 import type { Vec3 } from "../src/view/fit";
 import { boxOf, halfSizes } from "../src/view/solids";
 
@@ -59,4 +60,10 @@ describe("fitting the camera", () => {
     const tan = Math.tan(lens.fov / 2);
     return Math.max(Math.abs(along(side)) / (depth * tan * lens.aspect), Math.abs(along(top)) / (depth * tan));
   }
+});
+
+it("spaces the grid by the size of the model", () => {
+  expect(gridSpacing(Math.hypot(20, 10, 5))).toBe(5);
+  expect(gridSpacing(0.6)).toBeCloseTo(0.1);
+  expect(gridSpacing(200)).toBe(50);
 });

@@ -1,4 +1,4 @@
-import type { BodyInfo, ModelInfo, Shape } from "../engine/engine";
+import type { ModelInfo, Shape } from "../engine/engine";
 import type { Columns } from "../engine/columns";
 
 /** Principal moments of inertia of a solid shape about its centre, kg m2, body axes. */
@@ -25,7 +25,7 @@ export function principalInertia(shape: Shape | null, mass_kg: number): [number,
 export interface Errors {
   /** Energy error over the largest kinetic energy so far; NaN before anything moves. */
   energy: number;
-  /** Momentum error over the largest angular momentum of the ship so far; NaN before it turns. */
+  /** Momentum error over the largest angular momentum so far, of a body or of all; NaN before anything turns. */
   momentum: number;
   /** J */
   energy_J: number;
@@ -37,23 +37,22 @@ export interface Errors {
 export class Accuracy {
   private largestKinetic_J = 0;
   private largestMomentum_N_m_s = 0;
-  private readonly ship: BodyInfo | undefined;
-  private readonly inertia: [number, number, number];
+  private readonly bodies: { name: string; inertia: [number, number, number] }[];
 
   constructor(
     model: ModelInfo,
     private readonly columns: Columns,
   ) {
-    this.ship = model.bodies[0];
-    this.inertia = this.ship ? principalInertia(this.ship.shape, this.ship.mass_kg) : [0, 0, 0];
+    this.bodies = model.bodies.map(({ name, shape, mass_kg }) => ({ name, inertia: principalInertia(shape, mass_kg) }));
   }
 
   /** Takes one row into account. */
   see(row: ArrayLike<number>): void {
     const kinetic = this.columns.read(row, "kinetic_energy");
     if (kinetic > this.largestKinetic_J) this.largestKinetic_J = kinetic;
-    const momentum = this.shipMomentum(row);
-    if (momentum > this.largestMomentum_N_m_s) this.largestMomentum_N_m_s = momentum;
+    for (const momentum of [this.length(row, "angular_momentum"), ...this.bodies.map((body) => this.spin(row, body))]) {
+      if (momentum > this.largestMomentum_N_m_s) this.largestMomentum_N_m_s = momentum;
+    }
   }
 
   errors(row: ArrayLike<number>): Errors {
@@ -67,11 +66,12 @@ export class Accuracy {
     };
   }
 
-  private shipMomentum(row: ArrayLike<number>): number {
-    if (!this.ship) return 0;
-    const parts = ["x", "y", "z"].map(
-      (axis, i) => this.inertia[i] * this.columns.read(row, `${this.ship!.name}.angular_velocity.${axis}`),
-    );
-    return Math.hypot(...parts);
+  private length(row: ArrayLike<number>, vector: string, scale = [1, 1, 1]): number {
+    return Math.hypot(...["x", "y", "z"].map((axis, i) => scale[i] * this.columns.read(row, `${vector}.${axis}`)));
+  }
+
+  /** Of one body about its own centre. */
+  private spin(row: ArrayLike<number>, { name, inertia }: { name: string; inertia: number[] }): number {
+    return this.length(row, `${name}.angular_velocity`, inertia);
   }
 }

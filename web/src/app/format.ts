@@ -31,6 +31,11 @@ export function duration(seconds: number): string {
   return seconds < 1 ? `${Number((seconds * 1000).toPrecision(6))} ms` : `${Number(seconds.toPrecision(6))} s`;
 }
 
+/** A length, in cm below half a metre. */
+export function length(metres: number): string {
+  return metres < 0.5 ? `${Number((metres * 100).toPrecision(3))} cm` : `${Number(metres.toPrecision(3))} m`;
+}
+
 const INTEGRATORS: Record<Integrator, string> = {
   forward_euler: "Forward Euler",
   midpoint_euler: "Midpoint Euler",

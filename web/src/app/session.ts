@@ -1,6 +1,6 @@
 import { Columns } from "../engine/columns";
 import type { EngineClient } from "../engine/client";
-import type { Fault, InputInfo, ModelInfo, Value, Values } from "../engine/engine";
+import type { Channel, Fault, InputInfo, ModelInfo, Value, Values } from "../engine/engine";
 import type { Frame, Opened } from "../engine/messages";
 import { Accuracy } from "./accuracy";
 
@@ -10,6 +10,7 @@ export type Status = "loading" | "idle" | "running" | "paused" | "stopped";
 /** A scenario opened, with all that follows from its channels. */
 export interface Run {
   model: ModelInfo;
+  channels: Channel[];
   columns: Columns;
   inputs: InputInfo[];
   accuracy: Accuracy;
@@ -162,7 +163,8 @@ export class Session {
 
   private accept(opened: Opened, overrides: Values, source: Source | null): void {
     const columns = new Columns(opened.channels);
-    const run = { model: opened.model, columns, inputs: opened.inputs, accuracy: new Accuracy(opened.model, columns) };
+    const { model, channels } = opened;
+    const run = { model, channels, columns, inputs: opened.inputs, accuracy: new Accuracy(opened.model, columns) };
     this.run = run;
     this.lastFrame = opened.frame;
     this.applied = { ...valuesOf(opened), ...overrides };

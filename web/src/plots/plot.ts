@@ -1,9 +1,9 @@
 import uPlot from "uplot";
 import { fixed } from "../app/format";
 import { make, setText } from "../ui/dom";
-import type { History } from "./history";
-import { DECIMALS, PER_RADIAN } from "./quantities";
-import type { PlotKind, Unit } from "./quantities";
+import { History } from "./history";
+import { decimalsOf, PER_RADIAN, scaleOf } from "./quantities";
+import type { FigureKey, PlotKind, Unit } from "./quantities";
 import { timeRange, wrapPlaces } from "./window";
 
 interface Legend {
@@ -11,7 +11,7 @@ interface Legend {
   column: number;
 }
 
-/** One figure: title, legend with the values at the crosshair or now, and the lines. */
+/** One figure: what it shows, to choose; legend with the values at the crosshair or now; the lines. */
 export class Plot {
   private chart: uPlot | null = null;
   private unit: Unit = "deg";
@@ -19,32 +19,57 @@ export class Plot {
   private duration_s = 1;
   private window_s = 1;
   private readonly area: HTMLElement;
-  private readonly at: HTMLElement;
-  private readonly unitLabel: HTMLElement;
-  private readonly legends: Legend[];
+  private readonly at = make("span", { class: "plot-at" });
+  private readonly unitLabel = make("span", { class: "plot-unit" });
+  private readonly choice: HTMLSelectElement;
+  private readonly legend = make("span", { class: "plot-legend" });
+  private legends: Legend[] = [];
+  private columns: number[] = [];
+  private kinds: PlotKind[] = [];
+  /** Names of the columns of the history. */
+  private names: string[] = [];
+  private kind: PlotKind = { title: "", quantities: [], units: { deg: "", rad: "" }, turns: true, wraps: false };
+  private history = new History(1, 1);
   private scaled: Float64Array[] = [];
 
-  /** `columns`: where this figure's quantities stand in the history; time stands at 0. */
   constructor(
     figure: HTMLElement,
-    private readonly kind: PlotKind,
-    private readonly history: History,
-    private readonly columns: number[],
+    private readonly key: FigureKey,
+    label: string,
   ) {
-    this.at = make("span", { class: "plot-at" });
-    this.unitLabel = make("span", { class: "plot-unit" });
-    this.area = make("div", { class: "plot-area", role: "img", "aria-label": `${kind.title} of pitch, yaw and roll over time` });
-    this.legends = kind.quantities.map((quantity, i) => ({
-      value: make("span", { class: "plot-value", "data-testid": `${quantity.key}-${kind.key}` }),
-      column: columns[i],
+    this.choice = make("select", { class: "plot-choice", "aria-label": label, "data-testid": `choice-${key}` });
+    this.choice.addEventListener("change", () => this.show(this.choice.selectedIndex));
+    this.area = make("div", { class: "plot-area", role: "img" });
+    const head = make("span", { class: "plot-head" }, this.choice, this.unitLabel, this.at);
+    figure.replaceChildren(make("figcaption", {}, head, this.legend), this.area);
+    new ResizeObserver(() => this.resize()).observe(this.area);
+  }
+
+  /** What can be shown, and the history that has it. A choice that is still there stays. */
+  offer(kinds: PlotKind[], history: History, names: string[]): void {
+    const kept = kinds.findIndex(({ title }) => title === this.kind.title);
+    this.kinds = kinds;
+    this.history = history;
+    this.names = names;
+    this.choice.replaceChildren(...kinds.map(({ title }) => make("option", {}, title)));
+    this.show(Math.max(0, kept));
+  }
+
+  private show(index: number): void {
+    this.choice.selectedIndex = index;
+    this.kind = this.kinds[index];
+    this.columns = this.kind.quantities.map(({ column }) => this.names.indexOf(column));
+    this.legends = this.kind.quantities.map((quantity, i) => ({
+      value: make("span", { class: "plot-value", "data-testid": `${quantity.key}-${this.key}` }),
+      column: this.columns[i],
     }));
-    const entries = kind.quantities.map((quantity, i) =>
+    const entries = this.kind.quantities.map((quantity, i) =>
       make("span", { class: "plot-entry" }, make("span", { class: `swatch swatch-${quantity.key}` }), quantity.label, this.legends[i].value),
     );
-    const title = make("span", { class: "plot-title" }, kind.title, " ", this.unitLabel);
-    const caption = make("figcaption", {}, make("span", { class: "plot-head" }, title, this.at), ...entries);
-    figure.replaceChildren(caption, this.area);
-    new ResizeObserver(() => this.resize()).observe(this.area);
+    this.legend.replaceChildren(...entries);
+    this.area.setAttribute("aria-label", `${this.kind.title} over time`);
+    this.scaled = [];
+    this.restyle();
   }
 
   setUnit(unit: Unit): void {
@@ -84,7 +109,7 @@ export class Plot {
     if (this.scaled.length === 0 || this.scaled[0].length < n) {
       this.scaled = this.columns.map(() => new Float64Array(Math.max(256, 2 * n)));
     }
-    const factor = PER_RADIAN[this.unit];
+    const factor = scaleOf(this.kind, this.unit);
     const series = this.columns.map((column, i) => {
       const from = this.history.column(column);
       const to = this.scaled[i].subarray(0, n);
@@ -100,8 +125,8 @@ export class Plot {
     setText(this.unitLabel, this.kind.units[this.unit]);
     setText(this.at, inside ? `at ${fixed(this.history.column(0)[index], 2)} s` : "");
     for (const { value, column } of this.legends) {
-      const radians = inside ? this.history.column(column)[index] : this.history.last(column);
-      setText(value, fixed(radians * PER_RADIAN[this.unit], DECIMALS[this.unit]));
+      const number = inside ? this.history.column(column)[index] : this.history.last(column);
+      setText(value, fixed(number * scaleOf(this.kind, this.unit), decimalsOf(this.kind, this.unit)));
     }
   }
 
@@ -122,7 +147,7 @@ export class Plot {
       legend: { show: false },
       padding: [8, 10, 0, 0],
       cursor: { sync: { key: "time" }, drag: { x: false, y: false }, points: { size: 7 } },
-      scales: { x: { time: false }, y: { range: (_u, low, high) => paddedRange(low, high, this.unit) } },
+      scales: { x: { time: false }, y: { range: (_u, low, high) => paddedRange(low, high, 0.005 * scaleOf(this.kind, this.unit)) } },
       axes: [
         { ...axis, grid, size: 28, values: (_u, splits) => splits.map((split) => `${Number(split.toPrecision(6))} s`) },
         { ...axis, grid, size: 52, values: (_u, splits) => splits.map((split) => fixed(split, 6).replace(/\.?0+$/, "")) },
@@ -146,8 +171,7 @@ export class Plot {
 }
 
 /** Room around the lines; never so narrow that rounding noise looks like motion. */
-function paddedRange(low: number | null, high: number | null, unit: Unit): [number, number] {
-  const least = 0.005 * PER_RADIAN[unit];
+function paddedRange(low: number | null, high: number | null, least: number): [number, number] {
   const bottom = Math.min(low ?? 0, -least);
   const top = Math.max(high ?? 0, least);
   const margin = 0.06 * (top - bottom);

@@ -3,15 +3,16 @@ import type { Run, Session } from "../app/session";
 import { byId, make } from "../ui/dom";
 import { History } from "./history";
 import { Plot } from "./plot";
-import { PLOTS } from "./quantities";
+import { kindsOf } from "./quantities";
 import type { Unit } from "./quantities";
 import { windowLength } from "./window";
 
-const QUANTITIES = PLOTS.flatMap((kind) => kind.quantities);
-
-/** The live plots of the first body, which is the ship. */
+/** The live plots: of the ship by default, of any joint or point by choice. */
 export class Plots {
-  private plots: Plot[] = [];
+  private readonly plots = {
+    rates: new Plot(byId("plot-rates"), "rates", "What the first plot shows"),
+    angles: new Plot(byId("plot-angles"), "angles", "What the second plot shows"),
+  };
   private history = new History(1, 1);
   private places: number[] = [];
   private unit: Unit = "deg";
@@ -22,34 +23,30 @@ export class Plots {
       advanced: (run, frame) => this.take(run, frame),
     });
     this.addUnitSwitch();
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.plots.forEach((plot) => plot.restyle()));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.each((plot) => plot.restyle()));
   }
 
   draw(): void {
-    for (const plot of this.plots) plot.draw();
+    this.each((plot) => plot.draw());
   }
 
+  private each(tell: (plot: Plot) => void): void {
+    Object.values(this.plots).forEach(tell);
+  }
+
+  /** Every column that a figure can show is kept, so that a choice shows what has been. */
   private open(run: Run, frame: Frame): void {
     const { duration_s, record_every_s, step_s } = run.model;
-    const { window_s, capacity } = windowLength(duration_s, Math.max(record_every_s, step_s));
-    const body = run.model.bodies[0]?.name ?? "";
-    this.places = [run.columns.at("time"), ...QUANTITIES.map(({ column }) => run.columns.at(`${body}.${column}`))];
-    if (this.plots.length === 0 || this.history.capacity !== capacity) this.build(capacity);
-    this.history.clear();
-    for (const plot of this.plots) plot.setWindow(duration_s, window_s);
+    const kinds = kindsOf(run.model, run.channels);
+    const shown = [...kinds.rates, ...kinds.angles].flatMap(({ quantities }) => quantities.map(({ column }) => column));
+    const names = ["time", ...new Set(shown)];
+    this.places = names.map((name) => run.columns.at(name));
+    const { window_s, capacity } = windowLength(duration_s, Math.max(record_every_s, step_s), names.length);
+    this.history = new History(names.length, capacity);
+    this.plots.rates.offer(kinds.rates, this.history, names);
+    this.plots.angles.offer(kinds.angles, this.history, names);
+    this.each((plot) => plot.setWindow(duration_s, window_s));
     this.take(run, frame);
-  }
-
-  private build(capacity: number): void {
-    this.history = new History(1 + QUANTITIES.length, capacity);
-    this.plots.forEach((plot) => plot.restyle());
-    let column = 1;
-    this.plots = PLOTS.map((kind) => {
-      const columns = kind.quantities.map(() => column++);
-      const plot = new Plot(byId(`plot-${kind.key}`), kind, this.history, columns);
-      plot.setUnit(this.unit);
-      return plot;
-    });
   }
 
   private take(run: Run, frame: Frame): void {
@@ -57,7 +54,7 @@ export class Plots {
     for (let at = 0; at < frame.rows.length; at += width) {
       this.history.push(this.places.map((place) => (place < 0 ? NaN : frame.rows[at + place])));
     }
-    if (frame.rows.length > 0) this.plots.forEach((plot) => plot.touch());
+    if (frame.rows.length > 0) this.each((plot) => plot.touch());
   }
 
   private addUnitSwitch(): void {
@@ -66,7 +63,7 @@ export class Plots {
       const button = make("button", { type: "button", "data-testid": `unit-${unit}` }, label);
       button.addEventListener("click", () => {
         this.unit = unit;
-        this.plots.forEach((plot) => plot.setUnit(unit));
+        this.each((plot) => plot.setUnit(unit));
         buttons.forEach((other) => other.setAttribute("aria-pressed", String(other === button)));
       });
       return button;

@@ -1,46 +1,133 @@
-/** One drawn line: what it is called, which colour it has everywhere, which column it comes from. */
+import type { Channel, ModelInfo } from "../engine/engine";
+
+/** One drawn line: what it is called, its colour, which column it comes from. */
 export interface Quantity {
-  key: "pitch" | "yaw" | "roll";
+  key: "pitch" | "yaw" | "roll" | "plain";
   label: string;
-  /** Column name without its leading body. */
+  /** Name of the column. */
   column: string;
 }
 
+/** What one figure can show. */
 export interface PlotKind {
-  key: "rates" | "angles";
+  /** As the choice names it. */
   title: string;
   quantities: Quantity[];
   units: Record<Unit, string>;
+  /** Whether the columns are in radians and may be shown in degrees. */
+  turns: boolean;
   /** Angles jump from +180 to -180 degrees: no line is drawn there. */
   wraps: boolean;
 }
 
 export type Unit = "deg" | "rad";
 
-export const PLOTS: PlotKind[] = [
-  {
-    key: "rates",
-    title: "Rates",
-    quantities: [
-      { key: "pitch", label: "Pitch", column: "angular_velocity.y" },
-      { key: "yaw", label: "Yaw", column: "angular_velocity.z" },
-      { key: "roll", label: "Roll", column: "angular_velocity.x" },
-    ],
-    units: { deg: "°/s", rad: "rad/s" },
-    wraps: false,
-  },
-  {
-    key: "angles",
-    title: "Angles",
-    quantities: [
-      { key: "pitch", label: "Pitch", column: "pitch" },
-      { key: "yaw", label: "Yaw", column: "yaw" },
-      { key: "roll", label: "Roll", column: "roll" },
-    ],
-    units: { deg: "°", rad: "rad" },
-    wraps: true,
-  },
-];
+export type FigureKey = "rates" | "angles";
 
 export const PER_RADIAN: Record<Unit, number> = { deg: 180 / Math.PI, rad: 1 };
-export const DECIMALS: Record<Unit, number> = { deg: 2, rad: 5 };
+const DECIMALS: Record<Unit, number> = { deg: 2, rad: 5 };
+const PLAIN_DECIMALS = 4;
+
+/** Factor from a column to what is shown. */
+export function scaleOf(kind: PlotKind, unit: Unit): number {
+  return kind.turns ? PER_RADIAN[unit] : 1;
+}
+
+export function decimalsOf(kind: PlotKind, unit: Unit): number {
+  return kind.turns ? DECIMALS[unit] : PLAIN_DECIMALS;
+}
+
+/** What each figure can show of a model, the first by default. */
+export function kindsOf(model: ModelInfo, channels: Channel[]): Record<FigureKey, PlotKind[]> {
+  const labels = (variable: string) => channels.find((channel) => channel.variable === variable)?.labels[0] ?? [];
+  const floating = model.joints.filter((joint) => joint.kind === "floating").map((joint) => joint.body);
+  const bodies = floating.length > 0 ? floating : model.bodies.slice(0, 1).map((body) => body.name);
+  const coordinates = labels("joint_position");
+  const unitOf = coordinateUnits(model, channels);
+  return {
+    rates: [
+      ...bodies.map(bodyRates),
+      ...coordinates.map((name) => coordinate(name, "rate", "joint_velocity", unitOf(name), { m: "m/s", rad: "rad/s", deg: "°/s" })),
+      ...coordinates.map((name) => effort(name, unitOf(name))),
+      ...labels("point_velocity").map((name) => point(name, "velocity", "m/s")),
+    ],
+    angles: [
+      ...bodies.map(bodyAngles),
+      ...coordinates.map((name) => coordinate(name, "position", "joint_position", unitOf(name), { m: "m", rad: "rad", deg: "°" })),
+      ...labels("point_position").map((name) => point(name, "position", "m")),
+    ],
+  };
+}
+
+/** Whether a coordinate is an angle or a length: its joint says, or the channel where all are alike. */
+function coordinateUnits(model: ModelInfo, channels: Channel[]): (name: string) => "rad" | "m" {
+  const unit = channels.find((channel) => channel.variable === "joint_position")?.unit ?? "rad";
+  const slides = new Set(model.joints.filter((joint) => joint.kind === "prismatic").map((joint) => joint.name));
+  return (name) => {
+    if (unit === "rad" || unit === "m") return unit;
+    return slides.has(name) || /\.(x|y|z|extension|shear_[xyz]|axial)$/.test(name) ? "m" : "rad";
+  };
+}
+
+function bodyRates(body: string): PlotKind {
+  return {
+    title: `Rates of ${body}`,
+    quantities: [
+      { key: "pitch", label: "Pitch", column: `${body}.angular_velocity.y` },
+      { key: "yaw", label: "Yaw", column: `${body}.angular_velocity.z` },
+      { key: "roll", label: "Roll", column: `${body}.angular_velocity.x` },
+    ],
+    units: { deg: "°/s", rad: "rad/s" },
+    turns: true,
+    wraps: false,
+  };
+}
+
+function bodyAngles(body: string): PlotKind {
+  return {
+    title: `Angles of ${body}`,
+    quantities: [
+      { key: "pitch", label: "Pitch", column: `${body}.pitch` },
+      { key: "yaw", label: "Yaw", column: `${body}.yaw` },
+      { key: "roll", label: "Roll", column: `${body}.roll` },
+    ],
+    units: { deg: "°", rad: "rad" },
+    turns: true,
+    wraps: true,
+  };
+}
+
+function coordinate(name: string, what: string, variable: string, unit: "rad" | "m", units: Record<"m" | Unit, string>): PlotKind {
+  const turns = unit === "rad";
+  return {
+    title: `${name}: ${what}`,
+    quantities: [{ key: "plain", label: what, column: `${name}.${variable}` }],
+    units: turns ? { deg: units.deg, rad: units.rad } : { deg: units.m, rad: units.m },
+    turns,
+    wraps: false,
+  };
+}
+
+function effort(name: string, unit: "rad" | "m"): PlotKind {
+  const [what, shown] = unit === "rad" ? ["torque", "N m"] : ["force", "N"];
+  return {
+    title: `${name}: ${what}`,
+    quantities: [{ key: "plain", label: what, column: `${name}.joint_force` }],
+    units: { deg: shown, rad: shown },
+    turns: false,
+    wraps: false,
+  };
+}
+
+function point(name: string, what: "position" | "velocity", unit: string): PlotKind {
+  return {
+    title: `${name}: ${what}`,
+    quantities: (["roll", "pitch", "yaw"] as const).map((key, i) => {
+      const axis = "xyz"[i];
+      return { key, label: axis, column: `${name}.point_${what}.${axis}` };
+    }),
+    units: { deg: unit, rad: unit },
+    turns: false,
+    wraps: false,
+  };
+}

@@ -1,10 +1,12 @@
 /** Most records that the plots keep. */
 const MOST_RECORDS = 20000;
+/** Most numbers that they keep, in all columns. */
+const MOST_NUMBERS = 4e6;
 
 /** How long the plots look back, s: the scenario's duration, at least 10 s, as memory allows. */
-export function windowLength(duration_s: number, interval_s: number): { window_s: number; capacity: number } {
+export function windowLength(duration_s: number, interval_s: number, columns = 1): { window_s: number; capacity: number } {
   const wanted_s = Math.max(duration_s, 10);
-  const capacity = Math.min(MOST_RECORDS, Math.ceil(wanted_s / interval_s) + 2);
+  const capacity = Math.min(MOST_RECORDS, Math.floor(MOST_NUMBERS / columns), Math.ceil(wanted_s / interval_s) + 2);
   return { window_s: Math.min(wanted_s, (capacity - 2) * interval_s), capacity };
 }
 

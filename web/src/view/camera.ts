@@ -48,6 +48,8 @@ export class Eye {
     this.root = rootOf(poses);
     this.orbit.minDistance = 0.2 * this.size();
     this.orbit.maxDistance = 40 * this.size();
+    this.camera.near = Math.min(0.5, 0.05 * this.size());
+    this.camera.updateProjectionMatrix();
   }
 
   /** Follows the ship's centre. */
@@ -98,7 +100,7 @@ export class Eye {
 
   /** The longest diagonal of a body, m. */
   size(): number {
-    return Math.max(1, ...this.boxes.map(({ low, high }) => Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])));
+    return Math.max(0.1, ...this.boxes.map(({ low, high }) => Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])));
   }
 
   private lens() {

@@ -1,9 +1,6 @@
 import { DoubleSide, Group, Mesh, PlaneGeometry, ShaderMaterial, ShadowMaterial } from "three";
 import type { Palette } from "./palette";
 
-/** Distance of the grid's lines, m; the page's note says so too. */
-export const GRID_M = 5;
-
 const VERTEX = /* glsl */ `
   varying vec2 place;
   void main() {
@@ -56,7 +53,7 @@ export class Ground extends Group {
         xAxis: { value: null },
         yAxis: { value: null },
         centre: { value: [0, 0] },
-        spacing: { value: GRID_M },
+        spacing: { value: 5 },
         reach: { value: 100 },
         strength: { value: 0.5 },
       },
@@ -75,6 +72,11 @@ export class Ground extends Group {
     this.grid.uniforms.yAxis.value = palette.axes.y;
     this.grid.uniforms.strength.value = palette.isDark ? 0.42 : 0.5;
     this.shadow.opacity = palette.isDark ? 0.3 : 0.13;
+  }
+
+  /** Draws lines at this distance, m. */
+  space(spacing: number): void {
+    this.grid.uniforms.spacing.value = spacing;
   }
 
   /** Fades around a place, a few sizes of what stands there away. */

@@ -1,5 +1,6 @@
 import type { Session } from "../app/session";
-import { byId } from "../ui/dom";
+import { length } from "../app/format";
+import { byId, setText } from "../ui/dom";
 import { View } from "./view";
 
 /** Ties the 3D picture to the run and to its buttons; without WebGL it says so, and the rest runs. */
@@ -23,7 +24,10 @@ export function createScene(session: Session): { draw(): void } {
   });
   byId("fit").addEventListener("click", () => view.fit());
   session.listen({
-    opened: (run, frame, isAnother) => view.build(run.model, frame.poses, isAnother),
+    opened: (run, frame, isAnother) => {
+      view.build(run.model, frame.poses, isAnother);
+      setText(byId("scene-note"), `Grid ${length(view.spacing())}. No water in this version.`);
+    },
     advanced: (_run, frame) => view.show(frame.poses),
   });
   return { draw: () => view.draw() };

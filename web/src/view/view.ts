@@ -6,6 +6,7 @@ import { Ground } from "./ground";
 import { readPalette } from "./palette";
 import type { Palette } from "./palette";
 import { boxOf, halfSizes, solidOf } from "./solids";
+import { gridSpacing } from "./spacing";
 import { labelScale, triadOf } from "./triad";
 
 /** Height of a label of a body frame, pixels, at most. */
@@ -62,6 +63,7 @@ export class View {
     const frame = this.framesShown ? FRAME_LENGTH * size : 0;
     this.eye.watch(model.bodies.map((body) => boxOf(body, 1.3 * frame)), poses);
     if (frame > 0) this.addFrames(frame);
+    this.ground.space(this.spacing());
     this.place(poses);
     if (refit) this.eye.fit();
     this.stale = true;
@@ -80,6 +82,11 @@ export class View {
 
   fit(): void {
     this.eye.fit();
+  }
+
+  /** Distance of the grid's lines, m. */
+  spacing(): number {
+    return gridSpacing(this.eye.size());
   }
 
   draw(): void {

@@ -1,0 +1,27 @@
+import type { Session } from "../app/session";
+import { byId, make, setText } from "./dom";
+
+const DOI = /doi:\s*(10\.\d{4,}\/[^\s,;]*[^\s,;.)])/g;
+
+/** What the scenario says of itself, with its papers as links. */
+export function showAbout(session: Session): void {
+  session.listen({
+    opened: ({ model }) => {
+      document.title = `Kingpost – ${model.title}`;
+      setText(byId("about-title"), model.title);
+      const parts = linked(model.description).map(({ text, href }) => (href ? make("a", { href }, text) : text));
+      byId("about-text").replaceChildren(...parts);
+    },
+  });
+}
+
+/** A text in parts, each DOI with its address. */
+export function linked(text: string): { text: string; href?: string }[] {
+  const parts: { text: string; href?: string }[] = [];
+  let from = 0;
+  for (const found of text.matchAll(DOI)) {
+    parts.push({ text: text.slice(from, found.index) }, { text: found[0], href: `https://doi.org/${found[1]}` });
+    from = found.index + found[0].length;
+  }
+  return [...parts, { text: text.slice(from) }];
+}

@@ -1,0 +1,7 @@
+/** Distance of the grid's lines, m, for a model of a size, m: 1, 2 or 5 and a power of ten. */
+export function gridSpacing(size: number): number {
+  const power = 10 ** Math.floor(Math.log10(size / 5));
+  const parts = [1, 2, 5, 10].map((part) => part * power);
+  const away = (part: number) => Math.abs(Math.log((part * 5) / size));
+  return parts.reduce((best, part) => (away(part) < away(best) ? part : best));
+}

@@ -1,0 +1,49 @@
+// The app on any scenario: every one of the gallery.
+import assert from "node:assert/strict";
+import { look, openApp, sample, stepTo } from "./app.mjs";
+
+async function gallery({ address }) {
+  return (await fetch(`${address}scenarios/index.json`)).json();
+}
+
+export default {
+  async "runs every scenario of the gallery, and speaks of that one"(host) {
+    for (const { name, title } of await gallery(host)) {
+      const { page, close } = await openApp(host, { query: `?scenario=${name}` });
+      assert.equal(await page.title(), `Kingpost – ${title}`);
+      await page.locator("#about summary").click();
+      assert.equal(await page.getByTestId("about-title").textContent(), title);
+      assert.ok((await page.getByTestId("about-text").textContent()).length > 80, `${name} says what it is`);
+      const { status, row } = await sample(page);
+      assert.equal(status, "idle");
+      await stepTo(page, 0.2);
+      const after = await sample(page);
+      assert.ok(after.time_s >= 0.2 - 1e-9 && Object.values(after.row).every(Number.isFinite), `${name} runs`);
+      assert.notDeepEqual(after.row, row);
+      const seen = await look(page);
+      assert.ok(seen.right - seen.left > 40 && seen.bottom - seen.top > 40, `${name} is in the picture`);
+      await close();
+    }
+  },
+
+  async "plots any joint of the scenario, from its start"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=chain" });
+    const options = await page.getByTestId("choice-angles").locator("option").allTextContents();
+    assert.deepEqual(options.slice(0, 3), ["Angles of base", "link_1: position", "link_2: position"]);
+    await stepTo(page, 0.3);
+    await page.getByTestId("choice-angles").selectOption("link_1: position");
+    await page.getByTestId("unit-rad").click();
+    await page.waitForTimeout(500);
+    const shown = Number.parseFloat((await page.getByTestId("plain-angles").textContent()).replace("−", "-"));
+    const { row } = await sample(page);
+    assert.ok(Math.abs(shown - row["link_1.joint_position"]) < 1e-5, `${shown}`);
+    // A reset keeps what is plotted; another scenario has its own.
+    await page.getByTestId("reset").click();
+    await page.waitForTimeout(300);
+    assert.equal(await page.getByTestId("choice-angles").inputValue(), "link_1: position");
+    await page.getByTestId("gallery").selectOption("paper");
+    await page.waitForTimeout(800);
+    assert.equal(await page.getByTestId("choice-angles").inputValue(), "Angles of ship");
+    await close();
+  },
+};

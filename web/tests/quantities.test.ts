@@ -1,0 +1,59 @@
+import { describe, expect, it } from "vitest";
+import type { Channel, ModelInfo } from "../src/engine/engine";
+import { decimalsOf, kindsOf, scaleOf } from "../src/plots/quantities";
+
+function channel(variable: string, labels: string[], unit: string): Channel {
+  const dims = variable.startsWith("point") ? ["point", "axis"] : ["coordinate"];
+  return { variable, long_name: "", unit, frame: "none", dims, labels: [labels], offset: 0, len: labels.length };
+}
+
+function model(joints: ModelInfo["joints"]): ModelInfo {
+  const bodies = joints.map(({ body }) => ({ name: body, parent: "world", shape: null, colour: null, mass_kg: 1 }));
+  const settings = { duration_s: 1, step_s: 0.1, record_every_s: 0.1, integrator: "rk4" };
+  return { title: "", description: "", ...settings, bodies, joints, parameters: [] };
+}
+
+const SHIP = { name: "ship", body: "ship", kind: "floating" } as const;
+const SLEW = { name: "slew", body: "tower", kind: "revolute" } as const;
+const TELESCOPE = { name: "telescope", body: "tube", kind: "prismatic" } as const;
+
+describe("what the figures can show", () => {
+  it("begins with the ship, then has every joint coordinate and point", () => {
+    const channels = [
+      channel("joint_position", ["slew", "telescope"], "rad or m"),
+      channel("point_position", ["tube.tip"], "m"),
+      channel("point_velocity", ["tube.tip"], "m/s"),
+    ];
+    const { rates, angles } = kindsOf(model([SHIP, SLEW, TELESCOPE]), channels);
+    expect(angles.map(({ title }) => title)).toEqual([
+      "Angles of ship",
+      "slew: position",
+      "telescope: position",
+      "tube.tip: position",
+    ]);
+    expect(rates.map(({ title }) => title)).toEqual([
+      "Rates of ship",
+      "slew: rate",
+      "telescope: rate",
+      "slew: torque",
+      "telescope: force",
+      "tube.tip: velocity",
+    ]);
+    expect(angles[3].quantities.map(({ column }) => column)).toEqual(
+      ["x", "y", "z"].map((axis) => `tube.tip.point_position.${axis}`),
+    );
+  });
+
+  it("shows angles in degrees and lengths in metres", () => {
+    const { angles } = kindsOf(model([SHIP, SLEW, TELESCOPE]), [channel("joint_position", ["slew", "telescope"], "rad or m")]);
+    const [, slew, telescope] = angles;
+    expect([slew.units.deg, telescope.units.deg]).toEqual(["°", "m"]);
+    expect([scaleOf(slew, "deg"), scaleOf(telescope, "deg")]).toEqual([180 / Math.PI, 1]);
+    expect([decimalsOf(slew, "rad"), decimalsOf(telescope, "rad")]).toEqual([5, 4]);
+  });
+
+  it("shows the first body where none floats", () => {
+    const { rates } = kindsOf(model([SLEW]), []);
+    expect(rates.map(({ title }) => title)).toEqual(["Rates of tower"]);
+  });
+});
