@@ -8,18 +8,26 @@
 
 from ._engine import __version__
 from .errors import KingpostError, RunError, ScenarioError
+from .gradients import gradient
+from .linear import Equilibrium, Linearization
 from .scenario import Scenario, load
 from .simulate import Input, Simulation, State, run
+from .vibration import equilibrium, modes
 
 __all__ = [
+    "Equilibrium",
     "Input",
     "KingpostError",
+    "Linearization",
     "RunError",
     "Scenario",
     "ScenarioError",
     "Simulation",
     "State",
     "__version__",
+    "equilibrium",
+    "gradient",
     "load",
+    "modes",
     "run",
 ]

@@ -59,6 +59,12 @@ def parser() -> argparse.ArgumentParser:
     _add_scenario(check)
     check.set_defaults(command=_check)
 
+    modes = commands.add_parser("modes", help="settle a scenario and print its modes of small motion")
+    _add_scenario(modes)
+    modes.add_argument("-o", "--output", metavar="FILE", help="modes with their shapes: .nc or .csv")
+    modes.add_argument("--sweep", metavar="name=from:to:n", help="n values of a parameter or a field")
+    modes.set_defaults(command=_modes)
+
     gallery = commands.add_parser("list", help="list the gallery")
     gallery.set_defaults(command=_list)
 
@@ -115,6 +121,19 @@ def _check(options: argparse.Namespace) -> int:
 
     scenario = _scenario(options)
     print(report.model(scenario, Simulation(scenario).coordinates))
+    return DONE
+
+
+def _modes(options: argparse.Namespace) -> int:
+    from . import modes_report, results, vibration
+
+    scenario = _scenario(options)
+    output = results.check_output(options.output, vibration.ENDINGS) if options.output is not None else None
+    sweep = vibration.parse_sweep(options.sweep) if options.sweep is not None else None
+    found = vibration.modes(scenario, sweep=sweep)
+    print(modes_report.text(found))
+    if output:
+        print(f"\nwritten  {vibration.write(found, output)}")
     return DONE
 
 

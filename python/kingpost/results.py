@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from importlib.metadata import version
 from itertools import product
 from pathlib import Path
@@ -59,17 +59,17 @@ def dataset(
         labels = dict(zip(channel["dims"], channel["labels"], strict=True))
         shape = (len(rows), *(len(names) for names in labels.values()))
         values = rows[:, start : start + length].reshape(shape)
-        attributes = {
+        about = {
             "units": channel["unit"],
             "long_name": channel["long_name"],
             "frame": channel["frame"],
         }
         if channel["variable"] == "time":
-            coordinates["time"] = ("time", values.ravel(), attributes)
+            coordinates["time"] = ("time", values.ravel(), about)
         else:
             coordinates |= {dim: np.array(names, dtype=str) for dim, names in labels.items()}
-            variables[channel["variable"]] = (("time", *labels), values, attributes)
-    return xarray.Dataset(variables, coordinates, _attributes(scenario, status))
+            variables[channel["variable"]] = (("time", *labels), values, about)
+    return xarray.Dataset(variables, coordinates, attributes(scenario, status))
 
 
 def frame(results: xarray.Dataset) -> pandas.DataFrame:
@@ -102,11 +102,11 @@ def column_name(variable: str, labels: dict[Any, Any]) -> str:
     return ".".join([*before, variable, *after])
 
 
-def check_output(path: str | Path) -> Path:
+def check_output(path: str | Path, endings: Sequence[str] = ENDINGS) -> Path:
     """Make sure, before a run, that results can be written to `path`."""
     path = Path(path)
-    if path.suffix.lower() not in ENDINGS:
-        raise KingpostError(f"{path}: unknown ending, allowed: {', '.join(ENDINGS)}")
+    if path.suffix.lower() not in endings:
+        raise KingpostError(f"{path}: unknown ending, allowed: {', '.join(endings)}")
     existed = path.exists()
     try:
         with path.open("ab"):
@@ -148,7 +148,8 @@ def _write_parquet(results: xarray.Dataset, path: Path) -> None:
     pyarrow.parquet.write_table(table.cast(pyarrow.schema(fields, metadata)), path)
 
 
-def _attributes(scenario: Scenario, status: str) -> dict[str, Any]:
+def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
+    """What every data set says of the run that it comes from."""
     resolved = scenario.resolved
     versions = {name: version(name) for name in ("numpy", "xarray")}
     versions |= {"kingpost": _engine.__version__, "python": platform.python_version()}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -79,6 +79,12 @@ class Scenario:
         overrides = json.dumps(self.overrides + extra)
         return _engine.Simulation(self.text, self.file, overrides)
 
+    def _gradient(self, names: list[str], progress: Callable[[float], None] | None) -> tuple[Any, ...]:
+        """Rows, their derivatives by name, the table of channels, the error that ended the run."""
+        found = _engine.gradient(self.text, self.file, self._overrides_json, names, progress)
+        rows, derivatives, channels_json, error = found
+        return rows, derivatives, json.loads(channels_json), error
+
 
 def load(path_or_name: str | Path, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
     """Read and validate a scenario.
@@ -102,6 +108,15 @@ def load(path_or_name: str | Path, overrides: Overrides | None = None, **paramet
     """
     path = gallery.find(path_or_name)
     return Scenario(gallery.read_text(path), str(path), _pairs(overrides, parameters))
+
+
+def as_scenario(
+    scenario_or_path: Scenario | str | Path, overrides: Overrides | None, parameters: Overrides
+) -> Scenario:
+    """A scenario as it is given or read from its file, with more set over it."""
+    if isinstance(scenario_or_path, Scenario):
+        return scenario_or_path.with_overrides(overrides, **parameters)
+    return load(scenario_or_path, overrides, **parameters)
 
 
 def _pairs(overrides: Overrides | None, parameters: Overrides) -> tuple[tuple[str, Any], ...]:

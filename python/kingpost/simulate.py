@@ -16,8 +16,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .errors import KingpostError
+from .linear import Equilibrium, Linearization, labelled
 from .matrices import MovingFrame
-from .scenario import Overrides, Scenario, load
+from .scenario import Overrides, Scenario, as_scenario, load
 
 if TYPE_CHECKING:
     import xarray
@@ -212,6 +213,25 @@ class Simulation:
         """
         return MovingFrame(self._engine.moving_frame(), self._engine.symbols_json)
 
+    def linearize(self) -> Linearization:
+        """A and B of the linearised system here, exact to rounding.
+
+        >>> linear = Simulation(load("paper")).linearize()
+        >>> linear.states[:2], linear.inputs
+        (['ship.roll', 'ship.pitch'], [])
+        """
+        return labelled(*self._engine.linearize())
+
+    def settle(self) -> Equilibrium:
+        """Move to an equilibrium near here, all rates zero, and begin the ledger anew there.
+
+        Raises
+        ------
+        KingpostError
+            When there is none; the state stays as it was.
+        """
+        return Equilibrium(*self._engine.settle())
+
 
 def run(
     scenario_or_path: Scenario | str | Path, overrides: Overrides | None = None, **parameters: Any
@@ -229,11 +249,7 @@ def run(
     >>> round(float(results.angular_velocity.sel(body="ship", axis="y")[-1]), 5)
     0.19709
     """
-    if isinstance(scenario_or_path, Scenario):
-        scenario = scenario_or_path.with_overrides(overrides, **parameters)
-    else:
-        scenario = load(scenario_or_path, overrides, **parameters)
-    return Simulation(scenario).run()
+    return Simulation(as_scenario(scenario_or_path, overrides, parameters)).run()
 
 
 def _vector(values: ArrayLike) -> NDArray[np.float64]:

@@ -1,0 +1,218 @@
+"""Eigenvalues of a linearised system as modes: free, oscillating, decaying, unstable.
+
+Before any eigenvalue is computed the states are scaled by the mass matrix, so that metres and
+radians compare by the kinetic energy of their motion, and what is exactly free is split off.
+Without that the zero eigenvalues of a body that drifts, which come in pairs with one eigenvector,
+would scatter by the square root of rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .linear import Linearization
+
+FREE, OSCILLATION, DECAY, UNSTABLE = "zero", "oscillation", "decay", "unstable"
+"""Kinds of modes, in the order in which they are listed where eigenvalues are equal."""
+
+SMALLEST_SHARE = 1e-13
+"""Squared frequencies below this share of the largest count as zero: rounding hides them."""
+SMALLEST_SQUARE = 1e-10
+"""Squared frequencies below this count as zero, (rad/s)^2: a period of a week."""
+ALIKE = 1e-9
+"""Shares that differ by less are equal, and the first is taken."""
+
+
+@dataclass(frozen=True)
+class Mode:
+    """One motion that the linearised system makes by itself, ``shape exp(eigenvalue t)``.
+
+    Attributes
+    ----------
+    kind
+        ``zero``, ``oscillation``, ``decay`` or ``unstable``.
+    eigenvalue
+        1/s; of a complex pair the one with the positive imaginary part.
+    multiplicity
+        How many eigenvalues of A it stands for: 2 for a pair, and for a zero mode that keeps any
+        rate that it is given.
+    coordinate
+        Its name: for a zero mode the coordinate that is free, otherwise the one with the largest
+        share in the kinetic energy.
+    shape
+        Amplitudes, m or rad, by coordinate and then by further state; the largest is 1.
+    """
+
+    kind: str
+    eigenvalue: complex
+    multiplicity: int
+    coordinate: str
+    shape: NDArray[np.complex128]
+
+
+def eigenmodes(linear: Linearization, mass: NDArray[np.float64]) -> list[Mode]:
+    """Modes of a linearised system, zero modes first, then by modulus of the eigenvalue.
+
+    Parameters
+    ----------
+    linear
+        The system; its modes mean what one expects where its rates are zero.
+    mass
+        Reduced mass matrix M* of its free coordinates.
+    """
+    if not linear.states:
+        return []
+    system = Scaled.of(linear, mass)
+    levels, rest = zero_levels(system.a, system.smallest)
+    modes = zero_modes(system, levels)
+    modes += other_modes(system, np.hstack([*levels, rest[:, :0]]), rest)
+    return sorted(modes, key=lambda mode: (mode.kind != FREE, abs(mode.eigenvalue), mode.eigenvalue.real))
+
+
+@dataclass(frozen=True)
+class Scaled:
+    """A system in states whose squares are energies: ``L^T xi w``, ``L^T v``, the rest; M* = L L^T.
+
+    With w the largest frequency, A then has entries near w in the blocks that store energy.
+    """
+
+    names: list[str]
+    mass: NDArray[np.float64]
+    to_scaled: NDArray[np.float64]
+    a: NDArray[np.float64]
+    smallest: float
+
+    @classmethod
+    def of(cls, linear: Linearization, mass: NDArray[np.float64]) -> Scaled:
+        a, names, n = linear.A.values, linear.coordinates, len(mass)
+        extras = len(a) - 2 * n
+        root = np.linalg.cholesky(mass).T
+        stiffness = root @ np.linalg.solve(root.T, a[n : 2 * n, :n].T).T
+        # Where nothing is stiff, 1 rad/s is as good as any other.
+        square = max(np.linalg.norm(stiffness, 2) if n else 0.0, 1.0)
+        frequency = np.sqrt(square)
+        to_scaled = np.zeros_like(a)
+        to_scaled[:n, :n], to_scaled[n : 2 * n, n : 2 * n] = root * frequency, root
+        to_scaled[2 * n :, 2 * n :] = np.eye(extras)
+        scaled = np.linalg.solve(to_scaled.T, (to_scaled @ a).T).T
+        smallest = max(SMALLEST_SHARE * square, SMALLEST_SQUARE) / frequency
+        return cls(names + linear.states[2 * n :], mass, to_scaled, scaled, smallest)
+
+    def shapes(self, scaled: NDArray, rates: bool = False) -> NDArray:
+        """Amplitudes by coordinate and further state of scaled states in columns; or their rates."""
+        states, n = np.linalg.solve(self.to_scaled, scaled), len(self.mass)
+        start = n if rates else 0
+        return np.concatenate([states[start : start + n], states[2 * n :]])
+
+    def share(self, shape: NDArray) -> NDArray[np.float64]:
+        """Weights by name: of a coordinate its energy at that amplitude, of a state its square."""
+        weights = np.ones(len(shape))
+        weights[: len(self.mass)] = np.diag(self.mass)
+        return weights[:, None] * np.abs(shape) ** 2 if shape.ndim > 1 else weights * np.abs(shape) ** 2
+
+
+def zero_levels(a: NDArray, smallest: float) -> tuple[list[NDArray], NDArray]:
+    """Bases of what A takes to nothing, then of what it takes there, and so on; and of the rest.
+
+    Singular values below `smallest` count as zero. The bases are orthonormal together.
+    """
+    levels, rest = [], np.eye(len(a))
+    while rest.shape[1]:
+        _, sizes, rows = np.linalg.svd(rest.T @ a @ rest)
+        rank = int(np.sum(sizes > smallest))
+        if rank == len(sizes):
+            break
+        levels.append(rest @ rows[rank:].T)
+        rest = rest @ rows[:rank].T
+    return levels, rest
+
+
+def zero_modes(system: Scaled, levels: Sequence[NDArray]) -> list[Mode]:
+    """One mode for each way to move that nothing answers, named after its coordinate.
+
+    Those that keep a rate, since nothing damps it, stand for two eigenvalues.
+    """
+    if not levels:
+        return []
+    free = system.shapes(levels[0])
+    # What A takes to a free motion is that motion's rate.
+    drifting = system.shapes(levels[1], rates=True) if len(levels) > 1 else free[:, :0]
+    modes, taken = [], []
+    for basis in (drifting, free):
+        directions, pivots = named_directions(system, basis, taken)
+        for direction, pivot in zip(directions.T, pivots, strict=True):
+            multiplicity = sum(level.shape[1] > len(taken) for level in levels)
+            modes.append(Mode(FREE, 0j, multiplicity, system.names[pivot], normalised(direction)))
+            taken.append(pivot)
+    return sorted(modes, key=lambda mode: system.names.index(mode.coordinate))
+
+
+def named_directions(system: Scaled, basis: NDArray, without: Sequence[int]) -> tuple[NDArray, list[int]]:
+    """Directions in the span of `basis` that are zero at `without`, each 1 at its own coordinate.
+
+    A coordinate is taken for its share in the span, the first where shares are alike.
+    """
+    weights = np.sqrt(system.share(np.ones(len(basis))))
+    span = np.linalg.qr(weights[:, None] * basis)[0]
+    pivots: list[int] = []
+    kept = cleared(span, without)
+    left = kept
+    while left.shape[1]:
+        shares = np.sum(left**2, axis=1)
+        pivot = int(np.argmax(shares > shares.max() - ALIKE))
+        pivots.append(pivot)
+        left = cleared(left, [pivot])
+    if not pivots:
+        return basis[:, :0], []
+    directions = np.linalg.solve(kept[pivots].T, kept.T).T / weights[:, None]
+    return directions * weights[pivots], pivots
+
+
+def cleared(span: NDArray, rows: Sequence[int]) -> NDArray:
+    """The part of an orthonormal basis' span that is zero at `rows`."""
+    if not rows or not span.shape[1]:
+        return span
+    _, sizes, turned = np.linalg.svd(span[list(rows)])
+    return span @ turned[int(np.sum(sizes > ALIKE)) :].T
+
+
+def other_modes(system: Scaled, zero: NDArray, rest: NDArray) -> list[Mode]:
+    """Modes whose eigenvalue is not zero."""
+    a = system.a
+    values, vectors = np.linalg.eig(rest.T @ a @ rest)
+    conditions = np.linalg.norm(vectors, axis=0) * np.linalg.norm(np.linalg.pinv(vectors), axis=1)
+    # What rounding in A does to an eigenvalue (Golub & Van Loan, Matrix Computations, 7.2.2).
+    errors = 10 * len(a) * np.finfo(float).eps * np.linalg.norm(a, 2) * conditions
+    inner, coupling = zero.T @ a @ zero, zero.T @ a @ rest
+    modes = []
+    for value, vector, error in zip(values, vectors.T, errors, strict=True):
+        if value.imag < 0:
+            continue
+        along_zero = np.linalg.solve(value * np.eye(len(inner)) - inner, coupling @ vector)
+        shape = normalised(system.shapes(rest @ vector + zero @ along_zero), len(system.mass))
+        real = value.real if abs(value.real) > error else 0.0
+        eigenvalue = complex(real, value.imag)
+        name = system.names[int(np.argmax(system.share(shape)))]
+        modes.append(Mode(kind(eigenvalue), eigenvalue, 1 + (value.imag > 0), name, shape))
+    return modes
+
+
+def kind(eigenvalue: complex) -> str:
+    """What a motion of a non-zero eigenvalue does."""
+    if eigenvalue.real > 0:
+        return UNSTABLE
+    return OSCILLATION if eigenvalue.imag else DECAY
+
+
+def normalised(shape: NDArray, coordinates: int | None = None) -> NDArray[np.complex128]:
+    """A shape whose largest entry is 1: among its first `coordinates`, if any of them moves."""
+    among = shape[:coordinates]
+    if not among.size or np.abs(among).max() <= ALIKE * np.abs(shape).max():
+        among = shape
+    shape = shape / among[np.argmax(np.abs(among))]
+    # What rounding left of zero.
+    return np.where(np.abs(shape) < 1e-14, 0.0, shape).astype(complex)

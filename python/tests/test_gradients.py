@@ -1,0 +1,137 @@
+"""Gradients of runs by dual numbers against central differences of runs."""
+
+from __future__ import annotations
+
+import itertools
+
+import kingpost
+import numpy as np
+import pandas
+import pytest
+import xarray
+from kingpost import gallery
+from kingpost.results import frame, write
+from samples import SMALL
+
+SHORT = {"simulation.duration_s": 0.2, "simulation.record_every_s": 0.1}
+ROUNDING = 1e-11
+"""Of a run's numbers: what some hundred steps leave of double precision."""
+
+
+def numeric_parameters() -> list[tuple[str, str]]:
+    """The parameters of the gallery whose value is a number."""
+    scenarios = {name: kingpost.load(name) for name in gallery.names()}
+    return [
+        (name, parameter["name"])
+        for name, scenario in scenarios.items()
+        for parameter in scenario.model["parameters"]
+        if isinstance(parameter["value"], int | float) and not isinstance(parameter["value"], bool)
+    ]
+
+
+def inside(parameter: dict) -> tuple[float, float]:
+    """A value of a parameter with room on both sides, and a step to either."""
+    value = float(parameter["value"])
+    lower, upper = parameter.get("range") or (value - max(1, abs(value)), value + max(1, abs(value)))
+    room = 0.02 * (upper - lower)
+    return min(max(value, lower + room), upper - room), 1e-4 * (upper - lower)
+
+
+@pytest.mark.parametrize(("name", "parameter"), numeric_parameters())
+def test_derivatives_agree_with_central_differences_to_their_error(name, parameter):
+    """Source: differences with steps h and 2 h, whose own error is a third of what they differ by,
+    and rounding over the step."""
+    (about,) = (p for p in kingpost.load(name).model["parameters"] if p["name"] == parameter)
+    value, step = inside(about)
+    scenario = kingpost.load(name, SHORT)
+    found = kingpost.gradient(scenario, parameter, {parameter: value})
+
+    def difference(by: float) -> xarray.Dataset:
+        ahead, behind = (kingpost.run(scenario, {parameter: value + sign * by}) for sign in (1, -1))
+        return (ahead - behind) / (2 * by)
+
+    fine, coarse = difference(step), difference(2 * step)
+    compared = 0
+    for variable in fine.data_vars:
+        exact = found[f"{variable}_derivative"].isel(parameter=0)
+        assert np.isfinite(exact).all(), variable
+        # The ledger's errors are themselves of the size of rounding.
+        if str(variable).endswith("_error") or not exact.size:
+            continue
+        bound = 2 * np.abs(fine[variable] - coarse[variable]).max()
+        bound += ROUNDING * (np.abs(found[variable]).max() + scale(found, str(variable))) / step
+        assert np.abs(exact - fine[variable]).max() <= bound, variable
+        compared += 1
+    assert compared > 10
+
+
+def scale(run: xarray.Dataset, variable: str) -> float:
+    """Numbers that a variable is the difference of."""
+    energies = [np.abs(run[name]).max().item() for name in ("kinetic_energy", "potential_energy")]
+    return max(energies) if run[variable].attrs["units"] in ("J", "N", "N m", "N m s") else 0.0
+
+
+def test_a_gradient_holds_the_run_and_its_derivatives(tmp_path):
+    """Source: the public contract."""
+    names = ["crane_x_m", "bodies.arm.mass_kg", "crane_y_m", "crane_z_m", "bodies.tower.mass_kg"]
+    found = kingpost.gradient("paper", names, SHORT)
+    run = kingpost.run("paper", SHORT)
+    for name, variable in run.data_vars.items():
+        xarray.testing.assert_identical(found[name], variable)
+        assert found[f"{name}_derivative"].dims == ("parameter", *variable.dims)
+        assert found[f"{name}_derivative"].attrs["frame"] == variable.attrs["frame"]
+    assert found.parameter.values.tolist() == names
+    assert found.parameter_unit.values.tolist() == ["m", "", "m", "m", ""]
+    alone = kingpost.gradient("paper", "crane_z_m", SHORT)
+    assert np.array_equal(alone.roll_derivative[0], found.roll_derivative.sel(parameter="crane_z_m"))
+    again = xarray.load_dataset(write(found, tmp_path / "gradient.nc"), engine="h5netcdf")
+    xarray.testing.assert_identical(again, found)
+    table = pandas.read_parquet(write(found, tmp_path / "gradient.parquet"))
+    pandas.testing.assert_frame_equal(table, frame(found), check_exact=True)
+    assert "ship.roll_derivative.bodies.arm.mass_kg" in table.columns
+
+
+def test_the_motor_works_torque_times_angle_and_so_does_its_derivative():
+    """Source: W = T a; dW/dT = a + T da/dT."""
+    found = kingpost.gradient("paper", "drives.motor_1.motor.torque_N_m", SHORT).isel(time=-1)
+    angle = found.sel(coordinate="slew")
+    expected = angle.joint_position + 1e5 * angle.joint_position_derivative[0]
+    assert found.work_by_drives_derivative[0].item() == pytest.approx(expected.item(), rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["torque_history", "motor_2", "nothing", "simulation.step_s"])
+def test_what_has_no_derivative_is_refused(name):
+    """Source: the public contract: what switches, is not there, or changes how the run is stepped."""
+    with pytest.raises(kingpost.ScenarioError):
+        kingpost.gradient("paper", name)
+
+
+def test_no_names_are_refused():
+    """Source: the public contract."""
+    with pytest.raises(kingpost.KingpostError, match="at least one name"):
+        kingpost.gradient("paper", [])
+
+
+def test_a_run_that_diverges_keeps_what_it_had(tmp_path):
+    """Source: the public contract of `run`: the error carries the results until then."""
+    path = tmp_path / "small.yaml"
+    path.write_text(SMALL, encoding="utf-8")
+    settings = {"simulation.rate_limit": 0.1, "simulation.duration_s": 1}
+    with pytest.raises(kingpost.RunError) as plain:
+        kingpost.run(path, settings)
+    with pytest.raises(kingpost.RunError) as caught:
+        kingpost.gradient(path, "mass", settings)
+    assert caught.value.time_s == plain.value.time_s
+    assert caught.value.results is not None
+    assert caught.value.results.sizes["time"] == plain.value.results.sizes["time"]
+    assert caught.value.results.attrs["status"] == str(plain.value)
+    assert np.isfinite(caught.value.results.joint_position_derivative).all()
+
+
+def test_progress_is_heard_for_every_four_names():
+    """Source: the public contract: once through the run for every four names."""
+    heard: list[float] = []
+    names = [f"bodies.{body}.mass_kg" for body in ("arm", "tower")] + ["crane_x_m", "crane_y_m", "crane_z_m"]
+    kingpost.gradient("paper", names, {"simulation.duration_s": 2}, progress=heard.append)
+    restarts = sum(later < earlier for earlier, later in itertools.pairwise(heard))
+    assert restarts == 1

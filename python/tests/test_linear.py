@@ -1,0 +1,323 @@
+"""Linear analysis: modes against textbooks and against runs, zero modes, sweeps, files, the command."""
+
+from __future__ import annotations
+
+import kingpost
+import numpy as np
+import pandas
+import pytest
+import xarray
+from kingpost import modes_report
+from kingpost.cli import main
+from kingpost.vibration import frame, write
+
+G = 9.80665
+ROD = """\
+  {name}:
+    {parent}mass_kg: {mass}
+    inertia: {{tensor: {{moments_kg_m2: [{moment}, {moment}, 0]}}}}
+    joint:
+      revolute:
+        name: {joint}
+        axis: [0, 1, 0]
+        position_m: {at}
+        child_position_m: [0, 0, {half}]
+        damping_N_m_s: {damping}
+        initial_angle_rad: 0.2
+"""
+
+
+def rod(name="rod", joint="swing", length=2.0, mass=3.0, damping=0.0, parent="", at="[0, 0, 0]"):
+    """A uniform rod that hangs on a hinge at its upper end."""
+    parent = f"parent: {parent}\n    " if parent else ""
+    return ROD.format(name=name, parent=parent, mass=mass, moment=mass * length**2 / 12, joint=joint,
+                      at=at, half=length / 2, damping=damping)  # fmt: skip
+
+
+@pytest.fixture
+def hang(tmp_path):
+    """Writes a scenario of such rods under gravity."""
+
+    def write_rods(*rods: str, parameters: str = "") -> kingpost.Scenario:
+        path = tmp_path / "rods.yaml"
+        path.write_text(
+            f"version: 1\ntitle: rods\n{parameters}simulation: {{step_s: 0.005, duration_s: 4}}\n"
+            f"bodies:\n{''.join(rods)}forces:\n  gravity: {{gravity: {{}}}}\n",
+            encoding="utf-8",
+        )
+        return kingpost.load(path)
+
+    return write_rods
+
+
+DAMPING = """\
+parameters:
+  - {name: damping, label: Damping, default: 0, writes: [bodies.rod.joint.revolute.damping_N_m_s]}
+"""
+
+
+def test_a_pendulum_has_its_textbook_frequency(hang):
+    """Source: w^2 = m g l / J, for a uniform rod 3 g / (2 L)."""
+    mode = kingpost.modes(hang(rod(length=2.0))).sel(mode=1)
+    assert mode.kind.item() == "oscillation"
+    assert mode.named_after.item() == "swing"
+    assert mode.angular_frequency.item() == pytest.approx(np.sqrt(3 * G / 4), rel=1e-14)
+    assert mode.frequency.item() == pytest.approx(np.sqrt(3 * G / 4) / (2 * np.pi), rel=1e-14)
+    assert mode.damping_ratio.item() == 0
+    assert np.isnan(mode.time_constant.item())
+    assert mode.sel(coordinate="swing")["shape"].item() == 1
+
+
+def test_a_damped_pendulum_has_its_textbook_damping_ratio(hang):
+    """Source: J x'' + c x' + k x = 0 with k = m g l: zeta = c / (2 sqrt(J k))."""
+    inertia, stiffness, damping = 3 * 4 / 3, 3 * G, 1.5
+    mode = kingpost.modes(hang(rod(damping=damping))).sel(mode=1)
+    ratio = damping / (2 * np.sqrt(inertia * stiffness))
+    frequency = np.sqrt(stiffness / inertia)
+    assert mode.damping_ratio.item() == pytest.approx(ratio, rel=1e-13)
+    assert mode.angular_frequency.item() == pytest.approx(frequency, rel=1e-13)
+    assert mode.damped_period.item() == pytest.approx(2 * np.pi / frequency / np.sqrt(1 - ratio**2))
+    assert mode.time_constant.item() == pytest.approx(2 * inertia / damping)
+
+
+def test_an_overdamped_pendulum_has_two_time_constants(hang):
+    """Source: the roots of J s^2 + c s + k."""
+    inertia, stiffness, damping = 3 * 4 / 3, 3 * G, 60.0
+    found = kingpost.modes(hang(rod(damping=damping)))
+    assert found.kind.values.tolist() == ["decay", "decay"]
+    roots = np.roots([inertia, damping, stiffness])
+    assert np.sort(found.time_constant.values) == pytest.approx(np.sort(-1 / roots), rel=1e-12)
+    assert np.isnan(found.damping_ratio.values).all()
+
+
+def test_a_double_pendulum_has_its_textbook_modes(hang):
+    """Source: two equal uniform rods, w^2 L / g = 3 -+ 6 / sqrt 7. In the absolute angles a, b the
+    equations are 4/3 a'' + 1/2 b'' + 3/2 a = 0 and 1/2 a'' + 1/3 b'' + 1/2 b = 0, times g / L."""
+    length = 1.5
+    upper = rod("upper", "a", length)
+    lower = rod("lower", "b", length, parent="upper", at=f"[0, 0, {-length / 2}]")
+    found = kingpost.modes(hang(upper, lower))
+    x = np.array([3 - 6 / np.sqrt(7), 3 + 6 / np.sqrt(7)])
+    assert found.angular_frequency.values == pytest.approx(np.sqrt(x * G / length), rel=1e-13)
+    # b / a from the first equation; the joint's coordinate is b - a.
+    relative = (3 - 8 / 3 * x) / x - 1
+    shape = found["shape"].values
+    assert shape[:, 1] / shape[:, 0] == pytest.approx(relative, rel=1e-11)
+    assert np.abs(shape).max(axis=1) == pytest.approx([1, 1])
+
+
+def test_a_pendulum_upside_down_is_said_to_be_unstable(hang):
+    """Source: x'' = (m g l / J) x."""
+    scenario = hang(rod())
+    standing = kingpost.Simulation(scenario)
+    standing.set_state([np.pi], [0.0])
+    found = kingpost.modes(scenario, state=standing.state)
+    assert sorted(found.kind.values.tolist()) == ["decay", "unstable"]
+    grows = found.isel(mode=found.kind.values.tolist().index("unstable"))
+    assert grows.eigenvalue_real.item() == pytest.approx(np.sqrt(3 * G / 4), rel=1e-12)
+    assert grows.time_constant.item() == pytest.approx(-1 / np.sqrt(3 * G / 4), rel=1e-12)
+    number = grows.mode.item()
+    assert f"unstable: mode {number} (swing) grows e-fold in 0.36873 s" in modes_report.text(found)
+
+
+def test_zero_modes_of_a_free_ship_are_named_after_its_coordinates():
+    """Source: without water and gravity nothing answers any motion: six of the ship, two of the crane.
+    Each keeps a rate that it is given, so A has each zero eigenvalue twice."""
+    found = kingpost.modes("paper", hold_centre=False, motor_1=False)
+    names = ["ship.x", "ship.y", "ship.z", "ship.roll", "ship.pitch", "ship.yaw", "slew", "luff"]
+    assert found.named_after.values.tolist() == names
+    assert set(found.kind.values) == {"zero"}
+    assert set(found.multiplicity.values) == {2}
+    assert set(found.frequency.values) == {0}
+    assert np.array_equal(found["shape"].values, np.eye(8))
+
+
+def test_a_free_motion_that_is_damped_is_a_zero_mode_and_a_decay():
+    """Source: M* v' = -C v: the rates of decay are the eigenvalues of M*^-1 C."""
+    scenario = kingpost.load("paper", hold_centre=False, motor_1=False, damping=True)
+    found = kingpost.modes(scenario)
+    law = scenario.resolved["forces"]["damping"]["viscous_damping"]
+    damping = np.diag([*law["linear_N_s_m"], *law["angular_N_m_s"], 0, 0])
+    mass = kingpost.Simulation(scenario).mass_matrix()
+    rates = np.linalg.eigvals(np.linalg.solve(mass, damping)).real
+    rates = np.sort(rates[rates > 1e-9])
+    decays = found.isel(mode=found.kind.values == "decay")
+    assert np.sort(1 / decays.time_constant.values) == pytest.approx(rates, rel=1e-10)
+    zero = found.isel(mode=found.kind.values == "zero")
+    assert zero.sizes["mode"] == 8
+    damped = np.diag(damping) > 0
+    assert dict(zip(zero.named_after.values, zero.multiplicity.values, strict=True)) == dict(
+        zip(found.coordinate.values, np.where(damped, 1, 2), strict=True)
+    )
+
+
+def test_the_heading_of_a_ship_is_the_only_zero_mode_under_gravity():
+    """Source: symmetry about the vertical; the base hangs by its centre with the chain below it."""
+    found = kingpost.modes("chain")
+    zero = found.isel(mode=found.kind.values == "zero")
+    assert zero.named_after.values.tolist() == ["base.yaw"]
+    assert found.sizes["mode"] == 13
+    assert int(found.multiplicity.sum()) == 26
+
+
+@pytest.mark.parametrize("number", [1, 2, 5, 8])
+def test_a_run_released_along_a_mode_keeps_its_frequency_and_damping(number):
+    """Source: the linear motion exp(s t) (shape cos w t - shape_imaginary sin w t); the pendulum's
+    forces differ from linear ones by the cube of the angle, here 1e-4 rad."""
+    scenario = kingpost.load("chain", {"simulation.duration_s": 6}, hold_rotation=True, damping=40)
+    mode = kingpost.modes(scenario).sel(mode=number)
+    shape = mode["shape"].values + 1j * mode["shape_imaginary"].values
+    eigenvalue = complex(mode.eigenvalue_real.item(), mode.eigenvalue_imaginary.item())
+    amplitude = 1e-4
+    simulation = kingpost.Simulation(scenario)
+    simulation.settle()
+    rest = simulation.state
+    q, v = rest.q.copy(), rest.v.copy()
+    q[-10:] += amplitude * shape.real
+    v[-10:] = amplitude * (eigenvalue * shape).real
+    simulation.set_state(q, v)
+    run = simulation.run()
+    angles = run.joint_position.values - rest.q[-10:]
+    linear = amplitude * (np.exp(eigenvalue * run.time.values)[:, None] * shape).real
+    assert np.abs(angles - linear).max() < 1e-6 * amplitude
+    # A decaying oscillation obeys x[k+1] = 2 e^(s h) cos(w h) x[k] - e^(2 s h) x[k-1].
+    x = angles[:, np.argmax(np.abs(shape))]
+    middle, square = np.linalg.lstsq(np.stack([x[1:-1], x[:-2]], 1), x[2:])[0]
+    fitted = np.roots([1, -middle, -square]).astype(complex)
+    rate = np.log(fitted[np.argmax(fitted.imag)]) / (run.time.values[1] - run.time.values[0])
+    assert rate.imag / (2 * np.pi) == pytest.approx(1 / mode.damped_period.item(), rel=1e-6)
+    assert -rate.real / abs(rate) == pytest.approx(mode.damping_ratio.item(), rel=1e-4)
+
+
+def test_linearize_names_what_it_gives(hang):
+    """Source: A = [0 1; -k/J -c/J]; B = 1/J for the lever of a motor of 1 N m."""
+    scenario = hang(rod(damping=0.4))
+    simulation = kingpost.Simulation(scenario)
+    simulation.settle()
+    linear = simulation.linearize()
+    assert linear.states == ["swing", "swing.rate"]
+    assert linear.coordinates == ["swing"]
+    assert linear.inputs == []
+    assert linear.A.values == pytest.approx(np.array([[0, 1], [-3 * G / 4, -0.1]]), abs=1e-14)
+    assert linear.B.shape == (2, 0)
+    assert np.abs(linear.rates).max() < 1e-9
+    assert linear.A.sel(row="swing.rate", column="swing").item() == pytest.approx(-3 * G / 4)
+
+
+def test_an_equilibrium_is_a_row_of_results(hang):
+    """Source: statics: the hinge carries the weight."""
+    rest = kingpost.equilibrium(hang(rod(mass=3)))
+    assert rest.joint_position.sel(coordinate="swing").item() == pytest.approx(0, abs=1e-12)
+    reaction = rest.joint_reaction.sel(joint="swing").values
+    assert np.abs(reaction).max() == pytest.approx(3 * G)
+    assert rest.attrs["status"].startswith("at rest after")
+    assert "time" not in rest.dims
+
+
+def test_what_falls_has_no_modes(capsys):
+    """Source: a body without support; the message says what accelerates."""
+    with pytest.raises(kingpost.KingpostError, match=r"no equilibrium .*ship\.z still accelerates"):
+        kingpost.modes("paper", gravity=True, hold_centre=False, motor_1=False)
+    command = ["modes", "paper", "--set=gravity=on", "--set=hold_centre=off"]
+    assert main(command) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_a_sweep_follows_a_mode_past_another(hang):
+    """Source: two rods that do not meet; the frequency of one passes the other's, sqrt(3 g / 2 L)."""
+    scenario = hang(rod("left", "left", 1.0), rod("right", "right", 1.2))
+    heights = np.linspace(0.2, 0.9, 8)
+    found = kingpost.modes(scenario, sweep={"bodies.left.joint.revolute.child_position_m.2": heights})
+    sweep = found.kind.dims[0]
+    assert found.sizes == {sweep: 8, "mode": 2, "coordinate": 2}
+    moment = 3 * 1.0**2 / 12
+    left = np.sqrt(3 * G * heights / (moment + 3 * heights**2))
+    number = int(found.mode[found.named_after.isel({sweep: 0}) == "left"].item())
+    assert set(found.named_after.sel(mode=number).values) == {"left"}
+    assert found.angular_frequency.sel(mode=number).values == pytest.approx(left, rel=1e-12)
+    other = found.angular_frequency.sel(mode=3 - number).values
+    assert other == pytest.approx(np.full(8, np.sqrt(1.5 * G / 1.2)), rel=1e-12)
+    # They pass one another, so that order by frequency would have mixed them.
+    assert 0 < np.sum(left > other) < 8
+
+
+def test_a_sweep_through_critical_damping_ends_and_begins_tracks(hang):
+    """Source: the critical damping 2 sqrt(J k)."""
+    critical = 2 * np.sqrt(4 * 3 * G)
+    shares = np.array([0.5, 0.9, 1.1, 2.0])
+    found = kingpost.modes(hang(rod(), parameters=DAMPING), sweep={"damping": shares * critical})
+    assert found.sizes["damping"] == 4
+    assert found.kind.values.tolist() == [
+        ["oscillation", ""],
+        ["oscillation", ""],
+        ["decay", "decay"],
+        ["decay", "decay"],
+    ]
+    assert found.damping_ratio.values[:2, 0] == pytest.approx(shares[:2], rel=1e-12)
+    assert np.isnan(found.damping_ratio.values[:2, 1]).all()
+    slow_and_fast = shares[2:, None] + np.array([[-1, 1]]) * np.sqrt(shares[2:, None] ** 2 - 1)
+    rates = 1 / found.time_constant.values[2:] / np.sqrt(3 * G / 4)
+    assert np.sort(rates, axis=1) == pytest.approx(slow_and_fast, rel=1e-9)
+    # Each keeps its place.
+    assert np.argmax(rates, axis=1).tolist() in ([0, 0], [1, 1])
+
+
+@pytest.mark.parametrize("sweep", [{}, {"a": [1], "b": [2]}, {"damping": []}])
+def test_a_sweep_has_one_name_and_some_values(hang, sweep):
+    """Source: the public contract."""
+    with pytest.raises(kingpost.KingpostError, match="sweep: found"):
+        kingpost.modes(hang(rod(), parameters=DAMPING), sweep=sweep)
+
+
+def test_a_sweep_says_at_which_value_it_failed(hang):
+    """Source: the public contract."""
+    with pytest.raises(kingpost.KingpostError, match="damping = -1: "):
+        kingpost.modes(hang(rod(), parameters=DAMPING), sweep={"damping": [1, -1]})
+
+
+def test_modes_are_written_and_read_back(hang, tmp_path):
+    """Source: the round trip."""
+    for found in (
+        kingpost.modes("chain"),
+        kingpost.modes(hang(rod(), parameters=DAMPING), sweep={"damping": [1, 100]}),
+    ):
+        again = xarray.load_dataset(write(found, tmp_path / "modes.nc"), engine="h5netcdf")
+        xarray.testing.assert_identical(again, found)
+        table = pandas.read_csv(
+            write(found, tmp_path / "modes.csv"), keep_default_na=False, na_values=["nan"]
+        )
+        assert len(table) == found.kind.size
+        assert table["kind"].tolist() == found.kind.values.ravel().tolist()
+        assert set(table.columns) == set(frame(found).columns)
+        name = found.coordinate.values[0]
+        assert f"shape.{name}" in table.columns
+    with pytest.raises(kingpost.KingpostError, match=r"\.nc, \.csv"):
+        write(found, tmp_path / "modes.parquet")
+
+
+def test_the_command_prints_modes_and_writes_them(tmp_path, capsys):
+    """Source: the public contract of `kingpost modes`."""
+    output = tmp_path / "modes.csv"
+    assert main(["modes", "chain", "--set=hold_rotation=on", "-o", str(output)]) == 0
+    text = capsys.readouterr().out
+    found = kingpost.modes("chain", hold_rotation=True)
+    assert "at rest after" in text
+    assert f"{found.frequency[0].item():.5g}" in text
+    assert f"written  {output}" in text
+    assert len(pandas.read_csv(output)) == 10
+
+
+def test_the_command_prints_a_sweep(capsys):
+    """Source: the public contract of `kingpost modes --sweep`."""
+    assert main(["modes", "chain", "--set=hold_rotation=on", "--sweep=damping=0:200:3"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    values = [line.split()[0] for line in lines[-3:]]
+    assert values == ["0", "100", "200"]
+    assert all(" Hz" in line for line in lines[-3:])
+
+
+@pytest.mark.parametrize("sweep", ["damping", "damping=1:2", "damping=1:2:0", "=1:2:3", "damping=1:nan:3"])
+def test_a_wrong_sweep_is_wrong_input(sweep, capsys):
+    """Source: the public contract: exit code 2, one line."""
+    assert main(["modes", "chain", f"--sweep={sweep}"]) == 2
+    assert capsys.readouterr().err.startswith(f"error: --sweep: found '{sweep}'")
