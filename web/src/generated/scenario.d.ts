@@ -382,6 +382,79 @@ export type FixedJoint = {
   orientation_deg?: [number, number, number];
 };
 /**
+ * Where it is tied to one body. Constraints are along and about these axes.
+ */
+export type Attachment = {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+};
+/**
+ * Where it is tied to the other.
+ */
+export type Attachment1 = {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+};
+/**
+ * One equation between the two attachments.
+ */
+export type Constraint =
+  | "x"
+  | "y"
+  | "z"
+  | "roll"
+  | "pitch"
+  | "yaw"
+  | {
+      distance: Distance;
+    };
+/**
  * What acts on the bodies from outside.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
@@ -635,6 +708,12 @@ export interface Scenario {
     [k: string]: Body;
   };
   /**
+   * What ties bodies together beside their joints, by name.
+   */
+  loops?: {
+    [k: string]: Loop;
+  };
+  /**
    * What acts on the bodies from outside, by name.
    */
   forces?: {
@@ -846,6 +925,39 @@ export interface Point {
    * @maxItems 3
    */
   position_m: [number, number, number];
+}
+/**
+ * A joint that closes a loop, cut out of the tree and written as constraints between the two bodies that it ties. Name
+ * only those that the joints do not keep already: a four-bar linkage in the x-z plane needs x and z.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export interface Loop {
+  /**
+   * Whether it holds.
+   */
+  enabled?: boolean;
+  first: Attachment;
+  second: Attachment1;
+  /**
+   * What it constrains, in any order; none may follow from the others.
+   */
+  constraints: Constraint[];
+  /**
+   * The largest gap at the start that is closed by moving the free joints, m, and rad for angles. They move by the
+   * least that the masses allow; a larger gap is an error.
+   */
+  start_gap_m?: number;
+}
+/**
+ * A distance to keep.
+ */
+export interface Distance {
+  /**
+   * Length of the rod, m.
+   */
+  length_m: number;
 }
 /**
  * Weight of every body, downwards along the world's z axis.

@@ -4,6 +4,10 @@
 //! with prescribed joints (ch. 9), over the fused links, in the axes of each branch's root. It
 //! solves M* q'' + N* q' = F* (eq. 61) without forming the matrices, and allocates nothing.
 
+mod response;
+
+pub use response::Response;
+
 use super::ball::Ball;
 use super::{LinkKinematics, Loads};
 use crate::model::{JointKind, Mode, Model, Node, joint::Floating};
@@ -44,6 +48,12 @@ impl<S: Scalar> Workspace<S> {
     /// Inertia of a link with all that hangs on it and gives way, root axes.
     pub fn articulated_inertia(&self, link: usize) -> SpatialInertia<S> {
         self.links[link].inertia
+    }
+
+    /// Spatial acceleration of a link, root axes.
+    #[inline]
+    pub fn acceleration(&self, link: usize) -> &Twist<S> {
+        &self.links[link].acceleration
     }
 
     /// The wrench that the joint of a link carries to it, about the root's origin, root axes.

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod drives;
+mod loops;
 pub mod reading;
 
 pub use super::error::FieldError;
@@ -24,20 +25,29 @@ const MOST_STEPS: f64 = 1e15;
 
 /// Builds the model, forces, drives, settings and initial state, and checks what takes numbers.
 pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
-    let setup = assemble(&Reading::new(vec![scenario]))?;
+    let mut setup = open(&Reading::new(vec![scenario]))?;
     check_recording(&setup)?;
     check_mass_matrix(scenario, &setup)?;
+    loops::close(scenario, &mut setup)?;
     Ok(setup)
 }
 
 /// The same from one scenario or several of one structure, each of which builds by itself.
 pub fn assemble<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldError> {
+    let mut setup = open(scenario)?;
+    loops::close(scenario.first(), &mut setup)?;
+    Ok(setup)
+}
+
+/// The same as it is written, its closed loops not yet closed.
+fn open<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldError> {
     let settings = settings(scenario.first())?;
     if let Some(i) = scenario.first().parameters.iter().position(|parameter| parameter.live) {
         let allowed = "false: in this version every parameter takes effect at reset";
         return Err(FieldError::new(format!("parameters.{i}.live"), true, allowed));
     }
     let bodies::Bodies { model, q, mut v, dampings } = bodies::build(scenario)?;
+    let model = loops::build(scenario, model)?;
     let mut forces = forces(scenario, &model)?;
     forces.extend(
         dampings.into_iter().map(|(coordinate, damping)| Force::JointDamping(JointDamping { coordinate, damping })),

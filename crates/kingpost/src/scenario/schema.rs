@@ -6,6 +6,7 @@ mod bodies;
 mod drives;
 mod forces;
 mod joints;
+mod loops;
 mod parameter;
 
 use indexmap::IndexMap;
@@ -23,6 +24,7 @@ pub use joints::{
     FixedJoint, FloatingJoint, InitialMotion, Joint, PrescribedRate, PrescribedSpeed, PrismaticJoint, PrismaticMode,
     RevoluteJoint, RevoluteMode,
 };
+pub use loops::{Attachment, Constraint, Distance, Loop};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 
 /// One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
@@ -45,6 +47,9 @@ pub struct Scenario {
     pub simulation: SimulationSettings,
     /// The bodies by name.
     pub bodies: IndexMap<Name, Body>,
+    /// What ties bodies together beside their joints, by name.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub loops: IndexMap<Name, Loop>,
     /// What acts on the bodies from outside, by name.
     #[serde(default)]
     pub forces: IndexMap<Name, Force>,

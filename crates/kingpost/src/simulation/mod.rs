@@ -70,6 +70,7 @@ impl<S: Scalar> Simulation<S> {
         let mut plant = Plant::new(model, forces, drives);
         let d = inputs.iter().map(|input| S::constant(input.value)).collect();
         let s = plant.open_ledger(&q, &v);
+        plant.watch_loops(&q, &v);
         let v_dot = vec![S::ZERO; v.len()];
         let state = State { steps: 0, q, v, s, d, memory: Vec::new() };
         let scheme = settings.scheme.scheme(plant.sizes());
@@ -121,8 +122,8 @@ impl<S: Scalar> Simulation<S> {
             let start = self.time_s();
             self.state.steps += 1;
             let end = self.time_s();
-            self.advance(start, end);
-            if let Err(error) = self.check(end) {
+            let advanced = self.advance(start, end);
+            if let Err(error) = advanced.and_then(|()| self.check(end)) {
                 self.state.copy_from(&self.last_good);
                 return Err(error);
             }
@@ -131,14 +132,18 @@ impl<S: Scalar> Simulation<S> {
     }
 
     /// One step, cut where a law changes its form.
-    fn advance(&mut self, start_s: f64, end_s: f64) {
+    fn advance(&mut self, start_s: f64, end_s: f64) -> Result<(), RunError> {
         let mut from = start_s;
         while from < end_s {
             let interval = self.edges.interval(from, end_s);
             self.plant.prescribe(interval, &mut self.state.v);
             self.scheme.step(&mut self.plant, interval, &mut self.state);
+            let State { q, v, .. } = &mut self.state;
+            let closed = self.plant.close_loops(q, v);
+            closed.map_err(|fault| RunError::of_loop(end_s, &self.plant.model, fault))?;
             from = interval.end_s;
         }
+        Ok(())
     }
 
     /// Where a number stops being one, or a rate passes the limit.
