@@ -3,63 +3,90 @@
 //! The articulated-body algorithm (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 7)
 //! with prescribed joints (ch. 9), over the fused links, in the axes of each branch's root. It
 //! solves M* q'' + N* q' = F* (eq. 61) without forming the matrices, and allocates nothing.
-
-mod response;
-
-pub use response::Response;
+//!
+//! The velocities' part of every link's acceleration, its drift, is known beforehand; what the drift
+//! takes (N* q') joins the loads, and the recursion is over the rest: `a = drift + response`, with
+//! the response linear in q''.
 
 use super::ball::Ball;
+use super::drift::{Drift, Relative};
 use super::{LinkKinematics, Loads};
-use crate::model::{JointKind, Mode, Model, Node, joint::Floating};
+use crate::model::{JointKind, LinkInertia, Mode, Model, Node, joint::Floating};
 use crate::scalar::Scalar;
-use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
+use crate::spatial::{Matrix3, RigidInertia, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 
 /// Working memory of [`forward_dynamics`], by link, root axes.
 #[derive(Clone, Debug)]
 pub struct Workspace<S = f64> {
     links: Vec<Articulated<S>>,
+    /// Whether nothing hangs on a link and its joint has one axis: then it stays a rigid body.
+    ends: Vec<bool>,
 }
 
 /// A link with all that hangs on it.
 #[derive(Clone, Copy, Debug, Default)]
 struct Articulated<S> {
+    /// Whether it is no more than `rigid`; else its articulated inertia is `inertia`.
+    is_rigid: bool,
+    /// Ten numbers for 21.
+    rigid: RigidInertia<S>,
     /// Articulated inertia.
     inertia: SpatialInertia<S>,
-    /// Articulated bias force.
+    /// Articulated bias force: what the drift takes, less the loads.
     bias: Wrench<S>,
-    /// Velocity term of the acceleration, twist x joint twist.
-    drift: Twist<S>,
+    /// Velocity term of the acceleration.
+    drift: Drift<S>,
     /// Articulated inertia times the joint's axis.
     gain: Wrench<S>,
     /// Reciprocal inertia along the joint's axis, the rotor's included, 1/kg or 1/(kg m^2).
     compliance: S,
     /// Force along the joint's axis that is left to accelerate it.
     drive: S,
-    /// Spatial acceleration.
-    acceleration: Twist<S>,
+    /// Acceleration beyond the drift.
+    response: Twist<S>,
 }
 
 impl<S: Scalar> Workspace<S> {
     /// Room for a model.
     pub fn new(model: &Model<S>) -> Self {
-        Self { links: vec![Articulated::default(); model.links.nodes.len()] }
+        let nodes = &model.links.nodes;
+        let end = |(i, node): (usize, &Node<S>)| {
+            let rigid = matches!(model.link_inertias[i], LinkInertia::Central { .. });
+            rigid && node.kind.axis_twist().is_some() && nodes.iter().all(|other| other.parent != Some(i))
+        };
+        let ends = nodes.iter().enumerate().map(end).collect();
+        Self { links: vec![Articulated::default(); nodes.len()], ends }
     }
 
     /// Inertia of a link with all that hangs on it and gives way, root axes.
     pub fn articulated_inertia(&self, link: usize) -> SpatialInertia<S> {
-        self.links[link].inertia
-    }
-
-    /// Spatial acceleration of a link, root axes.
-    #[inline]
-    pub fn acceleration(&self, link: usize) -> &Twist<S> {
-        &self.links[link].acceleration
+        self.links[link].inertia()
     }
 
     /// The wrench that the joint of a link carries to it, about the root's origin, root axes.
     pub fn joint_wrench(&self, link: usize) -> Wrench<S> {
         let link = &self.links[link];
-        link.inertia.times(&link.acceleration) + link.bias
+        link.times(&link.response) + link.bias
+    }
+}
+
+impl<S: Scalar> Articulated<S> {
+    #[inline]
+    fn inertia(&self) -> SpatialInertia<S> {
+        if self.is_rigid { self.rigid.to_spatial() } else { self.inertia }
+    }
+
+    /// Articulated inertia times a twist.
+    #[inline]
+    fn times(&self, twist: &Twist<S>) -> Wrench<S> {
+        if self.is_rigid { self.rigid.times(twist) } else { self.inertia.times(twist) }
+    }
+
+    /// Takes what a joint lets through.
+    #[inline]
+    fn carry(&mut self, inertia: &SpatialInertia<S>, bias: &Wrench<S>) {
+        self.inertia += *inertia;
+        self.bias += *bias;
     }
 }
 
@@ -73,75 +100,170 @@ pub fn forward_dynamics<S: Scalar>(
     work: &mut Workspace<S>,
     v_dot: &mut [S],
 ) {
-    gather(model, links, v, loads, work);
-    for (i, node) in model.links.nodes.iter().enumerate().rev() {
-        let link = &mut work.links[i];
-        let (inertia, bias) = match &node.kind {
-            JointKind::Floating(_) => continue,
-            JointKind::Spherical(joint) => {
-                let ball = Ball::new(joint, node, &links.in_root[i]);
-                ball.transmitted(&link.inertia, &link.bias, &link.drift, loads)
+    gather(model, links, v, work);
+    load(model, links, loads, work);
+    articulate(model, links, loads, work);
+    respond(model, links, loads, work, v_dot);
+}
+
+/// Every link by itself: inertia, drift, and what the drift takes.
+#[inline]
+fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, v: &[S], work: &mut Workspace<S>) {
+    let nodes = model.links.nodes.as_slice();
+    let (inertias, ends, work) = (&model.link_inertias[..nodes.len()], &work.ends[..nodes.len()], &mut work.links);
+    let (in_root, twist) = (&links.in_root[..nodes.len()], &links.twist[..nodes.len()]);
+    for (i, node) in nodes.iter().enumerate() {
+        let (before, rest) = work.split_at_mut(i);
+        let (link, frame, twist) = (&mut rest[0], &in_root[i], &twist[i]);
+        drift(node, i, links, v, before, &mut link.drift);
+        link.is_rigid = ends[i];
+        match &inertias[i] {
+            LinkInertia::Massless => {
+                (link.inertia, link.bias) = (SpatialInertia::default(), Wrench::zero());
             }
-            _ => transmitted(node, &links.axis[i], model.rotor_inertia[node.velocities], loads, link),
-        };
-        if let Some(parent) = node.parent {
-            let parent = &mut work.links[parent];
-            parent.inertia += inertia;
-            parent.bias += bias;
-        }
-    }
-    for (i, node) in model.links.nodes.iter().enumerate() {
-        let (carried, link) = match node.parent {
-            Some(p) => (work.links[p].acceleration, &mut work.links[i]),
-            None => (Twist::zero(), &mut work.links[i]),
-        };
-        match &node.kind {
-            JointKind::Floating(floating) => {
-                let (rotation, omega) = (links.root_in_world[i].rotation, links.twist[i].angular);
-                Root { floating: *floating, node, rotation, omega }.accelerate(v, loads, link, v_dot);
+            LinkInertia::Central { mass, moments } => {
+                let moments = if node.parent.is_some() { moments.rotated(&frame.rotation) } else { *moments };
+                link.bias = newton_euler(*mass, &moments, frame.position, twist.angular, &link.drift);
+                link.rigid = RigidInertia::of_centre(*mass, frame.position, &moments);
+                if !link.is_rigid {
+                    link.inertia = link.rigid.to_spatial();
+                }
             }
-            JointKind::Spherical(joint) => {
-                let (ball, carried) = (Ball::new(joint, node, &links.in_root[i]), carried + link.drift);
-                link.acceleration = ball.accelerate(&link.inertia, &link.bias, &carried, loads, v_dot);
+            LinkInertia::Rigid(rigid) => {
+                link.inertia = rigid.to_spatial();
+                link.bias = turning(rigid, twist.angular, &link.drift);
             }
-            _ => v_dot[node.velocities] = accelerate(node, &links.axis[i], carried, loads, link),
+            LinkInertia::Full => {
+                link.inertia = if node.parent.is_some() { node.inertia.to_parent(frame) } else { node.inertia };
+                link.bias = kirchhoff(&link.inertia, twist, &link.drift.spatial(frame.position, twist));
+            }
         }
     }
 }
 
-/// Every link by itself: inertia, velocity term (Kirchhoff's v x* I v) and outside loads.
+/// From the ends of the branches to their roots: what hangs on each link.
 #[inline]
-fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, v: &[S], loads: &Loads<S>, work: &mut Workspace<S>) {
-    for (i, node) in model.links.nodes.iter().enumerate() {
-        let (link, twist) = (&mut work.links[i], &links.twist[i]);
-        let momentum = match &model.rigid_links[i] {
-            Some(rigid) => {
-                let rigid = if node.parent.is_some() { rigid.to_parent(&links.in_root[i]) } else { *rigid };
-                link.inertia = rigid.to_spatial();
-                rigid.times(twist)
-            }
-            None => {
-                link.inertia = node.inertia.to_parent(&links.in_root[i]);
-                link.inertia.times(twist)
-            }
-        };
-        link.bias = twist.cross_momentum(&momentum);
+fn articulate<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<S>, work: &mut Workspace<S>) {
+    let (nodes, work) = (model.links.nodes.as_slice(), &mut work.links);
+    for (i, node) in nodes.iter().enumerate().rev() {
+        let (before, rest) = work.split_at_mut(i);
+        let (link, parent) = (&mut rest[0], node.parent.map(|p| &mut before[p]));
         match &node.kind {
             JointKind::Floating(_) => {}
             JointKind::Spherical(joint) => {
                 let ball = Ball::new(joint, node, &links.in_root[i]);
-                link.drift = twist.cross(&ball.twist(&v[node.velocities..]));
+                let (inertia, bias) = ball.transmitted(&link.inertia, &link.bias, loads);
+                parent.into_iter().for_each(|parent| parent.carry(&inertia, &bias));
             }
-            _ => link.drift = twist.cross(&links.axis[i]) * v[node.velocities],
+            _ => transmit(node, &links.axis[i], model.rotor_inertia[node.velocities], loads, link, parent),
         }
     }
+}
+
+/// From the roots out: how each link responds.
+#[inline]
+fn respond<S: Scalar>(
+    model: &Model<S>,
+    links: &LinkKinematics<S>,
+    loads: &Loads<S>,
+    work: &mut Workspace<S>,
+    v_dot: &mut [S],
+) {
+    let (nodes, work) = (model.links.nodes.as_slice(), &mut work.links);
+    for (i, node) in nodes.iter().enumerate() {
+        let (before, rest) = work.split_at_mut(i);
+        let (link, parent) = (&mut rest[0], node.parent.map(|p| &before[p].response));
+        match &node.kind {
+            JointKind::Floating(floating) => {
+                Root { floating: *floating, node, rotation: &links.root_in_world[i].rotation }
+                    .accelerate(loads, link, v_dot);
+            }
+            JointKind::Spherical(joint) => {
+                let ball = Ball::new(joint, node, &links.in_root[i]);
+                let carried = parent.copied().unwrap_or(Twist::zero());
+                link.response = ball.accelerate(&link.inertia, &link.bias, &carried, loads, v_dot);
+            }
+            _ => v_dot[node.velocities] = accelerate(node, &links.axis[i], parent, loads, link),
+        }
+    }
+}
+
+/// The drift of a link, from that of the links before it.
+#[inline]
+fn drift<S: Scalar>(
+    node: &Node<S>,
+    i: usize,
+    links: &LinkKinematics<S>,
+    v: &[S],
+    before: &[Articulated<S>],
+    drift: &mut Drift<S>,
+) {
+    let own = links.twist[i].angular;
+    let relative = match &node.kind {
+        JointKind::Floating(_) => {
+            *drift = Drift::floating(own);
+            return;
+        }
+        JointKind::Spherical(_) => {
+            let carried = node.parent.map_or(Vector3::zero(), |p| links.twist[p].angular);
+            Relative { turning: own - carried, sliding: None }
+        }
+        JointKind::Prismatic(_) => {
+            let sliding = links.axis[i].linear * v[node.velocities];
+            Relative { turning: Vector3::zero(), sliding: Some(sliding) }
+        }
+        _ => Relative { turning: links.axis[i].angular * v[node.velocities], sliding: None },
+    };
+    let here = (links.in_root[i].position, own);
+    match node.parent {
+        Some(p) => {
+            let there = (links.in_root[p].position, links.twist[p].angular);
+            before[p].drift.carry(there, links.pivot[i], &relative, here, drift);
+        }
+        None => {
+            Drift::default().carry((Vector3::zero(), Vector3::zero()), links.pivot[i], &relative, here, drift);
+        }
+    }
+}
+
+/// What the drift of a link takes, about the root's origin: `f = m a`, `n = J alpha + omega x J omega`
+/// about the centre of mass.
+#[inline]
+fn newton_euler<S: Scalar>(
+    mass: S,
+    moments: &Symmetric3<S>,
+    centre: Vector3<S>,
+    omega: Vector3<S>,
+    drift: &Drift<S>,
+) -> Wrench<S> {
+    let force = drift.linear * mass;
+    let moment = *moments * drift.angular + omega.cross(*moments * omega) + centre.cross(force);
+    Wrench { moment, force }
+}
+
+/// What it takes to turn a rigid body at a steady rate about its frame's origin, which is let go.
+#[inline]
+fn turning<S: Scalar>(rigid: &RigidInertia<S>, omega: Vector3<S>, drift: &Drift<S>) -> Wrench<S> {
+    Wrench { moment: omega.cross(rigid.moments * omega), force: drift.gradient * rigid.first_moment }
+}
+
+/// Kirchhoff's equations: `I a + v x* I v`.
+#[inline]
+fn kirchhoff<S: Scalar>(inertia: &SpatialInertia<S>, twist: &Twist<S>, rate: &Twist<S>) -> Wrench<S> {
+    inertia.times(rate) + twist.cross_momentum(&inertia.times(twist))
+}
+
+/// What acts from outside: added inertia with what its drift takes, and wrenches.
+#[inline]
+fn load<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<S>, work: &mut Workspace<S>) {
     for (body, added) in &loads.added_inertia {
         let body = &model.bodies[*body];
-        if let Some(link) = body.link {
-            let added = added.to_parent(&links.in_root[link].times(&body.in_link));
-            let twist = &links.twist[link];
-            work.links[link].inertia += added;
-            work.links[link].bias += twist.cross_momentum(&added.times(twist));
+        if let Some(i) = body.link {
+            let added = added.to_parent(&links.in_root[i].times(&body.in_link));
+            let (twist, link) = (&links.twist[i], &mut work.links[i]);
+            link.inertia = link.inertia() + added;
+            link.is_rigid = false;
+            link.bias += kirchhoff(&added, twist, &link.drift.spatial(links.in_root[i].position, twist));
         }
     }
     for (body, wrench) in &loads.wrenches {
@@ -153,25 +275,31 @@ fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, v: &[S], loads
     }
 }
 
-/// What a link's joint lets through to the parent: articulated inertia and bias.
+/// Hands to the parent what a link's joint lets through: articulated inertia and bias.
 #[inline]
-fn transmitted<S: Scalar>(
+fn transmit<S: Scalar>(
     node: &Node<S>,
     axis: &Twist<S>,
     rotor_inertia: S,
     loads: &Loads<S>,
     link: &mut Articulated<S>,
-) -> (SpatialInertia<S>, Wrench<S>) {
+    parent: Option<&mut Articulated<S>>,
+) {
     if node.mode != Mode::Free {
-        let given = link.drift + *axis * given_acceleration(node, loads);
-        return (link.inertia, link.bias + link.inertia.times(&given));
+        let given = *axis * given_acceleration(node, loads);
+        let bias = link.bias + link.times(&given);
+        return parent.into_iter().for_each(|parent| parent.carry(&link.inertia(), &bias));
     }
-    link.gain = link.inertia.times(axis);
+    link.gain = link.times(axis);
     link.compliance = S::ONE / (link.gain.dot(axis) + rotor_inertia);
     link.drive = loads.force[node.velocities] - link.bias.dot(axis);
-    let reduced = link.inertia.minus_outer(&link.gain, link.compliance);
-    let bias = link.bias + reduced.times(&link.drift) + link.gain * (link.drive * link.compliance);
-    (reduced, bias)
+    let Some(parent) = parent else { return };
+    let bias = link.bias + link.gain * (link.drive * link.compliance);
+    if link.is_rigid {
+        parent.carry(&link.rigid.to_spatial().minus_outer(&link.gain, link.compliance), &bias);
+    } else {
+        parent.carry(&link.inertia.minus_outer(&link.gain, link.compliance), &bias);
+    }
 }
 
 /// The acceleration of a joint that is not free.
@@ -185,17 +313,19 @@ fn given_acceleration<S: Scalar>(node: &Node<S>, loads: &Loads<S>) -> S {
 fn accelerate<S: Scalar>(
     node: &Node<S>,
     axis: &Twist<S>,
-    carried: Twist<S>,
+    parent: Option<&Twist<S>>,
     loads: &Loads<S>,
     link: &mut Articulated<S>,
 ) -> S {
-    let acceleration = carried + link.drift;
-    let rate = if node.mode == Mode::Free {
-        (link.drive - link.gain.dot(&acceleration)) * link.compliance
-    } else {
-        given_acceleration(node, loads)
+    let own =
+        |drive: S| if node.mode == Mode::Free { drive * link.compliance } else { given_acceleration(node, loads) };
+    let Some(carried) = parent else {
+        let rate = own(link.drive);
+        link.response = *axis * rate;
+        return rate;
     };
-    link.acceleration = acceleration + *axis * rate;
+    let rate = own(link.drive - link.gain.dot(carried));
+    link.response = *carried + *axis * rate;
     rate
 }
 
@@ -203,37 +333,26 @@ fn accelerate<S: Scalar>(
 struct Root<'a, S> {
     floating: Floating,
     node: &'a Node<S>,
-    rotation: crate::spatial::Matrix3<S>,
-    omega: Vector3<S>,
+    rotation: &'a Matrix3<S>,
 }
 
 impl<S: Scalar> Root<'_, S> {
     /// Its acceleration: six equations, or the three that are not held.
     #[inline]
-    fn accelerate(&self, v: &[S], loads: &Loads<S>, link: &mut Articulated<S>, v_dot: &mut [S]) {
-        let (rotation, at) = (&self.rotation, self.node.velocities);
+    fn accelerate(&self, loads: &Loads<S>, link: &mut Articulated<S>, v_dot: &mut [S]) {
+        let (rotation, at) = (self.rotation, self.node.velocities);
         let generalized = Wrench {
             moment: Vector3::from_slice(&loads.force[at + 3..]),
             force: rotation.transpose_times(Vector3::from_slice(&loads.force[at..])),
         };
-        let net = generalized - link.bias;
-        // The world velocity's rate is R (v' + omega x v): a held centre has the linear part below.
-        let turning = self.omega.cross(rotation.transpose_times(Vector3::from_slice(&v[at..])));
-        let inertia = &link.inertia;
-        link.acceleration = match (self.floating.hold_translation, self.floating.hold_rotation) {
+        let (net, inertia) = (generalized - link.bias, &link.inertia);
+        link.response = match (self.floating.hold_translation, self.floating.hold_rotation) {
             (false, false) => inertia.solve(&net),
-            (true, false) => {
-                let moment = net.moment + inertia.coupling * turning;
-                Twist { angular: inertia.angular.inverse() * moment, linear: -turning }
-            }
+            (true, false) => Twist { angular: inertia.angular.inverse() * net.moment, linear: Vector3::zero() },
             (false, true) => Twist { angular: Vector3::zero(), linear: inertia.linear.inverse() * net.force },
             (true, true) => Twist::zero(),
         };
-        if self.floating.hold_translation {
-            Vector3::zero().write_to(&mut v_dot[at..]);
-        } else {
-            (*rotation * (link.acceleration.linear + turning)).write_to(&mut v_dot[at..]);
-        }
-        link.acceleration.angular.write_to(&mut v_dot[at + 3..]);
+        (*rotation * link.response.linear).write_to(&mut v_dot[at..]);
+        link.response.angular.write_to(&mut v_dot[at + 3..]);
     }
 }

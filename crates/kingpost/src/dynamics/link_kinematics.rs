@@ -5,7 +5,8 @@
 //! is from the world's origin.
 
 use super::ball::Ball;
-use crate::model::{JointKind, Model, joint::Floating};
+use crate::model::joint::{Floating, Mounted};
+use crate::model::{JointKind, Model, Node};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
 
@@ -17,6 +18,9 @@ pub struct LinkKinematics<S = f64> {
     pub root_in_world: Vec<Frame<S>>,
     /// Each link in its root's frame.
     pub in_root: Vec<Frame<S>>,
+    /// From the root's origin to a point of each link's joint that moves with both its links, root
+    /// axes, m; the link's own origin for a slide.
+    pub pivot: Vec<Vector3<S>>,
     /// Twist of each link about the root's origin, root axes.
     pub twist: Vec<Twist<S>>,
     /// The same per unit rate of the link's own joint, where that has one axis; zero elsewhere.
@@ -30,6 +34,7 @@ impl<S: Scalar> LinkKinematics<S> {
         Self {
             root_in_world: vec![Frame::identity(); n],
             in_root: vec![Frame::identity(); n],
+            pivot: vec![Vector3::zero(); n],
             twist: vec![Twist::zero(); n],
             axis: vec![Twist::zero(); n],
         }
@@ -37,29 +42,39 @@ impl<S: Scalar> LinkKinematics<S> {
 
     /// Computes everything from q and v.
     pub fn update(&mut self, model: &Model<S>, q: &[S], v: &[S]) {
-        for (i, node) in model.links.nodes.iter().enumerate() {
-            let relative = node.kind.relative(&q[node.positions..]);
-            let (axis, carried) = match node.parent {
-                Some(p) => {
-                    let on_root = model.links.nodes[p].parent.is_none();
-                    self.in_root[i] = if on_root { relative } else { self.in_root[p].times(&relative) };
-                    let own = node.kind.axis_twist().map_or(Twist::zero(), |t| self.in_root[i].twist_to_parent(t));
-                    (own, self.twist[p])
-                }
-                None => {
-                    self.root_in_world[i] = relative;
-                    (node.kind.axis_twist().copied().unwrap_or(Twist::zero()), Twist::zero())
-                }
+        let nodes = &model.links.nodes;
+        for (i, node) in nodes.iter().enumerate() {
+            let (q, v) = (&q[node.positions..], &v[node.velocities..]);
+            let Some(p) = node.parent else {
+                self.update_root(i, node, q, v);
+                continue;
             };
-            self.axis[i] = axis;
-            self.twist[i] = match &node.kind {
-                JointKind::Floating(_) => Floating::twist(&relative, &v[node.velocities..]),
-                JointKind::Spherical(joint) => {
-                    carried + Ball::new(joint, node, &self.in_root[i]).twist(&v[node.velocities..])
-                }
-                _ => carried + axis * v[node.velocities],
+            let parent = nodes[p].parent.is_some().then(|| &self.in_root[p]);
+            let Mounted { frame, pivot, axis } = node.kind.mounted(parent, q);
+            let own = match &node.kind {
+                JointKind::Spherical(joint) => Ball::new(joint, node, &frame).twist(v),
+                _ => axis * v[0],
             };
+            self.twist[i] = self.twist[p] + own;
+            (self.in_root[i], self.pivot[i], self.axis[i]) = (frame, pivot, axis);
         }
+    }
+
+    /// A link on the world: its frame is what its branch is seen from.
+    #[inline]
+    fn update_root(&mut self, i: usize, node: &Node<S>, q: &[S], v: &[S]) {
+        let frame = node.kind.relative(q);
+        self.twist[i] = match &node.kind {
+            JointKind::Floating(_) => Floating::twist(&frame, v),
+            JointKind::Spherical(joint) => Ball::new(joint, node, &Frame::identity()).twist(v),
+            kind => {
+                self.axis[i] = kind.axis_twist().copied().unwrap_or(Twist::zero());
+                self.axis[i] * v[0]
+            }
+        };
+        self.pivot[i] =
+            if matches!(node.kind, JointKind::Prismatic(_)) { Vector3::zero() } else { -node.kind.to_child() };
+        self.root_in_world[i] = frame;
     }
 
     /// World frame of a body.

@@ -4,12 +4,12 @@
 //! and velocities v are flat arrays; every joint owns a range of both.
 
 pub mod joint;
-mod loops;
+mod links;
 mod shape;
 mod tree;
 
 pub use joint::{AxisMotion, Joint, JointKind, Mode};
-pub use loops::{Attachment, Constraint, Loop, Turn};
+pub use links::LinkInertia;
 pub use shape::{Axis, Shape};
 pub use tree::{Node, Tree};
 
@@ -67,8 +67,8 @@ pub struct Model<S = f64> {
     pub links: Tree<S>,
     /// The link at the foot of each link's branch.
     pub roots: Vec<usize>,
-    /// The inertia of each link in ten numbers, where its bodies are rigid.
-    pub rigid_links: Vec<Option<RigidInertia<S>>>,
+    /// The inertia of each link.
+    pub link_inertias: Vec<LinkInertia<S>>,
     /// Length of q.
     pub position_count: usize,
     /// Length of v.
@@ -80,8 +80,6 @@ pub struct Model<S = f64> {
     /// coordinate, in M* and in the kinetic energy. The rotor's momentum in space is left out: where
     /// it stands is not known.
     pub rotor_inertia: Vec<S>,
-    /// What ties bodies together beside their joints.
-    pub loops: Vec<Loop<S>>,
 }
 
 impl<S: Scalar> Model<S> {
@@ -91,7 +89,7 @@ impl<S: Scalar> Model<S> {
     /// When a parent does not come before its child: the caller orders the bodies.
     pub fn new(descriptions: Vec<BodyDescription<S>>) -> Self {
         let (mut tree, mut links) = (Tree::default(), Tree::default());
-        let (mut bodies, mut joints) = (Vec::<Body<S>>::new(), Vec::new());
+        let (mut bodies, mut joints, mut rigid) = (Vec::<Body<S>>::new(), Vec::new(), Vec::new());
         let (mut positions, mut velocities, mut modes) = (0, 0, Vec::new());
         for (index, description) in descriptions.into_iter().enumerate() {
             assert!(description.parent.is_none_or(|p| p < index), "parents come before their children");
@@ -106,8 +104,11 @@ impl<S: Scalar> Model<S> {
                 JointKind::Fixed(fixed) => (carrier, in_carrier.times(&fixed.relative())),
                 _ => (Some(links.append(&node, carrier, &in_carrier)), Frame::identity()),
             };
+            rigid.resize(links.nodes.len(), Some(RigidInertia::default()));
             if let Some(link) = link {
                 links.nodes[link].inertia += inertia.to_parent(&in_link);
+                let own = RigidInertia::from_spatial(&inertia).map(|own| own.to_parent(&in_link));
+                rigid[link] = rigid[link].zip(own).map(|(sum, own)| sum + own);
             }
             tree.nodes.push(node);
             joints.push(joint);
@@ -117,41 +118,10 @@ impl<S: Scalar> Model<S> {
         for (i, link) in links.nodes.iter().enumerate() {
             roots.push(link.parent.map_or(i, |p| roots[p]));
         }
-        let rigid_links = links.nodes.iter().map(|link| RigidInertia::from_spatial(&link.inertia)).collect();
+        let link_inertias = links::centred(&mut links, &mut bodies, rigid);
         let (position_count, velocity_count) = (positions, velocities);
-        let (rotor_inertia, loops) = (vec![S::ZERO; velocity_count], Vec::new());
-        Self {
-            bodies,
-            joints,
-            tree,
-            links,
-            roots,
-            rigid_links,
-            position_count,
-            velocity_count,
-            modes,
-            rotor_inertia,
-            loops,
-        }
-    }
-
-    /// The same model with closed loops.
-    pub fn with_loops(mut self, loops: Vec<Loop<S>>) -> Self {
-        let tied = |tie: Attachment<S>, bodies: &[Body<S>]| tie.on_link(bodies);
-        let close = |l: Loop<S>| Loop { first: tied(l.first, &self.bodies), second: tied(l.second, &self.bodies), ..l };
-        self.loops = loops.into_iter().map(close).collect();
-        self
-    }
-
-    /// Number of constraints of all loops.
-    pub fn constraint_count(&self) -> usize {
-        self.loops.iter().map(|closed| closed.constraints.len()).sum()
-    }
-
-    /// Names of all loops' constraints, in order: `drag_link.x`, ...
-    pub fn constraint_names(&self) -> Vec<String> {
-        let of = |l: &Loop<S>| l.constraints.iter().map(|(name, _)| format!("{}.{name}", l.name)).collect::<Vec<_>>();
-        self.loops.iter().flat_map(of).collect()
+        let rotor_inertia = vec![S::ZERO; velocity_count];
+        Self { bodies, joints, tree, links, roots, link_inertias, position_count, velocity_count, modes, rotor_inertia }
     }
 
     /// Index of the body of this name.

@@ -2,6 +2,7 @@
 
 use super::{Frame, Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench, hat};
 use crate::scalar::Scalar;
+use core::ops::Add;
 
 /// Mass, first moment and moments of inertia about a frame's origin: what a [`SpatialInertia`] of a
 /// rigid body comes down to, and a third of the work.
@@ -23,6 +24,24 @@ impl<S: Scalar> RigidInertia<S> {
         let rigid = Self { mass, first_moment, moments: inertia.angular };
         let same = rigid.to_spatial();
         (same.coupling == inertia.coupling && same.linear == inertia.linear).then_some(rigid)
+    }
+
+    /// A body about an origin from which its centre of mass is at `centre`, m, with the moments about
+    /// its centre of mass: Steiner's theorem.
+    #[inline]
+    pub fn of_centre(mass: S, centre: Vector3<S>, moments: &Symmetric3<S>) -> Self {
+        let first_moment = centre * mass;
+        let ([x, y, z], [mx, my, mz]) = (centre.0, first_moment.0);
+        let (xx, yy, zz) = (mx * x, my * y, mz * z);
+        let moments = Symmetric3 {
+            xx: moments.xx + (yy + zz),
+            xy: moments.xy - mx * y,
+            xz: moments.xz - mx * z,
+            yy: moments.yy + (xx + zz),
+            yz: moments.yz - my * z,
+            zz: moments.zz + (xx + yy),
+        };
+        Self { mass, first_moment, moments }
     }
 
     /// The same inertia in full.
@@ -64,6 +83,18 @@ impl<S: Scalar> RigidInertia<S> {
                 yz: moments.yz - entry(1, 2),
                 zz: moments.zz + twice - entry(2, 2),
             },
+        }
+    }
+}
+
+impl<S: Scalar> Add for RigidInertia<S> {
+    type Output = Self;
+    #[inline]
+    fn add(self, b: Self) -> Self {
+        Self {
+            mass: self.mass + b.mass,
+            first_moment: self.first_moment + b.first_moment,
+            moments: self.moments + b.moments,
         }
     }
 }

@@ -53,6 +53,11 @@ impl<S: Scalar> AxisList<S> {
         self
     }
 
+    /// The same joint, the child's frame moved by `offset`, child axes, m.
+    pub fn with_child_moved(&self, offset: Vector3<S>) -> Self {
+        Self { to_child: self.to_child + offset, ..*self }
+    }
+
     /// The axes, from the parent to the child.
     pub fn axes(&self) -> &[ElementaryAxis<S>] {
         &self.axes[..self.labels.len()]

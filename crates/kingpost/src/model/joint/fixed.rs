@@ -23,6 +23,12 @@ impl<S: Scalar> Fixed<S> {
         Self { relative: parent.times(&self.relative), to_child: self.to_child }
     }
 
+    /// The same connection, the child's frame moved by `offset`, child axes, m.
+    pub fn with_child_moved(&self, offset: Vector3<S>) -> Self {
+        let relative = self.relative.times(&Frame::translation(offset));
+        Self { relative, to_child: self.to_child + offset }
+    }
+
     /// E(child/parent).
     #[inline]
     pub fn relative(&self) -> Frame<S> {

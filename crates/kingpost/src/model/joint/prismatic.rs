@@ -1,5 +1,6 @@
 //! Translation along one axis: a telescope.
 
+use super::Mounted;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
 
@@ -25,11 +26,25 @@ impl<S: Scalar> Prismatic<S> {
         Self { placement: parent.times(&self.placement), ..*self }
     }
 
+    /// The same slide, the child's frame moved by `offset`, child axes, m.
+    pub fn with_child_moved(&self, offset: Vector3<S>) -> Self {
+        Self { to_child: self.to_child + offset, ..*self }
+    }
+
     /// E(child/parent) at an extension in m.
     #[inline]
     pub fn relative(&self, extension: S) -> Frame<S> {
         let position = self.placement.point(self.twist.linear * extension + self.to_child);
         Frame { rotation: self.placement.rotation, position }
+    }
+
+    /// See [`JointKind::mounted`](super::JointKind::mounted).
+    #[inline]
+    pub fn mounted(&self, parent: Option<&Frame<S>>, extension: S) -> Mounted<S> {
+        let relative = self.relative(extension);
+        let frame = parent.map_or(relative, |parent| parent.times(&relative));
+        let axis = Twist { angular: Vector3::zero(), linear: frame.rotation * self.twist.linear };
+        Mounted { frame, pivot: frame.position, axis }
     }
 
     /// Child's twist per unit rate.

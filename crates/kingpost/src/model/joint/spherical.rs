@@ -28,6 +28,11 @@ impl<S: Scalar> Spherical<S> {
         Self { placement: parent.times(&self.placement), ..*self }
     }
 
+    /// The same ball, the child's frame moved by `offset`, child axes, m.
+    pub fn with_child_moved(&self, offset: Vector3<S>) -> Self {
+        Self { to_child: self.to_child + offset, ..*self }
+    }
+
     /// E(child/parent) at a unit quaternion.
     pub fn relative(&self, q: &[S]) -> Frame<S> {
         let rotation = self.placement.rotation * Quaternion::from_slice(q).to_matrix();
