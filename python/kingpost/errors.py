@@ -52,9 +52,10 @@ class RunError(KingpostError):
     time_s
         Time of the step that failed, s.
     body
-        The body whose motion left its limits.
+        The body whose motion left its limits, or the closed loop that could not be kept closed.
     coordinate, value, limit
-        Its coordinate, the rate of that and `simulation.rate_limit`, m/s or rad/s.
+        Its coordinate, the rate of that and `simulation.rate_limit`, m/s or rad/s. Of a loop: the
+        constraint, what it is off by (m or rad) or its pivot, and what is allowed.
     results
         What was computed until then; `None` when nothing was recorded.
     """

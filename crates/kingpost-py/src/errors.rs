@@ -31,5 +31,11 @@ pub fn run(error: EngineRunError) -> PyErr {
         EngineRunError::Diverged { time_s, body, coordinate, value, limit, .. } => {
             RunError::new_err((message, time_s, body, coordinate, value, limit))
         }
+        EngineRunError::SingularLoop { time_s, name, constraint, pivot, allowed } => {
+            RunError::new_err((message, time_s, name, constraint, pivot, allowed))
+        }
+        EngineRunError::OpenLoop { time_s, name, constraint, gap, allowed, .. } => {
+            RunError::new_err((message, time_s, name, constraint, gap, allowed))
+        }
     }
 }

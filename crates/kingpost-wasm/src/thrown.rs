@@ -22,17 +22,26 @@ pub fn scenario(error: ScenarioError) -> JsValue {
 /// A run that cannot go on.
 pub fn run(error: RunError) -> JsValue {
     let message = error.to_string();
-    match error {
-        RunError::Diverged { time_s, body, coordinate, value, limit, .. } => object(&json!({
-            "kind": "diverged",
-            "message": message,
-            "time_s": time_s,
-            "body": body,
-            "coordinate": coordinate,
-            "value": value,
-            "limit": limit,
-        })),
-    }
+    let (kind, time_s, body, coordinate, value, limit) = match error {
+        RunError::Diverged { time_s, body, coordinate, value, limit, .. } => {
+            ("diverged", time_s, body, coordinate, value, limit)
+        }
+        RunError::SingularLoop { time_s, name, constraint, pivot, allowed } => {
+            ("singular_loop", time_s, name, constraint, pivot, allowed)
+        }
+        RunError::OpenLoop { time_s, name, constraint, gap, allowed, .. } => {
+            ("open_loop", time_s, name, constraint, gap, allowed)
+        }
+    };
+    object(&json!({
+        "kind": kind,
+        "message": message,
+        "time_s": time_s,
+        "body": body,
+        "coordinate": coordinate,
+        "value": value,
+        "limit": limit,
+    }))
 }
 
 /// An argument that the engine refuses.

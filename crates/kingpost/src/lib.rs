@@ -33,6 +33,8 @@ pub mod simulation;
 pub mod scenario;
 
 pub mod analysis;
+#[cfg(not(target_family = "wasm"))]
+pub mod batch;
 
 pub use scenario::Scenario;
 pub use simulation::Simulation;

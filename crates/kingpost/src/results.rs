@@ -1,5 +1,7 @@
 //! The registry of result channels: names, units, frames and dimensions, in one table.
 
+mod loops;
+
 use crate::ledger;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::plant::Observation;
@@ -26,6 +28,10 @@ pub enum Dimension {
     Component,
     /// Named points as `body.point`.
     Point,
+    /// Closed loops by name.
+    Loop,
+    /// Constraints of closed loops as `loop.constraint`.
+    Constraint,
 }
 
 /// The frame of a vector's components.
@@ -38,6 +44,8 @@ pub enum Components {
     Body,
     /// The joint's axes on the child's side.
     Joint,
+    /// The axes of a closed loop's first attachment.
+    Loop,
     /// Not a vector.
     None,
 }
@@ -92,8 +100,8 @@ enum Unit {
     Coordinate([&'static str; 3]),
 }
 
-use Components::{Body as InBody, Joint as InJoint, None as Number, World};
-use Dimension::{Axis, Body, Component, Coordinate, Joint, Point, Quaternion as QuaternionDim};
+use Components::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, World};
+use Dimension::{Axis, Body, Component, Constraint, Coordinate, Joint, Loop, Point, Quaternion as QuaternionDim};
 use Unit::{Coordinate as By, Plain};
 
 struct Table<S>(PhantomData<S>);
@@ -101,7 +109,7 @@ struct Table<S>(PhantomData<S>);
 #[rustfmt::skip]
 impl<S: Scalar> Table<S> {
     /// Every channel: the single source of names, units and frames.
-    const ENTRIES: [Entry<S>; 26] = [
+    const ENTRIES: [Entry<S>; 28] = [
         Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
         Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
             write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
@@ -122,6 +130,10 @@ impl<S: Scalar> Table<S> {
             dims: &[Coordinate], write: |x, out| each_coordinate(x, out, |x, c| x.observed.inverse.joint_wrench[c.body].dot(&x.observed.bodies.columns[c.index])) },
         Entry { variable: "joint_reaction", long_name: "wrench of the joint on the child, at the joint, in the child's axes, drive included", unit: Plain("N, N m"), frame: InJoint,
             dims: &[Joint, Component], write: joint_reaction },
+        Entry { variable: "loop_reaction", long_name: "wrench of the loop on its second body, at the second attachment, in the axes of the first", unit: Plain("N, N m"), frame: InLoop,
+            dims: &[Loop, Component], write: loops::reaction },
+        Entry { variable: "loop_error", long_name: "what is left open along a constraint; of an angle, its sine", unit: Plain("m or rad"), frame: Number, dims: &[Constraint],
+            write: loops::error },
         Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
             write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
         Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
@@ -190,6 +202,8 @@ impl Dimension {
                 };
                 model.bodies.iter().flat_map(names).collect()
             }
+            Loop => loops::names(model),
+            Constraint => model.constraint_names(),
         }
     }
 }

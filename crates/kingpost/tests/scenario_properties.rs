@@ -39,7 +39,27 @@ bodies:
     parent: hull
     mass_kg: 3
     shape: {box: {length_m: 1, width_m: 2, height_m: 3}}
-    joint: {revolute: {name: turn, axis: [0, 0, 1]}}
+    joint: {revolute: {name: turn, axis: [0, 0, 1], friction: {torque_kN_m: 0.1}, spring: {stiffness_kN_m_per_rad: 1, rest_deg: 5}, limits: {lower_deg: -90, upper_deg: 90, stiffness_kN_m_per_rad: 9}, rotor_inertia_kg_m2: 0.01, gear_ratio: 50}}
+  rod:
+    parent: boom
+    mass_kg: 2
+    shape: {cylinder: {radius_m: 0.1, length_m: 2}}
+    joint:
+      cylindrical:
+        axis: [1, 0, 0]
+        rotation: {initial_angle_deg: 5, damping_N_m_s: 1, mode: held}
+        translation: {friction: {force_kN: 0.1, smoothing_m_s: 0.02}, spring: {stiffness_kN_per_m: 1, rest_m: 0.1}, limits: {upper_m: 2, stiffness_kN_per_m: 9, dissipation_s_per_m: 0.3}, rotor_inertia_kg_m2: 0.01, gear_ratio_rad_per_m: 20}
+  block:
+    parent: boom
+    mass_kg: 2
+    shape: {sphere: {radius_m: 0.2}}
+    joint: {universal: {first_axis: [1, 0, 0], second_axis: [0, 2, 0], child_position_m: [0, 0, 1], first: {initial_rate_deg_s: 3}, second: {mode: {prescribed: {rate_rad_s: 0.2}}}}}
+  sledge: {mass_kg: 9, shape: {box: {length_m: 1, width_m: 2, height_m: 1}}, joint: {planar: {normal: [0, 0, 1], x_axis: [1, 0, 0], x: {initial_speed_m_s: 1}, y: {mode: held}}}}
+  load:
+    parent: block
+    mass_kg: 8
+    shape: {sphere: {radius_m: 0.3}}
+    joint: {spherical: {child_position_m: [0, 0, 2], initial_orientation_deg: [5, 0, 0], initial_angular_velocity_deg_s: [0, 5, 0], damping_N_m_s: 3}}
 forces:
   weight: {gravity: {}}
   water: {viscous_damping: {body: hull, linear_kN_s_m: [1, 2, 3]}}
@@ -47,6 +67,8 @@ drives:
   push: {linear_motor: {joint: ram, force_kN: 0.001, history: lever}}
   hold: {linear_servo: {enabled: false, joint: ram, target_m: 1, stiffness_kN_per_m: 1, damping_kN_s_per_m: 1, force_limit_kN: 1}}
   swing: {servo: {joint: turn, target_deg: 20, stiffness_kN_m_per_rad: 1, damping_kN_m_s_per_rad: 0.1, torque_limit_kN_m: 1}}
+  grip: {brake: {joint: block.first, torque_kN_m: 0.05, state: lever}}
+  clamp: {linear_brake: {joint: rod.translation, force_kN: 0.2, smoothing_m_s: 0.001}}
   spin: {motor: {enabled: false, joint: turn, torque_kN_m: 1}}
 "#;
 
@@ -73,7 +95,7 @@ fn a_resolved_scenario_reads_back_to_itself() {
 fn bodies_and_drives_keep_the_order_of_the_file() {
     let scenario = try_set(EVERYTHING, &[]).unwrap();
     let bodies: Vec<&str> = scenario.bodies.keys().map(|name| name.as_str()).collect();
-    assert_eq!(bodies, ["hull", "post", "ram", "boom", "hook", "crate"]);
+    assert_eq!(bodies, ["hull", "post", "ram", "boom", "hook", "crate", "rod", "block", "sledge", "load"]);
     let points: Vec<&str> = scenario.bodies["ram"].points.keys().map(|name| name.as_str()).collect();
     assert_eq!(points, ["nose", "heel"]);
 }
@@ -118,6 +140,10 @@ fn sign(path: &str) -> Option<bool> {
         "length_m",
         "width_m",
         "height_m",
+        "gear_ratio",
+        "gear_ratio_rad_per_m",
+        "smoothing_rad_s",
+        "smoothing_m_s",
     ];
     let non_negative = [
         "damping",
@@ -133,8 +159,15 @@ fn sign(path: &str) -> Option<bool> {
         "reverse_s",
         "acceleration",
         "seed",
+        "dissipation",
+        "rotor_inertia",
     ];
-    if positive.contains(&name) {
+    let is_stop = path.contains(".limits.stiffness");
+    let is_friction =
+        ["friction.torque", "friction.force", "brake.torque", "brake.force"].iter().any(|p| path.contains(p));
+    if is_friction {
+        Some(false)
+    } else if is_stop || positive.contains(&name) {
         Some(true)
     } else {
         non_negative.iter().any(|start| name.starts_with(start)).then_some(false)

@@ -60,6 +60,14 @@ fn a_step_allocates_nothing_with_every_joint_force_and_drive() {
 }
 
 #[test]
+fn a_step_allocates_nothing_with_a_closed_loop() {
+    let mut simulation = common::simulation(&common::tied_ships("recursive"));
+    let before = ALLOCATIONS.with(Cell::get);
+    simulation.step(1000).unwrap();
+    assert_eq!(ALLOCATIONS.with(Cell::get), before);
+}
+
+#[test]
 fn a_snapshot_taken_anywhere_resumes_to_the_same_bits() {
     for integrator in ["forward_euler", "midpoint_euler", "rk4"] {
         let build = || {

@@ -58,6 +58,18 @@ export type Body = {
         prismatic: PrismaticJoint;
       }
     | {
+        cylindrical: CylindricalJoint;
+      }
+    | {
+        universal: UniversalJoint;
+      }
+    | {
+        planar: PlanarJoint;
+      }
+    | {
+        spherical: SphericalJoint;
+      }
+    | {
         fixed: FixedJoint;
       };
   /**
@@ -243,6 +255,30 @@ export type RevoluteJoint = {
    */
   damping_kN_m_s?: number;
   /**
+   * Dry friction.
+   */
+  friction?: AngleFriction | null;
+  /**
+   * A spring.
+   */
+  spring?: AngleSpring | null;
+  /**
+   * Stops at the ends of the travel.
+   */
+  limits?: AngleLimits | null;
+  /**
+   * Moment of inertia of the motor's rotor about its own axis, kg m^2.
+   */
+  rotor_inertia_kg_m2?: number;
+  /**
+   * The same as `rotor_inertia_kg_m2`, in the unit of this name.
+   */
+  rotor_inertia_t_m2?: number;
+  /**
+   * Turns of the rotor for one turn about the axis.
+   */
+  gear_ratio?: number;
+  /**
    * Free, held or prescribed.
    */
   mode?:
@@ -253,7 +289,92 @@ export type RevoluteJoint = {
       };
 };
 /**
- * A hinge's rate as a given function of time.
+ * Dry friction against turning, `torque rate / sqrt(rate^2 + smoothing^2)`.
+ */
+export type AngleFriction = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Its torque, N m.
+   */
+  torque_N_m?: number;
+  /**
+   * The same as `torque_N_m`, in the unit of this name.
+   */
+  torque_kN_m?: number;
+  /**
+   * Rate about which it changes its sign smoothly, rad/s; what should stick creeps below it.
+   */
+  smoothing_rad_s?: number;
+  /**
+   * The same as `smoothing_rad_s`, in the unit of this name.
+   */
+  smoothing_deg_s?: number;
+};
+/**
+ * A linear spring about an axis.
+ */
+export type AngleSpring = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Moment per angle, N m/rad.
+   */
+  stiffness_N_m_per_rad?: number;
+  /**
+   * The same as `stiffness_N_m_per_rad`, in the unit of this name.
+   */
+  stiffness_kN_m_per_rad?: number;
+  /**
+   * Angle at which it is slack, rad.
+   */
+  rest_rad?: number;
+  /**
+   * The same as `rest_rad`, in the unit of this name.
+   */
+  rest_deg?: number;
+};
+/**
+ * Stops that push back with `stiffness d (1 + dissipation d')` at the depth d beyond a limit, never outwards.
+ */
+export type AngleLimits = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Smallest angle, rad; none when absent.
+   */
+  lower_rad?: number;
+  /**
+   * The same as `lower_rad`, in the unit of this name.
+   */
+  lower_deg?: number;
+  /**
+   * Largest angle, rad; none when absent.
+   */
+  upper_rad?: number;
+  /**
+   * The same as `upper_rad`, in the unit of this name.
+   */
+  upper_deg?: number;
+  /**
+   * Moment per angle beyond a limit, N m/rad.
+   */
+  stiffness_N_m_per_rad?: number;
+  /**
+   * The same as `stiffness_N_m_per_rad`, in the unit of this name.
+   */
+  stiffness_kN_m_per_rad?: number;
+  /**
+   * What is lost: of a small rate u a stop gives back about `u (1 - 2/3 dissipation u)`, s/rad.
+   */
+  dissipation_s_per_rad?: number;
+  /**
+   * The same as `dissipation_s_per_rad`, in the unit of this name.
+   */
+  dissipation_s_per_deg?: number;
+};
+/**
+ * A rate of turning as a given function of time.
  */
 export type PrescribedRate = {
   [k: string]: unknown;
@@ -335,6 +456,30 @@ export type PrismaticJoint = {
    */
   damping_kN_s_m?: number;
   /**
+   * Dry friction.
+   */
+  friction?: LengthFriction | null;
+  /**
+   * A spring.
+   */
+  spring?: LengthSpring | null;
+  /**
+   * Stops at the ends of the travel.
+   */
+  limits?: LengthLimits | null;
+  /**
+   * Moment of inertia of the motor's rotor about its own axis, kg m^2.
+   */
+  rotor_inertia_kg_m2?: number;
+  /**
+   * The same as `rotor_inertia_kg_m2`, in the unit of this name.
+   */
+  rotor_inertia_t_m2?: number;
+  /**
+   * Angle of the rotor per extension, rad/m.
+   */
+  gear_ratio_rad_per_m?: number;
+  /**
    * Free, held or prescribed.
    */
   mode?:
@@ -343,6 +488,716 @@ export type PrismaticJoint = {
     | {
         prescribed: PrescribedSpeed;
       };
+};
+/**
+ * Dry friction against sliding, `force speed / sqrt(speed^2 + smoothing^2)`.
+ */
+export type LengthFriction = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Its force, N.
+   */
+  force_N?: number;
+  /**
+   * The same as `force_N`, in the unit of this name.
+   */
+  force_kN?: number;
+  /**
+   * Speed about which it changes its sign smoothly, m/s; what should stick creeps below it.
+   */
+  smoothing_m_s?: number;
+};
+/**
+ * A linear spring along an axis.
+ */
+export type LengthSpring = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Force per extension, N/m.
+   */
+  stiffness_N_per_m?: number;
+  /**
+   * The same as `stiffness_N_per_m`, in the unit of this name.
+   */
+  stiffness_kN_per_m?: number;
+  /**
+   * Extension at which it is slack, m.
+   */
+  rest_m?: number;
+};
+/**
+ * Stops that push back with `stiffness d (1 + dissipation d')` at the depth d beyond a limit, never outwards.
+ */
+export type LengthLimits = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Smallest extension, m; none when absent.
+   */
+  lower_m?: number;
+  /**
+   * Largest extension, m; none when absent.
+   */
+  upper_m?: number;
+  /**
+   * Force per extension beyond a limit, N/m.
+   */
+  stiffness_N_per_m?: number;
+  /**
+   * The same as `stiffness_N_per_m`, in the unit of this name.
+   */
+  stiffness_kN_per_m?: number;
+  /**
+   * What is lost: of a small speed u a stop gives back about `u (1 - 2/3 dissipation u)`, s/m.
+   */
+  dissipation_s_per_m?: number;
+};
+/**
+ * Turns about and slides along one axis. Its coordinates are `rotation` and `translation`.
+ */
+export type CylindricalJoint = {
+  /**
+   * Name of the joint; the body's when absent.
+   */
+  name?: string | null;
+  /**
+   * The axis in this body's axes, of any length but 0.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  axis: [number, number, number];
+  /**
+   * The joint in the parent's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The joint in this body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  child_position_m?: [number, number, number];
+  /**
+   * This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  rotation?: AngleAxis;
+  translation?: LengthAxis;
+};
+/**
+ * The turning about the axis.
+ */
+export type AngleAxis = {
+  /**
+   * Angle at the start, rad.
+   */
+  initial_angle_rad?: number;
+  /**
+   * The same as `initial_angle_rad`, in the unit of this name.
+   */
+  initial_angle_deg?: number;
+  /**
+   * Rate at the start, rad/s.
+   */
+  initial_rate_rad_s?: number;
+  /**
+   * The same as `initial_rate_rad_s`, in the unit of this name.
+   */
+  initial_rate_deg_s?: number;
+  /**
+   * Free, held or prescribed.
+   */
+  mode?:
+    | "free"
+    | "held"
+    | {
+        prescribed: PrescribedRate;
+      };
+  /**
+   * Viscous damping moment per rate, N m s.
+   */
+  damping_N_m_s?: number;
+  /**
+   * The same as `damping_N_m_s`, in the unit of this name.
+   */
+  damping_kN_m_s?: number;
+  /**
+   * Dry friction.
+   */
+  friction?: AngleFriction | null;
+  /**
+   * A spring.
+   */
+  spring?: AngleSpring | null;
+  /**
+   * Stops at the ends of the travel.
+   */
+  limits?: AngleLimits | null;
+  /**
+   * Moment of inertia of the motor's rotor about its own axis, kg m^2.
+   */
+  rotor_inertia_kg_m2?: number;
+  /**
+   * The same as `rotor_inertia_kg_m2`, in the unit of this name.
+   */
+  rotor_inertia_t_m2?: number;
+  /**
+   * Turns of the rotor for one turn about the axis.
+   */
+  gear_ratio?: number;
+};
+/**
+ * The sliding along the axis.
+ */
+export type LengthAxis = {
+  /**
+   * Extension at the start, m.
+   */
+  initial_extension_m?: number;
+  /**
+   * Speed at the start, m/s.
+   */
+  initial_speed_m_s?: number;
+  /**
+   * Free, held or prescribed.
+   */
+  mode?:
+    | "free"
+    | "held"
+    | {
+        prescribed: PrescribedSpeed;
+      };
+  /**
+   * Viscous damping force per speed, N s/m.
+   */
+  damping_N_s_m?: number;
+  /**
+   * The same as `damping_N_s_m`, in the unit of this name.
+   */
+  damping_kN_s_m?: number;
+  /**
+   * Dry friction.
+   */
+  friction?: LengthFriction | null;
+  /**
+   * A spring.
+   */
+  spring?: LengthSpring | null;
+  /**
+   * Stops at the ends of the travel.
+   */
+  limits?: LengthLimits | null;
+  /**
+   * Moment of inertia of the motor's rotor about its own axis, kg m^2.
+   */
+  rotor_inertia_kg_m2?: number;
+  /**
+   * The same as `rotor_inertia_kg_m2`, in the unit of this name.
+   */
+  rotor_inertia_t_m2?: number;
+  /**
+   * Angle of the rotor per extension, rad/m.
+   */
+  gear_ratio_rad_per_m?: number;
+};
+/**
+ * Turns about an axis that stays with the parent, then about one that stays with this body. Its coordinates are
+ * `first` and `second`.
+ */
+export type UniversalJoint = {
+  /**
+   * Name of the joint; the body's when absent.
+   */
+  name?: string | null;
+  /**
+   * The axis that stays with the parent, in this body's axes at angle 0, of any length but 0.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  first_axis: [number, number, number];
+  /**
+   * The axis that stays with this body, in its axes, perpendicular to the first.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  second_axis: [number, number, number];
+  /**
+   * The joint in the parent's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The joint in this body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  child_position_m?: [number, number, number];
+  /**
+   * This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  first?: AngleAxis1;
+  second?: AngleAxis2;
+};
+/**
+ * The turning about the first axis.
+ */
+export type AngleAxis1 = {
+  /**
+   * Angle at the start, rad.
+   */
+  initial_angle_rad?: number;
+  /**
+   * The same as `initial_angle_rad`, in the unit of this name.
+   */
+  initial_angle_deg?: number;
+  /**
+   * Rate at the start, rad/s.
+   */
+  initial_rate_rad_s?: number;
+  /**
+   * The same as `initial_rate_rad_s`, in the unit of this name.
+   */
+  initial_rate_deg_s?: number;
+  /**
+   * Free, held or prescribed.
+   */
+  mode?:
+    | "free"
+    | "held"
+    | {
+        prescribed: PrescribedRate;
+      };
+  /**
+   * Viscous damping moment per rate, N m s.
+   */
+  damping_N_m_s?: number;
+  /**
+   * The same as `damping_N_m_s`, in the unit of this name.
+   */
+  damping_kN_m_s?: number;
+  /**
+   * Dry friction.
+   */
+  friction?: AngleFriction | null;
+  /**
+   * A spring.
+   */
+  spring?: AngleSpring | null;
+  /**
+   * Stops at the ends of the travel.
+   */
+  limits?: AngleLimits | null;
+  /**
+   * Moment of inertia of the motor's rotor about its own axis, kg m^2.
+   */
+  rotor_inertia_kg_m2?: number;
+  /**
+   * The same as `rotor_inertia_kg_m2`, in the unit of this name.
+   */
+  rotor_inertia_t_m2?: number;
+  /**
+   * Turns of the rotor for one turn about the axis.
+   */
+  gear_ratio?: number;
+};
+/**
+ * The turning about the second axis.
+ */
+export type AngleAxis2 = {
+  /**
+   * Angle at the start, rad.
+   */
+  initial_angle_rad?: number;
+  /**
+   * The same as `initial_angle_rad`, in the unit of this name.
+   */
+  initial_angle_deg?: number;
+  /**
+   * Rate at the start, rad/s.
+   */
+  initial_rate_rad_s?: number;
+  /**
+   * The same as `initial_rate_rad_s`, in the unit of this name.
+   */
+  initial_rate_deg_s?: number;
+  /**
+   * Free, held or prescribed.
+   */
+  mode?:
+    | "free"
+    | "held"
+    | {
+        prescribed: PrescribedRate;
+      };
+  /**
+   * Viscous damping moment per rate, N m s.
+   */
+  damping_N_m_s?: number;
+  /**
+   * The same as `damping_N_m_s`, in the unit of this name.
+   */
+  damping_kN_m_s?: number;
+  /**
+   * Dry friction.
+   */
+  friction?: AngleFriction | null;
+  /**
+   * A spring.
+   */
+  spring?: AngleSpring | null;
+  /**
+   * Stops at the ends of the travel.
+   */
+  limits?: AngleLimits | null;
+  /**
+   * Moment of inertia of the motor's rotor about its own axis, kg m^2.
+   */
+  rotor_inertia_kg_m2?: number;
+  /**
+   * The same as `rotor_inertia_kg_m2`, in the unit of this name.
+   */
+  rotor_inertia_t_m2?: number;
+  /**
+   * Turns of the rotor for one turn about the axis.
+   */
+  gear_ratio?: number;
+};
+/**
+ * Slides in a plane that stays with the parent and turns about its normal. Its coordinates are `x`, `y` and
+ * `rotation`.
+ */
+export type PlanarJoint = {
+  /**
+   * Name of the joint; the body's when absent.
+   */
+  name?: string | null;
+  /**
+   * The plane's normal in this body's axes, of any length but 0.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  normal: [number, number, number];
+  /**
+   * The direction of x in the plane, in this body's axes at angle 0, perpendicular to the normal; y is the normal
+   * times x.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  x_axis: [number, number, number];
+  /**
+   * The joint in the parent's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The joint in this body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  child_position_m?: [number, number, number];
+  /**
+   * This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  x?: LengthAxis1;
+  y?: LengthAxis2;
+  rotation?: AngleAxis3;
+};
+/**
+ * The sliding along x.
+ */
+export type LengthAxis1 = {
+  /**
+   * Extension at the start, m.
+   */
+  initial_extension_m?: number;
+  /**
+   * Speed at the start, m/s.
+   */
+  initial_speed_m_s?: number;
+  /**
+   * Free, held or prescribed.
+   */
+  mode?:
+    | "free"
+    | "held"
+    | {
+        prescribed: PrescribedSpeed;
+      };
+  /**
+   * Viscous damping force per speed, N s/m.
+   */
+  damping_N_s_m?: number;
+  /**
+   * The same as `damping_N_s_m`, in the unit of this name.
+   */
+  damping_kN_s_m?: number;
+  /**
+   * Dry friction.
+   */
+  friction?: LengthFriction | null;
+  /**
+   * A spring.
+   */
+  spring?: LengthSpring | null;
+  /**
+   * Stops at the ends of the travel.
+   */
+  limits?: LengthLimits | null;
+  /**
+   * Moment of inertia of the motor's rotor about its own axis, kg m^2.
+   */
+  rotor_inertia_kg_m2?: number;
+  /**
+   * The same as `rotor_inertia_kg_m2`, in the unit of this name.
+   */
+  rotor_inertia_t_m2?: number;
+  /**
+   * Angle of the rotor per extension, rad/m.
+   */
+  gear_ratio_rad_per_m?: number;
+};
+/**
+ * The sliding along y.
+ */
+export type LengthAxis2 = {
+  /**
+   * Extension at the start, m.
+   */
+  initial_extension_m?: number;
+  /**
+   * Speed at the start, m/s.
+   */
+  initial_speed_m_s?: number;
+  /**
+   * Free, held or prescribed.
+   */
+  mode?:
+    | "free"
+    | "held"
+    | {
+        prescribed: PrescribedSpeed;
+      };
+  /**
+   * Viscous damping force per speed, N s/m.
+   */
+  damping_N_s_m?: number;
+  /**
+   * The same as `damping_N_s_m`, in the unit of this name.
+   */
+  damping_kN_s_m?: number;
+  /**
+   * Dry friction.
+   */
+  friction?: LengthFriction | null;
+  /**
+   * A spring.
+   */
+  spring?: LengthSpring | null;
+  /**
+   * Stops at the ends of the travel.
+   */
+  limits?: LengthLimits | null;
+  /**
+   * Moment of inertia of the motor's rotor about its own axis, kg m^2.
+   */
+  rotor_inertia_kg_m2?: number;
+  /**
+   * The same as `rotor_inertia_kg_m2`, in the unit of this name.
+   */
+  rotor_inertia_t_m2?: number;
+  /**
+   * Angle of the rotor per extension, rad/m.
+   */
+  gear_ratio_rad_per_m?: number;
+};
+/**
+ * The turning about the normal.
+ */
+export type AngleAxis3 = {
+  /**
+   * Angle at the start, rad.
+   */
+  initial_angle_rad?: number;
+  /**
+   * The same as `initial_angle_rad`, in the unit of this name.
+   */
+  initial_angle_deg?: number;
+  /**
+   * Rate at the start, rad/s.
+   */
+  initial_rate_rad_s?: number;
+  /**
+   * The same as `initial_rate_rad_s`, in the unit of this name.
+   */
+  initial_rate_deg_s?: number;
+  /**
+   * Free, held or prescribed.
+   */
+  mode?:
+    | "free"
+    | "held"
+    | {
+        prescribed: PrescribedRate;
+      };
+  /**
+   * Viscous damping moment per rate, N m s.
+   */
+  damping_N_m_s?: number;
+  /**
+   * The same as `damping_N_m_s`, in the unit of this name.
+   */
+  damping_kN_m_s?: number;
+  /**
+   * Dry friction.
+   */
+  friction?: AngleFriction | null;
+  /**
+   * A spring.
+   */
+  spring?: AngleSpring | null;
+  /**
+   * Stops at the ends of the travel.
+   */
+  limits?: AngleLimits | null;
+  /**
+   * Moment of inertia of the motor's rotor about its own axis, kg m^2.
+   */
+  rotor_inertia_kg_m2?: number;
+  /**
+   * The same as `rotor_inertia_kg_m2`, in the unit of this name.
+   */
+  rotor_inertia_t_m2?: number;
+  /**
+   * Turns of the rotor for one turn about the axis.
+   */
+  gear_ratio?: number;
+};
+/**
+ * Turns about a point. Its coordinates `x`, `y` and `z` are the angular velocity against the parent in this body's
+ * axes.
+ */
+export type SphericalJoint = {
+  /**
+   * Name of the joint; the body's when absent.
+   */
+  name?: string | null;
+  /**
+   * The joint in the parent's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The joint in this body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  child_position_m?: [number, number, number];
+  /**
+   * This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  /**
+   * This body's axes at the start in those that `orientation_rad` gives: roll, pitch, yaw (intrinsic z-y-x angles),
+   * rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  initial_orientation_rad?: [number, number, number];
+  /**
+   * The same as `initial_orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  initial_orientation_deg?: [number, number, number];
+  /**
+   * Angular velocity against the parent at the start, in this body's axes, rad/s.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  initial_angular_velocity_rad_s?: [number, number, number];
+  /**
+   * The same as `initial_angular_velocity_rad_s`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  initial_angular_velocity_deg_s?: [number, number, number];
+  /**
+   * Viscous damping moment per angular velocity, N m s.
+   */
+  damping_N_m_s?: number;
+  /**
+   * The same as `damping_N_m_s`, in the unit of this name.
+   */
+  damping_kN_m_s?: number;
+  /**
+   * Holds the orientation against the parent as it is.
+   */
+  held?: boolean;
 };
 /**
  * No motion against the parent.
@@ -381,6 +1236,79 @@ export type FixedJoint = {
    */
   orientation_deg?: [number, number, number];
 };
+/**
+ * Where it is tied to one body. Constraints are along and about these axes.
+ */
+export type Attachment = {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+};
+/**
+ * Where it is tied to the other.
+ */
+export type Attachment1 = {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+};
+/**
+ * One equation between the two attachments.
+ */
+export type Constraint =
+  | "x"
+  | "y"
+  | "z"
+  | "roll"
+  | "pitch"
+  | "yaw"
+  | {
+      distance: Distance;
+    };
 /**
  * What acts on the bodies from outside.
  *
@@ -453,6 +1381,12 @@ export type Drive =
     }
   | {
       linear_servo: LinearServo;
+    }
+  | {
+      brake: Brake;
+    }
+  | {
+      linear_brake: LinearBrake;
     };
 /**
  * A torque in a revolute joint; the reaction acts on the parent.
@@ -465,7 +1399,7 @@ export type Motor = {
    */
   enabled?: boolean;
   /**
-   * The revolute joint.
+   * The revolute joint, or `joint.axis` for an axis that another joint turns about.
    */
   joint: string;
   /**
@@ -496,7 +1430,7 @@ export type LinearMotor = {
    */
   enabled?: boolean;
   /**
-   * The prismatic joint.
+   * The prismatic joint, or `joint.axis` for an axis that another joint slides along.
    */
   joint: string;
   /**
@@ -527,7 +1461,7 @@ export type Servo = {
    */
   enabled?: boolean;
   /**
-   * The revolute joint.
+   * The revolute joint, or `joint.axis` for an axis that another joint turns about.
    */
   joint: string;
   /**
@@ -574,7 +1508,7 @@ export type LinearServo = {
    */
   enabled?: boolean;
   /**
-   * The prismatic joint.
+   * The prismatic joint, or `joint.axis` for an axis that another joint slides along.
    */
   joint: string;
   /**
@@ -606,6 +1540,72 @@ export type LinearServo = {
    */
   force_limit_kN?: number;
 };
+/**
+ * Dry friction about an axis, `torque rate / sqrt(rate^2 + smoothing^2)` when set.
+ */
+export type Brake = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it is there.
+   */
+  enabled?: boolean;
+  /**
+   * The revolute joint, or `joint.axis` for an axis that another joint turns about.
+   */
+  joint: string;
+  /**
+   * Capacity: the torque that it can hold, N m.
+   */
+  torque_N_m?: number;
+  /**
+   * The same as `torque_N_m`, in the unit of this name.
+   */
+  torque_kN_m?: number;
+  /**
+   * Rate about which its torque changes its sign smoothly, rad/s; what it holds creeps below it.
+   */
+  smoothing_rad_s?: number;
+  /**
+   * The same as `smoothing_rad_s`, in the unit of this name.
+   */
+  smoothing_deg_s?: number;
+  /**
+   * Set, released, or by a lever.
+   */
+  state?: "set" | "released" | "lever";
+};
+/**
+ * Dry friction along an axis, `force speed / sqrt(speed^2 + smoothing^2)` when set.
+ */
+export type LinearBrake = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it is there.
+   */
+  enabled?: boolean;
+  /**
+   * The prismatic joint, or `joint.axis` for an axis that another joint slides along.
+   */
+  joint: string;
+  /**
+   * Capacity: the force that it can hold, N.
+   */
+  force_N?: number;
+  /**
+   * The same as `force_N`, in the unit of this name.
+   */
+  force_kN?: number;
+  /**
+   * Speed about which its force changes its sign smoothly, m/s; what it holds creeps below it.
+   */
+  smoothing_m_s?: number;
+  /**
+   * Set, released, or by a lever.
+   */
+  state?: "set" | "released" | "lever";
+};
 
 /**
  * One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
@@ -633,6 +1633,12 @@ export interface Scenario {
    */
   bodies: {
     [k: string]: Body;
+  };
+  /**
+   * What ties bodies together beside their joints, by name.
+   */
+  loops?: {
+    [k: string]: Loop;
   };
   /**
    * What acts on the bodies from outside, by name.
@@ -816,7 +1822,7 @@ export interface Pulse {
   reverse_s: number;
 }
 /**
- * A slide's speed as a given function of time.
+ * A speed of sliding as a given function of time.
  */
 export interface PrescribedSpeed {
   /**
@@ -846,6 +1852,39 @@ export interface Point {
    * @maxItems 3
    */
   position_m: [number, number, number];
+}
+/**
+ * A joint that closes a loop, cut out of the tree and written as constraints between the two bodies that it ties. Name
+ * only those that the joints do not keep already: a four-bar linkage in the x-z plane needs x and z.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export interface Loop {
+  /**
+   * Whether it holds.
+   */
+  enabled?: boolean;
+  first: Attachment;
+  second: Attachment1;
+  /**
+   * What it constrains, in any order; none may follow from the others.
+   */
+  constraints: Constraint[];
+  /**
+   * The largest gap at the start that is closed by moving the free joints, m, and rad for angles. They move by the
+   * least that the masses allow; a larger gap is an error.
+   */
+  start_gap_m?: number;
+}
+/**
+ * A distance to keep.
+ */
+export interface Distance {
+  /**
+   * Length of the rod, m.
+   */
+  length_m: number;
 }
 /**
  * Weight of every body, downwards along the world's z axis.

@@ -18,6 +18,8 @@ export function showFaults(session: Session): void {
 const HEADINGS: Record<string, string> = {
   scenario: "This scenario does not read",
   diverged: "The run diverged",
+  singular_loop: "A closed loop is at a dead centre",
+  open_loop: "A closed loop does not close",
   input: "That value is not allowed",
 };
 

@@ -76,9 +76,21 @@ impl<'a, S: Scalar> Ball<'a, S> {
         loads: &Loads<S>,
         v_dot: &mut [S],
     ) -> Twist<S> {
+        self.accelerate_under(self.moment(loads), inertia, bias, carried, v_dot)
+    }
+
+    /// The same under a moment applied in the joint.
+    fn accelerate_under(
+        &self,
+        applied: Vector3<S>,
+        inertia: &SpatialInertia<S>,
+        bias: &Wrench<S>,
+        carried: &Twist<S>,
+        v_dot: &mut [S],
+    ) -> Twist<S> {
         let to_ball = Frame::translation(-self.position);
         let load = inertia.times(carried) + *bias;
-        let missing = self.moment(loads) - to_ball.wrench_to_parent(&load).moment;
+        let missing = applied - to_ball.wrench_to_parent(&load).moment;
         let rate = if self.node.mode == Mode::Free {
             inertia.to_parent(&to_ball).angular.inverse() * missing
         } else {
@@ -87,5 +99,27 @@ impl<'a, S: Scalar> Ball<'a, S> {
         let in_child = self.in_root.rotation.transpose_times(rate);
         in_child.write_to(&mut v_dot[self.node.velocities..]);
         *carried + self.twist(&in_child.0)
+    }
+    /// What the ball lets through of a bias alone, without velocities and other loads.
+    pub(super) fn passes(&self, inertia: &SpatialInertia<S>, bias: &Wrench<S>) -> Wrench<S> {
+        if self.node.mode != Mode::Free {
+            return *bias;
+        }
+        let to_ball = Frame::translation(-self.position);
+        let (about_ball, bias) = (inertia.to_parent(&to_ball), to_ball.wrench_to_parent(bias));
+        let yielding = about_ball.coupling.transpose_times(about_ball.angular.inverse() * bias.moment);
+        let force = bias.force - yielding;
+        Frame::translation(self.position).wrench_to_parent(&Wrench { moment: Vector3::zero(), force })
+    }
+
+    /// The acceleration that a bias alone makes; writes that of the joint's coordinates.
+    pub(super) fn respond(
+        &self,
+        inertia: &SpatialInertia<S>,
+        bias: &Wrench<S>,
+        carried: &Twist<S>,
+        rates: &mut [S],
+    ) -> Twist<S> {
+        self.accelerate_under(Vector3::zero(), inertia, bias, carried, rates)
     }
 }

@@ -8,6 +8,10 @@
 //! takes (N* q') joins the loads, and the recursion is over the rest: `a = drift + response`, with
 //! the response linear in q''.
 
+mod response;
+
+pub use response::Response;
+
 use super::ball::Ball;
 use super::drift::{Drift, Relative};
 use super::{LinkKinematics, Loads};
@@ -61,6 +65,13 @@ impl<S: Scalar> Workspace<S> {
     /// Inertia of a link with all that hangs on it and gives way, root axes.
     pub fn articulated_inertia(&self, link: usize) -> SpatialInertia<S> {
         self.links[link].inertia()
+    }
+
+    /// Spatial acceleration of a link, root axes.
+    #[inline]
+    pub fn acceleration(&self, links: &LinkKinematics<S>, link: usize) -> Twist<S> {
+        let Articulated { drift, response, .. } = &self.links[link];
+        drift.spatial(links.in_root[link].position, &links.twist[link]) + *response
     }
 
     /// The wrench that the joint of a link carries to it, about the root's origin, root axes.

@@ -4,6 +4,8 @@
 //! teaching, for printing, and as the oracle. [`forward`] computes the same accelerations by
 //! recursion, in time linear in the number of bodies. Tests hold them equal.
 //!
+//! Closed loops are [`loops`]: multipliers over the recursion, and the bordered system as its oracle.
+//!
 //! Nothing here knows where loads come from: they arrive as one struct, [`Loads`].
 
 mod ball;
@@ -14,6 +16,7 @@ pub mod inverse;
 mod kinematics;
 mod link_kinematics;
 mod loads;
+pub mod loops;
 pub mod moving_frame;
 pub mod pivots;
 

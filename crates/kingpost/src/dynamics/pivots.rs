@@ -8,14 +8,15 @@ use crate::spatial::{SpatialInertia, Twist};
 /// A pivot of M* below this share of what the coordinate moves with its branch locked is rounding.
 const SMALLEST_SHARE: f64 = 1e-13;
 
-/// The first coordinate of v along which nothing is left to accelerate once the branch above it is
-/// free to give way, in time linear in the number of links. `None` where M* is positive definite.
+/// A coordinate of v along which nothing is left to accelerate once the branch above it is free to
+/// give way, in time linear in the number of links; of several on a branch the outermost, which is
+/// what spoils the others. `None` where M* is positive definite.
 pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> Option<usize> {
     let (loads, mut work) = (Loads::new(model), forward::Workspace::new(model));
     let mut v_dot = vec![0.0; v.len()];
     forward::forward_dynamics(model, links, v, &loads, &mut work, &mut v_dot);
     let locked = locked_inertias(model, links);
-    for (i, node) in model.links.nodes.iter().enumerate() {
+    for (i, node) in model.links.nodes.iter().enumerate().rev() {
         let (free, at) = (work.articulated_inertia(i), node.velocities);
         let directions = match &node.kind {
             JointKind::Floating(_) => unit_twists().to_vec(),

@@ -5,11 +5,13 @@
 
 pub mod joint;
 mod links;
+mod loops;
 mod shape;
 mod tree;
 
 pub use joint::{AxisMotion, Joint, JointKind, Mode};
 pub use links::LinkInertia;
+pub use loops::{Attachment, Constraint, Loop, Turn};
 pub use shape::{Axis, Shape};
 pub use tree::{Node, Tree};
 
@@ -80,6 +82,8 @@ pub struct Model<S = f64> {
     /// coordinate, in M* and in the kinetic energy. The rotor's momentum in space is left out: where
     /// it stands is not known.
     pub rotor_inertia: Vec<S>,
+    /// What ties bodies together beside their joints.
+    pub loops: Vec<Loop<S>>,
 }
 
 impl<S: Scalar> Model<S> {
@@ -120,8 +124,39 @@ impl<S: Scalar> Model<S> {
         }
         let link_inertias = links::centred(&mut links, &mut bodies, rigid);
         let (position_count, velocity_count) = (positions, velocities);
-        let rotor_inertia = vec![S::ZERO; velocity_count];
-        Self { bodies, joints, tree, links, roots, link_inertias, position_count, velocity_count, modes, rotor_inertia }
+        let (rotor_inertia, loops) = (vec![S::ZERO; velocity_count], Vec::new());
+        Self {
+            bodies,
+            joints,
+            tree,
+            links,
+            roots,
+            link_inertias,
+            position_count,
+            velocity_count,
+            modes,
+            rotor_inertia,
+            loops,
+        }
+    }
+
+    /// The same model with closed loops.
+    pub fn with_loops(mut self, loops: Vec<Loop<S>>) -> Self {
+        let tied = |tie: Attachment<S>, bodies: &[Body<S>]| tie.on_link(bodies);
+        let close = |l: Loop<S>| Loop { first: tied(l.first, &self.bodies), second: tied(l.second, &self.bodies), ..l };
+        self.loops = loops.into_iter().map(close).collect();
+        self
+    }
+
+    /// Number of constraints of all loops.
+    pub fn constraint_count(&self) -> usize {
+        self.loops.iter().map(|closed| closed.constraints.len()).sum()
+    }
+
+    /// Names of all loops' constraints, in order: `drag_link.x`, ...
+    pub fn constraint_names(&self) -> Vec<String> {
+        let of = |l: &Loop<S>| l.constraints.iter().map(|(name, _)| format!("{}.{name}", l.name)).collect::<Vec<_>>();
+        self.loops.iter().flat_map(of).collect()
     }
 
     /// Index of the body of this name.

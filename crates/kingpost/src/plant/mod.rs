@@ -5,6 +5,7 @@ mod tangent;
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
 use crate::drives::{Clock, Drive};
+use crate::dynamics::loops::{LoopFault, LoopSolver, Projection};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
 use crate::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
 use crate::forces::Force;
@@ -43,6 +44,7 @@ pub struct Plant<S = f64> {
     loads: Loads<S>,
     work: forward::Workspace<S>,
     inverse: InverseDynamics<S>,
+    loops: LoopSolver<S>,
     rotation_rates: Vec<bool>,
 }
 
@@ -60,9 +62,10 @@ impl<S: Scalar> Plant<S> {
         Self {
             links: LinkKinematics::new(&model),
             bodies: Kinematics::new(&model.tree),
-            loads: Loads::with_room_for(&model, forces.len()),
+            loads: Loads::with_room_for(&model, forces.len() + 2 * model.constraint_count()),
             work: forward::Workspace::new(&model),
             inverse: InverseDynamics::new(&model),
+            loops: LoopSolver::new(&model),
             rotation_rates,
             model,
             forces,
@@ -90,7 +93,13 @@ impl<S: Scalar> Plant<S> {
     /// Accelerations of all coordinates under the loads that were evaluated last.
     fn accelerate(&mut self, q: &[S], v: &[S], v_dot: &mut [S]) {
         match self.solve_matrices {
-            None => forward::forward_dynamics(&self.model, &self.links, v, &self.loads, &mut self.work, v_dot),
+            None => {
+                forward::forward_dynamics(&self.model, &self.links, v, &self.loads, &mut self.work, v_dot);
+                if !self.model.loops.is_empty() {
+                    self.loops.accelerate(&self.model, &self.links, &mut self.work, v_dot);
+                    self.loops.apply(&self.model, &self.links, &mut self.loads);
+                }
+            }
             Some(solve) => {
                 solve(self, q, v, v_dot);
                 self.bodies.update(&self.model.tree, q, v);
@@ -106,7 +115,7 @@ impl<S: Scalar> Plant<S> {
         self.bodies.update(&self.model.tree, at.q, at.v);
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
         let totals = self.totals_here(at.q, at.v);
-        Observation { model: &self.model, bodies: &self.bodies, inverse: &self.inverse, totals }
+        Observation { model: &self.model, bodies: &self.bodies, inverse: &self.inverse, loops: &self.loops, totals }
     }
 
     /// Frames and twists of the bodies at a state.
@@ -132,6 +141,26 @@ impl<S: Scalar> Plant<S> {
                 v[motion.coordinate] = motion.rate_at(Clock { time_s: interval.start_s, middle_s });
             }
         }
+    }
+
+    /// Begins to watch the closed loops: how far they are from a singular position is measured
+    /// against where they stand here.
+    pub fn watch_loops(&mut self, q: &[S], v: &[S]) {
+        if !self.model.loops.is_empty() {
+            let Self { model, links, work, loads, loops, .. } = self;
+            loads.clear();
+            loops.begin_at(&mut Projection { model, links, work, loads }, q, v);
+        }
+    }
+
+    /// After a step: brings the closed loops back to where they are closed, and tells where that is
+    /// not possible. Allocates nothing.
+    pub fn close_loops(&mut self, q: &mut [S], v: &mut [S]) -> Result<(), LoopFault> {
+        if self.model.loops.is_empty() {
+            return Ok(());
+        }
+        let Self { model, links, work, loads, loops, .. } = self;
+        loops.close(&mut Projection { model, links, work, loads }, q, v)
     }
 
     /// Energy and momentum at a state.
@@ -191,14 +220,18 @@ impl Plant {
     }
 
     /// Accelerations by the matrices; not a number where M* is singular.
-    fn solve(&self, q: &[f64], v: &[f64], variation: Variation, v_dot: &mut [f64]) {
+    fn solve(&mut self, q: &[f64], v: &[f64], variation: Variation, v_dot: &mut [f64]) {
         let matrices = MovingFrame::assemble(&self.model, q, v, &self.loads, variation);
         let given = |(mode, a): (&Mode, &f64)| if *mode == Mode::Prescribed { *a } else { 0.0 };
         let accelerations = self.model.modes.iter().zip(&self.loads.acceleration).map(given);
         v_dot.iter_mut().zip(accelerations).for_each(|(v_dot, given)| *v_dot = given);
-        let solved = matrices.acceleration();
+        let solved = matrices.solve();
         for (k, &i) in matrices.free.iter().enumerate() {
-            v_dot[i] = solved.as_ref().map_or(f64::NAN, |a| a[k]);
+            v_dot[i] = solved.as_ref().map_or(f64::NAN, |(a, _)| a[k]);
+        }
+        if let Some((_, multipliers)) = solved.filter(|_| !self.model.loops.is_empty()) {
+            self.loops.take_over(&self.model, &self.links, multipliers.iter().copied());
+            self.loops.apply(&self.model, &self.links, &mut self.loads);
         }
     }
 }
@@ -211,6 +244,8 @@ pub struct Observation<'a, S = f64> {
     pub bodies: &'a Kinematics<S>,
     /// Accelerations and joint wrenches of the bodies.
     pub inverse: &'a InverseDynamics<S>,
+    /// Constraints of the closed loops, and what they carry.
+    pub loops: &'a LoopSolver<S>,
     /// Energy and momentum.
     pub totals: Totals<S>,
 }

@@ -1,134 +1,144 @@
-//! Lanes: several runs of one structure side by side, one in each lane of a SIMD register.
+//! Lanes: several runs of one structure side by side in SIMD registers.
 
 use super::Scalar;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use wide::f64x4;
 
-/// N independent numbers. Every operation is that of `f64` lane by lane, so each lane has the bits
-/// that it would have alone; the compiler makes SIMD instructions of the loops.
+/// Number of runs that [`Lanes`] holds.
+pub const LANES: usize = 4;
+
+/// Independent numbers. Every operation is that of `f64` lane by lane, without fused
+/// multiplication, so each lane has the bits that it would have alone.
 ///
 /// ```
 /// use kingpost::scalar::{Lanes, Scalar};
-/// let x = Lanes([0.0, 4.0, 9.0, 2.0]);
-/// assert_eq!((x.sqrt() + Lanes::ONE).0, [1.0, 3.0, 4.0, 2.0_f64.sqrt() + 1.0]);
+/// let x = Lanes::new([0.0, 4.0, 9.0, 2.0]);
+/// assert_eq!((x.sqrt() + Lanes::ONE).to_array(), [1.0, 3.0, 4.0, 2.0_f64.sqrt() + 1.0]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(align(32))]
-pub struct Lanes<const N: usize>(pub [f64; N]);
+pub struct Lanes(f64x4);
 
-impl<const N: usize> Lanes<N> {
-    #[inline(always)]
-    fn zip(self, b: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        Self(core::array::from_fn(|k| f(self.0[k], b.0[k])))
+impl Lanes {
+    /// One number a lane.
+    #[inline]
+    pub fn new(numbers: [f64; LANES]) -> Self {
+        Self(f64x4::new(numbers))
+    }
+
+    /// The number of each lane.
+    #[inline]
+    pub fn to_array(self) -> [f64; LANES] {
+        self.0.to_array()
     }
 }
 
-impl<const N: usize> Default for Lanes<N> {
-    #[inline(always)]
+impl Default for Lanes {
+    #[inline]
     fn default() -> Self {
         Self::ZERO
     }
 }
 
-impl<const N: usize> Add for Lanes<N> {
+impl Add for Lanes {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn add(self, b: Self) -> Self {
-        self.zip(b, |a, b| a + b)
+        Self(self.0 + b.0)
     }
 }
 
-impl<const N: usize> Sub for Lanes<N> {
+impl Sub for Lanes {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn sub(self, b: Self) -> Self {
-        self.zip(b, |a, b| a - b)
+        Self(self.0 - b.0)
     }
 }
 
-impl<const N: usize> Mul for Lanes<N> {
+impl Mul for Lanes {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn mul(self, b: Self) -> Self {
-        self.zip(b, |a, b| a * b)
+        Self(self.0 * b.0)
     }
 }
 
-impl<const N: usize> Div for Lanes<N> {
+impl Div for Lanes {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn div(self, b: Self) -> Self {
-        self.zip(b, |a, b| a / b)
+        Self(self.0 / b.0)
     }
 }
 
-impl<const N: usize> Neg for Lanes<N> {
+impl Neg for Lanes {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn neg(self) -> Self {
-        Self(self.0.map(|a| -a))
+        Self(-self.0)
     }
 }
 
-impl<const N: usize> AddAssign for Lanes<N> {
-    #[inline(always)]
+impl AddAssign for Lanes {
+    #[inline]
     fn add_assign(&mut self, b: Self) {
         *self = *self + b;
     }
 }
 
-impl<const N: usize> SubAssign for Lanes<N> {
-    #[inline(always)]
+impl SubAssign for Lanes {
+    #[inline]
     fn sub_assign(&mut self, b: Self) {
         *self = *self - b;
     }
 }
 
-impl<const N: usize> Scalar for Lanes<N> {
-    const ZERO: Self = Self([0.0; N]);
-    const ONE: Self = Self([1.0; N]);
+impl Scalar for Lanes {
+    const ZERO: Self = Self(f64x4::ZERO);
+    const ONE: Self = Self(f64x4::ONE);
 
-    #[inline(always)]
+    #[inline]
     fn constant(value: f64) -> Self {
-        Self([value; N])
+        Self(f64x4::splat(value))
     }
 
-    #[inline(always)]
+    #[inline]
     fn value(self) -> f64 {
-        self.0[0]
+        self.to_array()[0]
     }
 
-    #[inline(always)]
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        let both = self.0.map(libm::sincos);
-        (Self(both.map(|(sin, _)| sin)), Self(both.map(|(_, cos)| cos)))
+        let both = self.to_array().map(libm::sincos);
+        (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)))
     }
 
     fn atan2(self, x: Self) -> Self {
-        self.zip(x, libm::atan2)
+        let (y, x) = (self.to_array(), x.to_array());
+        Self::new(core::array::from_fn(|k| libm::atan2(y[k], x[k])))
     }
 
-    #[inline(always)]
+    #[inline]
     fn sqrt(self) -> Self {
-        Self(self.0.map(libm::sqrt))
+        Self(self.0.sqrt())
     }
 
     /// Where the lanes agree, only one side is evaluated.
-    #[inline(always)]
+    #[inline]
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
-        let less: [bool; N] = core::array::from_fn(|k| self.0[k] < limit.0[k]);
-        if less == [true; N] {
+        let less = self.0.simd_lt(limit.0);
+        if less.all() {
             return below();
         }
-        if less == [false; N] {
+        if !less.any() {
             return above();
         }
-        let (below, above) = (below(), above());
-        Self(core::array::from_fn(|k| if less[k] { below.0[k] } else { above.0[k] }))
+        Self(less.select(below().0, above().0))
     }
 
-    #[inline(always)]
+    #[inline]
     fn all(self, test: impl Fn(f64) -> bool) -> bool {
-        self.0.into_iter().all(test)
+        self.to_array().into_iter().all(test)
     }
 }
 
@@ -148,11 +158,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_lane_has_the_bits_that_it_would_have_alone(x: [f64; 4], y: [f64; 4]) {
-            let together = formula(Lanes(x), Lanes(y));
-            for k in 0..4 {
+        fn every_lane_has_the_bits_that_it_would_have_alone(x: [f64; LANES], y: [f64; LANES]) {
+            let together = formula(Lanes::new(x), Lanes::new(y)).to_array();
+            for k in 0..LANES {
                 let alone = formula(x[k], y[k]);
-                prop_assert!(alone.to_bits() == together.0[k].to_bits() || alone.is_nan() && together.0[k].is_nan());
+                prop_assert!(alone.to_bits() == together[k].to_bits() || alone.is_nan() && together[k].is_nan());
             }
         }
     }

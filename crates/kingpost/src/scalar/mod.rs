@@ -9,7 +9,7 @@ mod dual;
 mod lanes;
 
 pub use dual::Dual;
-pub use lanes::Lanes;
+pub use lanes::{LANES, Lanes};
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};

@@ -1,7 +1,9 @@
 //! Scenario -> what a simulation is made of, with every check that needs more than one field.
 
+mod axes;
 mod bodies;
 mod drives;
+mod loops;
 pub mod reading;
 
 pub use super::error::FieldError;
@@ -9,8 +11,8 @@ use super::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenar
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::moving_frame::Variation;
 use crate::dynamics::pivots::massless_coordinate;
-use crate::forces::{Force, Gravity, JointDamping, ViscousDamping};
-use crate::model::{Model, Node};
+use crate::forces::{Force, Gravity, ViscousDamping};
+use crate::model::Model;
 use crate::plant::Form;
 use crate::results::channels;
 use crate::simulation::{SchemeName, Settings, Setup};
@@ -24,24 +26,31 @@ const MOST_STEPS: f64 = 1e15;
 
 /// Builds the model, forces, drives, settings and initial state, and checks what takes numbers.
 pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
-    let setup = assemble(&Reading::new(vec![scenario]))?;
+    let mut setup = open(&Reading::new(vec![scenario]))?;
     check_recording(&setup)?;
     check_mass_matrix(scenario, &setup)?;
+    loops::close(scenario, &mut setup)?;
     Ok(setup)
 }
 
 /// The same from one scenario or several of one structure, each of which builds by itself.
 pub fn assemble<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldError> {
+    let mut setup = open(scenario)?;
+    loops::close(scenario.first(), &mut setup)?;
+    Ok(setup)
+}
+
+/// The same as it is written, its closed loops not yet closed.
+fn open<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldError> {
     let settings = settings(scenario.first())?;
     if let Some(i) = scenario.first().parameters.iter().position(|parameter| parameter.live) {
         let allowed = "false: in this version every parameter takes effect at reset";
         return Err(FieldError::new(format!("parameters.{i}.live"), true, allowed));
     }
-    let bodies::Bodies { model, q, mut v, dampings } = bodies::build(scenario)?;
+    let bodies::Bodies { model, q, mut v, forces: in_joints } = bodies::build(scenario)?;
+    let model = loops::build(scenario, model)?;
     let mut forces = forces(scenario, &model)?;
-    forces.extend(
-        dampings.into_iter().map(|(coordinate, damping)| Force::JointDamping(JointDamping { coordinate, damping })),
-    );
+    forces.extend(in_joints);
     let drives::Drives { drives, inputs } = drives::build(scenario, &model, &mut v)?;
     Ok(Setup { model, forces, drives, inputs, settings, q, v })
 }
@@ -137,8 +146,7 @@ fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldErro
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
     let Some(coordinate) = massless_coordinate(model, &links, v) else { return Ok(()) };
-    let owner = |node: &&Node| node.velocities + node.kind.velocity_count() > coordinate;
-    let body = model.tree.nodes.iter().position(|node| owner(&node)).unwrap_or_default();
+    let (body, _) = model.owner(coordinate).unwrap_or_default();
     let (name, coordinate) = (&model.bodies[body].name, &model.coordinate_names()[coordinate]);
     let given = scenario.bodies.get(name.as_str()).is_some_and(|body| body.inertia.is_some());
     let field = format!("bodies.{name}.{}", if given { "inertia" } else { "shape" });

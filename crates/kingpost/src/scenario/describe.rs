@@ -49,7 +49,7 @@ pub struct JointDescription {
     pub name: String,
     /// The child body.
     pub body: String,
-    /// `floating`, `revolute`, `prismatic` or `fixed`.
+    /// `floating`, `revolute` and so on, as in the scenario.
     pub kind: &'static str,
     /// Names of its coordinates that move freely.
     pub free_coordinates: Vec<String>,

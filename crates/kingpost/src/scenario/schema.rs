@@ -2,27 +2,33 @@
 //! come from here. SI units and radians; the unit of a quantity is in its name. No flattened or untagged enums: they
 //! lose the place of an error.
 
+mod axes;
 mod bodies;
 mod drives;
 mod forces;
 mod joints;
+mod joints_of_several_axes;
+mod loops;
 mod parameter;
 
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 pub use super::range::{Direction, NonNegative, Positive};
-pub use super::text::{Colour, Name, Version, WORLD};
+pub use super::text::{Colour, CoordinateName, Name, Version, WORLD};
+pub use axes::{
+    AngleAxis, AngleFriction, AngleLimits, AngleSpring, LengthAxis, LengthFriction, LengthLimits, LengthSpring,
+    PrescribedRate, PrescribedSpeed, PrismaticMode, RevoluteMode,
+};
 pub use bodies::{
     Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
     SphereShape,
 };
-pub use drives::{Drive, History, LinearMotor, LinearServo, Motor, Pulse, Servo};
+pub use drives::{Brake, BrakeState, Drive, History, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use forces::{Force, Gravity, ViscousDamping};
-pub use joints::{
-    FixedJoint, FloatingJoint, InitialMotion, Joint, PrescribedRate, PrescribedSpeed, PrismaticJoint, PrismaticMode,
-    RevoluteJoint, RevoluteMode,
-};
+pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
+pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
+pub use loops::{Attachment, Constraint, Distance, Loop};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 
 /// One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
@@ -45,6 +51,9 @@ pub struct Scenario {
     pub simulation: SimulationSettings,
     /// The bodies by name.
     pub bodies: IndexMap<Name, Body>,
+    /// What ties bodies together beside their joints, by name.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub loops: IndexMap<Name, Loop>,
     /// What acts on the bodies from outside, by name.
     #[serde(default)]
     pub forces: IndexMap<Name, Force>,

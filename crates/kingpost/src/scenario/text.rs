@@ -7,7 +7,7 @@ use std::ops::Deref;
 use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::wording::{COLOUR, NAME, VERSION};
+use super::wording::{COLOUR, COORDINATE_NAME, NAME, VERSION};
 
 /// The name that stands for the inertial frame; no body may carry it.
 pub const WORLD: &str = "world";
@@ -94,6 +94,10 @@ fn is_name(text: &str) -> bool {
         && text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
 }
 
+fn is_coordinate_name(text: &str) -> bool {
+    text.split_once('.').map_or(is_name(text), |(joint, axis)| is_name(joint) && is_name(axis))
+}
+
 fn is_colour(text: &str) -> bool {
     text.strip_prefix('#').is_some_and(|hex| hex.len() == 6 && hex.chars().all(|c| c.is_ascii_hexdigit()))
 }
@@ -101,6 +105,10 @@ fn is_colour(text: &str) -> bool {
 formed_text!(
     /// A name of a body, joint, point, force, drive or parameter: `[a-z][a-z0-9_]*`.
     Name, NAME, is_name, "^[a-z][a-z0-9_]*$"
+);
+formed_text!(
+    /// A name of a joint of one axis, or of an axis of a joint: `slew`, `hook.first`.
+    CoordinateName, COORDINATE_NAME, is_coordinate_name, "^[a-z][a-z0-9_]*(\\.[a-z][a-z0-9_]*)?$"
 );
 formed_text!(
     /// A colour as `#rrggbb`.

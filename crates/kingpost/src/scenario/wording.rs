@@ -12,6 +12,8 @@ pub const NON_NEGATIVE: &str = "a number not less than 0";
 pub const DIRECTION: &str = "three numbers, not all 0";
 /// What a [`Name`](super::text::Name) allows.
 pub const NAME: &str = "a name of small letters, digits and _ that starts with a letter";
+/// What a [`CoordinateName`](super::text::CoordinateName) allows.
+pub const COORDINATE_NAME: &str = "a name of a joint, or of an axis of a joint as joint.axis";
 /// What a [`Colour`](super::text::Colour) allows.
 pub const COLOUR: &str = "a colour as \"#rrggbb\"";
 /// What a [`Version`](super::text::Version) allows.

@@ -20,6 +20,10 @@ impl Edges {
         Self { times_s, slack_s: 1e-9 * step_s }
     }
 
+    pub(super) fn times_s(&self) -> &[f64] {
+        &self.times_s
+    }
+
     /// From a time to the next edge, or to `end_s` where there is none before.
     pub(super) fn interval(&self, start_s: f64, end_s: f64) -> Interval {
         let first = self.times_s.partition_point(|&edge| edge <= start_s + self.slack_s);

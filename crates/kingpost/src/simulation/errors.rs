@@ -1,5 +1,8 @@
 //! Why a run stops early, and what it cannot take from outside.
 
+use crate::dynamics::loops::{LARGEST_GAP, LoopFault, SMALLEST_PIVOT};
+use crate::model::Model;
+use crate::scalar::Scalar;
 use thiserror::Error;
 
 /// Why a run stopped early.
@@ -25,6 +28,64 @@ pub enum RunError {
         /// `rate_limit`.
         limit: f64,
     },
+    /// A closed loop has come to a singular position: a dead centre.
+    #[error(
+        "singular at {} s: constraint {constraint} of loop {name} depends on the others here, or moves nothing \
+         (its share of its own size at the start is {pivot:.1e}), allowed: more than {allowed:e}",
+        shown(*time_s)
+    )]
+    SingularLoop {
+        /// End of the step that failed, s.
+        time_s: f64,
+        /// The loop.
+        name: String,
+        /// Its constraint.
+        constraint: String,
+        /// The pivot of J M^-1 J^T against its diagonal at the start.
+        pivot: f64,
+        /// The smallest that is allowed.
+        allowed: f64,
+    },
+    /// A closed loop does not close: its end is out of reach.
+    #[error(
+        "open at {} s: constraint {constraint} of loop {name} is off by {gap:.3e} {unit}, allowed: less than {allowed:e}",
+        shown(*time_s)
+    )]
+    OpenLoop {
+        /// End of the step that failed, s.
+        time_s: f64,
+        /// The loop.
+        name: String,
+        /// Its constraint.
+        constraint: String,
+        /// By how much, m or rad.
+        gap: f64,
+        /// `m` or `rad`.
+        unit: &'static str,
+        /// What is allowed.
+        allowed: f64,
+    },
+}
+
+impl RunError {
+    /// A loop's fault by the names of the model.
+    pub(super) fn of_loop<S: Scalar>(time_s: f64, model: &Model<S>, fault: LoopFault) -> Self {
+        let named = |constraint: usize| {
+            let mut all = model.loops.iter().flat_map(|closed| closed.constraints.iter().map(move |c| (closed, c)));
+            let (closed, (name, constraint)) = all.nth(constraint).expect("a fault is of a constraint");
+            (closed.name.clone(), name.clone(), constraint.unit())
+        };
+        match fault {
+            LoopFault::Singular { constraint, pivot } => {
+                let (name, constraint, _) = named(constraint);
+                Self::SingularLoop { time_s, name, constraint, pivot, allowed: SMALLEST_PIVOT }
+            }
+            LoopFault::Open { constraint, gap } => {
+                let (name, constraint, unit) = named(constraint);
+                Self::OpenLoop { time_s, name, constraint, gap, unit, allowed: LARGEST_GAP }
+            }
+        }
+    }
 }
 
 /// A time without the last digits of its sum of steps, s.

@@ -2,6 +2,7 @@
 
 mod edges;
 mod errors;
+mod recording;
 mod setup;
 
 pub use errors::{InputError, RunError};
@@ -17,6 +18,7 @@ use crate::spatial::{Frame, Quaternion};
 use crate::state::{SnapshotError, State};
 use edges::Edges;
 use errors::check_array;
+pub(crate) use recording::Recording;
 
 /// Steps after which a run reports progress even if no row is due.
 pub const PROGRESS_STEPS: u64 = 10_000;
@@ -70,6 +72,7 @@ impl<S: Scalar> Simulation<S> {
         let mut plant = Plant::new(model, forces, drives);
         let d = inputs.iter().map(|input| S::constant(input.value)).collect();
         let s = plant.open_ledger(&q, &v);
+        plant.watch_loops(&q, &v);
         let v_dot = vec![S::ZERO; v.len()];
         let state = State { steps: 0, q, v, s, d, memory: Vec::new() };
         let scheme = settings.scheme.scheme(plant.sizes());
@@ -104,6 +107,16 @@ impl<S: Scalar> Simulation<S> {
         moved
     }
 
+    /// Times at which steps end because a law changes its form, s.
+    pub(crate) fn edges_s(&self) -> &[f64] {
+        self.edges.times_s()
+    }
+
+    /// The complete state, to be moved to another of the same run.
+    pub(crate) fn state_mut(&mut self) -> &mut State<S> {
+        &mut self.state
+    }
+
     /// The complete state.
     pub fn state(&self) -> &State<S> {
         &self.state
@@ -121,8 +134,8 @@ impl<S: Scalar> Simulation<S> {
             let start = self.time_s();
             self.state.steps += 1;
             let end = self.time_s();
-            self.advance(start, end);
-            if let Err(error) = self.check(end) {
+            let advanced = self.advance(start, end);
+            if let Err(error) = advanced.and_then(|()| self.check(end)) {
                 self.state.copy_from(&self.last_good);
                 return Err(error);
             }
@@ -131,14 +144,18 @@ impl<S: Scalar> Simulation<S> {
     }
 
     /// One step, cut where a law changes its form.
-    fn advance(&mut self, start_s: f64, end_s: f64) {
+    fn advance(&mut self, start_s: f64, end_s: f64) -> Result<(), RunError> {
         let mut from = start_s;
         while from < end_s {
             let interval = self.edges.interval(from, end_s);
             self.plant.prescribe(interval, &mut self.state.v);
             self.scheme.step(&mut self.plant, interval, &mut self.state);
+            let State { q, v, .. } = &mut self.state;
+            let closed = self.plant.close_loops(q, v);
+            closed.map_err(|fault| RunError::of_loop(end_s, &self.plant.model, fault))?;
             from = interval.end_s;
         }
+        Ok(())
     }
 
     /// Where a number stops being one, or a rate passes the limit.
@@ -169,22 +186,29 @@ impl<S: Scalar> Simulation<S> {
     /// Steps to the end of the run, recording a row now, then at each recording time, and at the
     /// end. `progress` hears the time after each row, and at least every [`PROGRESS_STEPS`] steps;
     /// it may stop the run by returning false.
-    pub fn run(&mut self, mut progress: impl FnMut(f64) -> bool) -> Run<S> {
-        let Settings { step_s, duration_s, record_every_s, .. } = self.settings;
-        let last = libm::ceil(duration_s / step_s - 1e-9) as u64;
-        let columns = self.columns();
+    pub fn run(&mut self, progress: impl FnMut(f64) -> bool) -> Run<S> {
         let mut rows = Vec::new();
         self.write_row(&mut rows);
-        let mut recorded = libm::floor(self.time_s() / record_every_s + 1e-9);
-        while self.state.steps < last {
-            let due = libm::ceil((recorded + 1.0) * record_every_s / step_s - 1e-9) as u64;
-            let target = due.clamp(self.state.steps + 1, last);
-            let steps = (target - self.state.steps).min(PROGRESS_STEPS);
+        let recording = Recording::new(self.settings, self.time_s());
+        self.finish(rows, recording, progress)
+    }
+
+    /// The rest of a run whose last row, where it stands, is written.
+    pub(crate) fn finish(
+        &mut self,
+        mut rows: Vec<S>,
+        mut recording: Recording,
+        mut progress: impl FnMut(f64) -> bool,
+    ) -> Run<S> {
+        let columns = self.columns();
+        while !recording.is_over(self.state.steps) {
+            let due = recording.due(self.state.steps);
+            let steps = (due - self.state.steps).min(PROGRESS_STEPS);
             let status = self.step(steps as usize);
             let written = rows[rows.len() - columns].value();
-            if self.state.steps == target || (status.is_err() && written < self.time_s()) {
+            if self.state.steps == due || (status.is_err() && written < self.time_s()) {
                 self.write_row(&mut rows);
-                recorded = libm::floor(self.time_s() / record_every_s + 1e-9).max(recorded + 1.0);
+                recording.written(self.time_s());
             }
             if status.is_err() {
                 return Run { rows, columns, status };

@@ -47,6 +47,11 @@ pub fn everything(form: &str) -> String {
     include_str!("everything.yaml").replace("form: recursive", &format!("form: {form}"))
 }
 
+/// Two barges in free space with a crane's arm between them, far from the origin.
+pub fn tied_ships(form: &str) -> String {
+    include_str!("tied_ships.yaml").replace("form: recursive", &format!("form: {form}"))
+}
+
 /// A source of random models; the seed makes a failure repeatable.
 pub struct Random(StdRng);
 

@@ -10,6 +10,7 @@
 //! | `d` | D (eq. 57), what the restricted variation of omega adds (eqs. 55, 58) |
 //! | `f` | {F} (eq. 59, there {Q}), motors as couples on the child and back on the parent |
 //! | `m_star`, `n_star`, `f_star` | M*, N*, F* (eqs. 60a-60c) |
+//! | `j`, `j_drift` | not in the paper: J and J' q' of closed loops, which border M* |
 //!
 //! Rotors add their inertia to the diagonal of M*. For a full 6x6 inertia the block of M turns with the body, so M' enters beside B', and D gets
 //! the term of Kirchhoff's equations that moves momentum: both vanish for the paper's bodies.
@@ -17,6 +18,7 @@
 mod blocks;
 mod formula;
 mod labels;
+mod loops;
 mod symbolic;
 mod symbols;
 
@@ -70,6 +72,10 @@ pub struct MovingFrame {
     pub free_velocity: DVector<f64>,
     /// Their indices in v.
     pub free: Vec<usize>,
+    /// J of the closed loops over the free coordinates, one row a constraint.
+    pub j: DMatrix<f64>,
+    /// What phi'' of the loops has besides J q'': J' q', and what prescribed motions add.
+    pub j_drift: DVector<f64>,
 }
 
 impl MovingFrame {
@@ -103,10 +109,31 @@ impl MovingFrame {
         }
         let n_star = b_free.transpose() * (&m * &b_dot_free + &momentum_rate * &b_free);
         let (given_velocity, given_acceleration) = prescribed(model, v, loads);
-        let given = &m * (&b * given_acceleration + &b_dot * &given_velocity) + momentum_rate * (&b * given_velocity);
+        let given = &m * (&b * &given_acceleration + &b_dot * &given_velocity) + momentum_rate * (&b * given_velocity);
         let f_star = b_free.transpose() * (&f - given);
         let free_velocity = DVector::from_iterator(free.len(), free.iter().map(|&i| v[i]));
-        Self { frames, relative, b, b_dot, x_dot, m, m_dot, d, f, m_star, n_star, f_star, free_velocity, free }
+        let x_drift = &b_dot * &velocity;
+        let motion = loops::Motion { model, frames: &frames, b: &b, x_dot: &x_dot, x_drift: &x_drift };
+        let (j_all, own_drift) = loops::rows(&motion);
+        let (j, j_drift) = (j_all.select_columns(&free), own_drift + &j_all * &given_acceleration);
+        Self {
+            frames,
+            relative,
+            b,
+            b_dot,
+            x_dot,
+            m,
+            m_dot,
+            d,
+            f,
+            m_star,
+            n_star,
+            f_star,
+            free_velocity,
+            free,
+            j,
+            j_drift,
+        }
     }
 
     /// The velocity terms N* q' (N, N m).
@@ -114,10 +141,39 @@ impl MovingFrame {
         &self.n_star * &self.free_velocity
     }
 
-    /// q'' of the free coordinates from M* q'' = F* - N* q' (eq. 61); `None` where M* is singular.
+    /// q'' of the free coordinates from M* q'' = F* - N* q' (eq. 61), with closed loops from
+    /// [`MovingFrame::solve`]; `None` where the matrix is singular.
     pub fn acceleration(&self) -> Option<DVector<f64>> {
+        self.solve().map(|(acceleration, _)| acceleration)
+    }
+
+    /// q'' of the free coordinates and the loops' multipliers lambda (N, N m), from
+    ///
+    /// ```text
+    /// | M*  J^T | |  q''    |   | F* - N* q' |
+    /// | J   0   | | -lambda | = | -J' q'     |
+    /// ```
+    ///
+    /// `None` where the matrix is singular.
+    pub fn solve(&self) -> Option<(DVector<f64>, DVector<f64>)> {
         let right = &self.f_star - self.bias_force();
-        self.m_star.clone().cholesky().map(|factor| factor.solve(&right))
+        let (n, m) = (self.m_star.nrows(), self.j.nrows());
+        if m == 0 {
+            return Some((self.m_star.clone().cholesky()?.solve(&right), DVector::zeros(0)));
+        }
+        let mut bordered = DMatrix::zeros(n + m, n + m);
+        bordered.view_mut((0, 0), (n, n)).copy_from(&self.m_star);
+        bordered.view_mut((0, n), (n, m)).copy_from(&self.j.transpose());
+        bordered.view_mut((n, 0), (m, n)).copy_from(&self.j);
+        let both = DVector::from_iterator(n + m, right.iter().copied().chain(self.j_drift.iter().map(|drift| -drift)));
+        let solution = bordered.lu().solve(&both)?;
+        Some((solution.rows(0, n).into_owned(), -solution.rows(n, m).into_owned()))
+    }
+
+    /// J M*^-1 J^T, whose pivots tell whether the loops' constraints are independent here; `None`
+    /// where M* is singular.
+    pub fn loop_matrix(&self) -> Option<DMatrix<f64>> {
+        Some(&self.j * self.m_star.clone().cholesky()?.solve(&self.j.transpose()))
     }
 
     /// Omega (eq. 29) of a body: angular velocity in body axes and R^T x'.

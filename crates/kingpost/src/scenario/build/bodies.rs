@@ -1,9 +1,11 @@
 //! Bodies and joints: the tree, inertia, geometry and the initial state.
 
-use super::super::schema::{self, Inertia, PrismaticMode, RevoluteMode, Scenario};
+use super::super::schema::{self, Inertia, Scenario};
+use super::axes::{axes, forces_in_axis};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
-use crate::model::joint::{Fixed, Floating, Prismatic, Revolute};
+use crate::forces::{Force, JointDamping};
+use crate::model::joint::{AxisList, Fixed, Floating, Prismatic, Revolute, Spherical};
 use crate::model::{Axis, BodyDescription, Joint, JointKind, Mode, Model, Shape};
 use crate::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, rotation_from_roll_pitch_yaw};
 use std::collections::HashSet;
@@ -13,14 +15,14 @@ pub struct Bodies<S> {
     pub model: Model<S>,
     pub q: Vec<S>,
     pub v: Vec<S>,
-    /// Coordinate and damping of every joint that has some.
-    pub dampings: Vec<(usize, S)>,
+    /// What acts in the joints.
+    pub forces: Vec<Force<S>>,
 }
 
 pub fn build<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Bodies<S>, FieldError> {
     let order = order(scenario.first())?;
     let mut descriptions: Vec<BodyDescription<S>> = Vec::with_capacity(order.len());
-    let (mut q, mut v, mut dampings) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut q, mut v, mut forces, mut rotors) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for name in order {
         let body = scenario.part(|scenario| &scenario.bodies[name]);
         let parent = body.first().parent_body().map(|parent| parent.as_str());
@@ -28,8 +30,9 @@ pub fn build<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Bodies<S>, Fie
         let parent_centre = parent
             .map_or(Vector3::zero(), |parent| scenario.vector(|scenario| scenario.bodies[parent].centre_of_mass_m));
         let joint = joint(name, &body, parent_centre)?;
-        if let Some(damping) = damping(&body) {
-            dampings.push((v.len(), damping));
+        forces.extend(forces_in_joint(name, &body, (q.len(), v.len()))?);
+        for k in 0..axes(&body.first().joint).len() {
+            rotors.push((v.len() + k, body.number(|body| axes(&body.joint)[k].rotor_inertia)));
         }
         initial(name, &body, &mut q, &mut v)?;
         let centre: Vector3<S> = body.vector(|body| body.centre_of_mass_m);
@@ -44,7 +47,11 @@ pub fn build<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Bodies<S>, Fie
             points: body.first().points.keys().map(point).collect(),
         });
     }
-    Ok(Bodies { model: Model::new(descriptions), q, v, dampings })
+    let mut model = Model::new(descriptions);
+    for (coordinate, inertia) in rotors {
+        model.rotor_inertia[coordinate] = inertia;
+    }
+    Ok(Bodies { model, q, v, forces })
 }
 
 /// Names of the bodies that are there, parents first, otherwise in the order of the file.
@@ -108,77 +115,93 @@ fn joint<S: Gathered>(
     body: &Reading<schema::Body>,
     parent_centre: Vector3<S>,
 ) -> Result<Joint<S>, FieldError> {
-    let centre: Vector3<S> = body.vector(|body| body.centre_of_mass_m);
-    let placement = |position: Vector3<S>, orientation: Vector3<S>| Frame {
-        rotation: rotation_from_roll_pitch_yaw(orientation),
-        position: position - parent_centre,
+    let joint = body.part(|body| &body.joint);
+    let placement = Frame {
+        rotation: rotation_from_roll_pitch_yaw(joint.vector(|joint| joint.place().orientation_rad)),
+        position: joint.vector(|joint| joint.place().position_m) - parent_centre,
     };
-    let (kind, mode) = match &body.first().joint {
+    let centre: Vector3<S> = body.vector(|body| body.centre_of_mass_m);
+    let to_child = centre - joint.vector(|joint| joint.place().child_position_m);
+    let direction = |k: usize| joint.vector(|joint| joint.directions()[k].1.get()).direction();
+    let modes: Vec<Mode> = axes(joint.first()).iter().map(|axis| axis.mode).collect();
+    let mut mode = modes.first().copied().unwrap_or(Mode::Free);
+    check_perpendicular(name, joint.first())?;
+    let kind = match joint.first() {
         schema::Joint::Floating(joint) => {
             if body.first().parent_body().is_some() {
                 let field = format!("bodies.{name}.parent");
                 return Err(FieldError::new(field, &body.first().parent, "world, for a body with a floating joint"));
             }
             let (hold_translation, hold_rotation) = (joint.hold_translation, joint.hold_rotation);
-            (JointKind::Floating(Floating { hold_translation, hold_rotation }), Mode::Free)
+            JointKind::Floating(Floating { hold_translation, hold_rotation })
         }
-        schema::Joint::Revolute(_) => {
-            let joint = body.kind(revolute);
-            let mode = match joint.first().mode {
-                RevoluteMode::Free => Mode::Free,
-                RevoluteMode::Held => Mode::Held,
-                RevoluteMode::Prescribed(_) => Mode::Prescribed,
-            };
-            let placement = placement(joint.vector(|j| j.position_m), joint.vector(|j| j.orientation_rad));
-            let to_child = centre - joint.vector(|j| j.child_position_m);
-            let axis = joint.vector(|j| j.axis.get()).direction();
-            (JointKind::Revolute(Revolute::new(placement, axis, to_child)), mode)
+        schema::Joint::Revolute(_) => JointKind::Revolute(Revolute::new(placement, direction(0), to_child)),
+        schema::Joint::Prismatic(_) => JointKind::Prismatic(Prismatic::new(placement, direction(0), to_child)),
+        schema::Joint::Cylindrical(_) => {
+            JointKind::AxisList(AxisList::cylindrical(placement, direction(0), to_child).with_modes(&modes))
         }
-        schema::Joint::Prismatic(_) => {
-            let joint = body.kind(prismatic);
-            let mode = match joint.first().mode {
-                PrismaticMode::Free => Mode::Free,
-                PrismaticMode::Held => Mode::Held,
-                PrismaticMode::Prescribed(_) => Mode::Prescribed,
-            };
-            let placement = placement(joint.vector(|j| j.position_m), joint.vector(|j| j.orientation_rad));
-            let to_child = centre - joint.vector(|j| j.child_position_m);
-            let axis = joint.vector(|j| j.axis.get()).direction();
-            (JointKind::Prismatic(Prismatic::new(placement, axis, to_child)), mode)
+        schema::Joint::Universal(_) => {
+            let universal = AxisList::universal(placement, direction(0), direction(1), to_child);
+            JointKind::AxisList(universal.with_modes(&modes))
         }
-        schema::Joint::Fixed(_) => {
-            let joint = body.kind(fixed);
-            let placement = placement(joint.vector(|j| j.position_m), joint.vector(|j| j.orientation_rad));
-            let to_child = centre - joint.vector(|j| j.child_position_m);
-            (JointKind::Fixed(Fixed::new(placement, to_child)), Mode::Free)
+        schema::Joint::Planar(_) => {
+            let planar = AxisList::planar(placement, direction(0), direction(1), to_child);
+            JointKind::AxisList(planar.with_modes(&modes))
         }
+        schema::Joint::Spherical(joint) => {
+            mode = if joint.held { Mode::Held } else { Mode::Free };
+            JointKind::Spherical(Spherical::new(placement, to_child))
+        }
+        schema::Joint::Fixed(_) => JointKind::Fixed(Fixed::new(placement, to_child)),
     };
     Ok(Joint { name: joint_name(name, body.first()).to_owned(), kind, mode })
 }
 
-fn revolute(body: &schema::Body) -> Option<&schema::RevoluteJoint> {
-    if let schema::Joint::Revolute(joint) = &body.joint { Some(joint) } else { None }
-}
+/// How far two directions may be from a right angle, rad: what six written digits leave.
+const NEARLY_PERPENDICULAR: f64 = 1e-5;
 
-fn prismatic(body: &schema::Body) -> Option<&schema::PrismaticJoint> {
-    if let schema::Joint::Prismatic(joint) = &body.joint { Some(joint) } else { None }
+/// An error unless the two directions of a joint that has two are perpendicular.
+fn check_perpendicular(name: &str, joint: &schema::Joint) -> Result<(), FieldError> {
+    let [(first, one), (second, other)] = joint.directions()[..] else { return Ok(()) };
+    let cosine = Vector3(one.unit()).dot(Vector3(other.unit()));
+    if cosine.abs() <= NEARLY_PERPENDICULAR {
+        return Ok(());
+    }
+    let degrees = libm::acos(cosine.clamp(-1.0, 1.0)).to_degrees();
+    let found = format!("a direction {degrees:.4} degrees from {first}");
+    let field = format!("bodies.{name}.joint.{}.{second}", joint.kind());
+    Err(FieldError::new(field, found, format!("one perpendicular to {first}")))
 }
 
 fn floating(body: &schema::Body) -> Option<&schema::FloatingJoint> {
     if let schema::Joint::Floating(joint) = &body.joint { Some(joint) } else { None }
 }
 
-fn fixed(body: &schema::Body) -> Option<&schema::FixedJoint> {
-    if let schema::Joint::Fixed(joint) = &body.joint { Some(joint) } else { None }
+fn spherical(body: &schema::Body) -> Option<&schema::SphericalJoint> {
+    if let schema::Joint::Spherical(joint) = &body.joint { Some(joint) } else { None }
 }
 
-fn damping<S: Gathered>(body: &Reading<schema::Body>) -> Option<S> {
-    let damping = |body: &schema::Body| match &body.joint {
-        schema::Joint::Revolute(joint) => joint.damping_n_m_s.get(),
-        schema::Joint::Prismatic(joint) => joint.damping_n_s_m.get(),
-        schema::Joint::Floating(_) | schema::Joint::Fixed(_) => 0.0,
-    };
-    body.any_nonzero(damping).then(|| body.number(damping))
+/// What acts in the joint of a body whose coordinates come next in q and v.
+fn forces_in_joint<S: Gathered>(
+    name: &str,
+    body: &Reading<schema::Body>,
+    (positions, velocities): (usize, usize),
+) -> Result<Vec<Force<S>>, FieldError> {
+    let joint = body.part(|body| &body.joint);
+    let path = format!("bodies.{name}.joint.{}", joint.first().kind());
+    let mut forces = Vec::new();
+    for k in 0..axes(joint.first()).len() {
+        forces.extend(forces_in_axis(&path, &joint, k, (positions + k, velocities + k))?);
+    }
+    if let schema::Joint::Spherical(_) = joint.first() {
+        let ball = body.kind(spherical);
+        if ball.any_nonzero(|ball| ball.damping_n_m_s.get()) {
+            let damping = ball.number(|ball| ball.damping_n_m_s.get());
+            let about = |k| Force::JointDamping(JointDamping { coordinate: velocities + k, damping });
+            forces.extend((0..3).map(about));
+        }
+    }
+    Ok(forces)
 }
 
 /// Appends the joint's entries of q and v. Prescribed rates are set by their drive.
@@ -208,19 +231,21 @@ fn initial<S: Gathered>(
                 v.push(at_rest("initial.angular_velocity_rad_s", rate, !joint.hold_rotation)?);
             }
         }
-        schema::Joint::Revolute(first) => {
-            let joint = body.kind(revolute);
-            q.push(joint.number(|joint| joint.initial_angle_rad));
-            let rate = joint.number(|joint| joint.initial_rate_rad_s);
-            v.push(at_rest("initial_rate_rad_s", rate, first.mode == RevoluteMode::Free)?);
+        schema::Joint::Spherical(joint) => {
+            let ball = body.kind(spherical);
+            let orientation = ball.vector(|ball| ball.initial_orientation_rad);
+            q.extend(Quaternion::<S>::from_roll_pitch_yaw(orientation).0);
+            for rate in ball.numbers(|ball| ball.initial_angular_velocity_rad_s) {
+                v.push(at_rest("initial_angular_velocity_rad_s", rate, !joint.held)?);
+            }
         }
-        schema::Joint::Prismatic(first) => {
-            let joint = body.kind(prismatic);
-            q.push(joint.number(|joint| joint.initial_extension_m));
-            let rate = joint.number(|joint| joint.initial_speed_m_s);
-            v.push(at_rest("initial_speed_m_s", rate, first.mode == PrismaticMode::Free)?);
+        joint => {
+            for (k, axis) in axes(joint).iter().enumerate() {
+                q.push(body.number(|body| axes(&body.joint)[k].initial));
+                let rate = body.number(|body| axes(&body.joint)[k].initial_rate);
+                v.push(at_rest(&axis.rate_field(), rate, axis.mode == Mode::Free)?);
+            }
         }
-        schema::Joint::Fixed(_) => {}
     }
     Ok(())
 }

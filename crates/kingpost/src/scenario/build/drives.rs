@@ -1,11 +1,14 @@
 //! Drives, inputs and prescribed motions.
 
-use super::super::schema::{self, History, PrismaticMode, RevoluteMode, Scenario};
+use super::super::schema::{self, BrakeState, History, Scenario};
+use super::axes::axes;
 use super::bodies::joint_name;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
-use crate::drives::{Clock, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
-use crate::model::{Joint, Mode, Model};
+use crate::drives::{Brake, Clock, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use crate::forces::CoulombFriction;
+use crate::model::AxisMotion::{self, Rotation, Translation};
+use crate::model::{Mode, Model};
 use crate::simulation::Input;
 
 /// The drives that are on, and the table of what can be set from outside.
@@ -23,26 +26,32 @@ pub fn build<S: Gathered>(
     let (mut drives, mut inputs) = (Vec::new(), Vec::new());
     for name in scenario.first().drives.keys() {
         let parts = Parts::of(name, &scenario.part(|scenario| &scenario.drives[name]));
-        known(&format!("{}.joint", parts.field), parts.joint, joints(scenario.first(), parts.rotary))?;
+        let allowed = coordinates(scenario.first(), parts.motion);
+        known(&format!("{}.joint", parts.field), parts.joint, allowed.iter().map(String::as_str))?;
         let profile = match parts.law {
-            Law::Motor { history, pulse, .. } => Some(profile(&parts.field, history, pulse)?),
-            Law::Servo { .. } => None,
+            Law::Motor { history, pulse, .. } => profile(&parts.field, history, pulse)?,
+            Law::Servo { .. } | Law::Brake { .. } => Profile::constant(),
         };
-        let Some(joint) = model.joint(parts.joint).filter(|_| parts.enabled) else { continue };
-        check_free(&parts, &model.joints[joint])?;
-        let (coordinate, position) = (model.tree.nodes[joint].velocities, model.tree.nodes[joint].positions);
-        drives.push(match (parts.law, profile) {
-            (Law::Motor { effort, history, .. }, Some(profile)) => {
-                let input = (history == History::Lever).then(|| {
-                    inputs.push(Input { name: name.to_string(), unit: "1", lower: -1.0, upper: 1.0, value: 0.0 });
-                    inputs.len() - 1
-                });
+        let Some(coordinate) = model.coordinate(parts.joint).filter(|_| parts.enabled) else { continue };
+        let Some((_, position)) = model.axis_coordinate(coordinate) else { continue };
+        check_free(&parts, model.modes[coordinate])?;
+        let mut lever = |lower, value| {
+            inputs.push(Input { name: name.to_string(), unit: "1", lower, upper: 1.0, value });
+            inputs.len() - 1
+        };
+        drives.push(match parts.law {
+            Law::Motor { effort, history, .. } => {
+                let input = (history == History::Lever).then(|| lever(-1.0, 0.0));
                 Drive::Motor(Motor { coordinate, effort, profile, input })
             }
-            (Law::Servo { numbers: [target, stiffness, damping, limit] }, _) => {
+            Law::Servo { numbers: [target, stiffness, damping, limit] } => {
                 Drive::Servo(Servo { position, coordinate, target, stiffness, damping, limit })
             }
-            (Law::Motor { .. }, None) => continue,
+            Law::Brake { state: BrakeState::Released, .. } => continue,
+            Law::Brake { numbers: [friction, smoothing], state } => {
+                let input = (state == BrakeState::Lever).then(|| lever(0.0, 1.0));
+                Drive::Brake(Brake { friction: CoulombFriction { coordinate, friction, smoothing }, input })
+            }
         });
     }
     for motion in prescribed(scenario, model)? {
@@ -52,9 +61,9 @@ pub fn build<S: Gathered>(
     Ok(Drives { drives, inputs })
 }
 
-/// A drive that is on has nothing to say in a joint that is held or prescribed.
-fn check_free<S: Gathered>(parts: &Parts<S>, joint: &Joint<S>) -> Result<(), FieldError> {
-    let mode = match joint.mode {
+/// A drive that is on has nothing to say where the coordinate is held or prescribed.
+fn check_free<S: Gathered>(parts: &Parts<S>, mode: Mode) -> Result<(), FieldError> {
+    let mode = match mode {
         Mode::Free => return Ok(()),
         Mode::Held => "held",
         Mode::Prescribed => "prescribed",
@@ -68,7 +77,7 @@ struct Parts<'a, S> {
     field: String,
     enabled: bool,
     joint: &'a str,
-    rotary: bool,
+    motion: AxisMotion,
     law: Law<'a, S>,
 }
 
@@ -83,6 +92,11 @@ enum Law<'a, S> {
     Servo {
         numbers: [S; 4],
     },
+    /// Capacity, smoothing speed.
+    Brake {
+        numbers: [S; 2],
+        state: BrakeState,
+    },
 }
 
 impl<'a, S: Gathered> Parts<'a, S> {
@@ -93,13 +107,18 @@ impl<'a, S: Gathered> Parts<'a, S> {
             pulse: pulse.as_ref(),
         };
         let servo = || Law::Servo { numbers: drive.numbers(servo_numbers) };
-        let (kind, enabled, joint, rotary, law) = match drive.first() {
-            schema::Drive::Motor(d) => ("motor", d.enabled, &d.joint, true, motor(d.history, &d.pulse)),
-            schema::Drive::LinearMotor(d) => ("linear_motor", d.enabled, &d.joint, false, motor(d.history, &d.pulse)),
-            schema::Drive::Servo(d) => ("servo", d.enabled, &d.joint, true, servo()),
-            schema::Drive::LinearServo(d) => ("linear_servo", d.enabled, &d.joint, false, servo()),
+        let brake = |state| Law::Brake { numbers: drive.numbers(brake_numbers), state };
+        let (kind, enabled, joint, motion, law) = match drive.first() {
+            schema::Drive::Motor(d) => ("motor", d.enabled, &d.joint, Rotation, motor(d.history, &d.pulse)),
+            schema::Drive::LinearMotor(d) => {
+                ("linear_motor", d.enabled, &d.joint, Translation, motor(d.history, &d.pulse))
+            }
+            schema::Drive::Servo(d) => ("servo", d.enabled, &d.joint, Rotation, servo()),
+            schema::Drive::LinearServo(d) => ("linear_servo", d.enabled, &d.joint, Translation, servo()),
+            schema::Drive::Brake(d) => ("brake", d.enabled, &d.joint, Rotation, brake(d.state)),
+            schema::Drive::LinearBrake(d) => ("linear_brake", d.enabled, &d.joint, Translation, brake(d.state)),
         };
-        Self { field: format!("drives.{name}.{kind}"), enabled, joint: joint.as_str(), rotary, law }
+        Self { field: format!("drives.{name}.{kind}"), enabled, joint: joint.as_str(), motion, law }
     }
 }
 
@@ -108,7 +127,7 @@ fn effort(drive: &schema::Drive) -> f64 {
     match drive {
         schema::Drive::Motor(d) => d.torque_n_m,
         schema::Drive::LinearMotor(d) => d.force_n,
-        schema::Drive::Servo(_) | schema::Drive::LinearServo(_) => 0.0,
+        _ => 0.0,
     }
 }
 
@@ -123,20 +142,26 @@ fn servo_numbers(drive: &schema::Drive) -> [f64; 4] {
             let (stiffness, damping) = (d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get());
             [d.target_m, stiffness, damping, d.force_limit_n.get()]
         }
-        schema::Drive::Motor(_) | schema::Drive::LinearMotor(_) => [0.0; 4],
+        _ => [0.0; 4],
     }
 }
 
-/// Names of the revolute or of the prismatic joints, those of bodies that are not enabled too.
-fn joints(scenario: &Scenario, rotary: bool) -> impl Iterator<Item = &str> {
-    scenario.bodies.iter().filter_map(move |(name, body)| {
-        let fits = match body.joint {
-            schema::Joint::Revolute(_) => rotary,
-            schema::Joint::Prismatic(_) => !rotary,
-            schema::Joint::Floating(_) | schema::Joint::Fixed(_) => false,
-        };
-        fits.then(|| joint_name(name, body))
-    })
+/// A brake's capacity and smoothing speed; 0 for other drives.
+fn brake_numbers(drive: &schema::Drive) -> [f64; 2] {
+    match drive {
+        schema::Drive::Brake(d) => [d.torque_n_m.get(), d.smoothing_rad_s.get()],
+        schema::Drive::LinearBrake(d) => [d.force_n.get(), d.smoothing_m_s.get()],
+        _ => [0.0; 2],
+    }
+}
+
+/// Names of the coordinates that turn or that slide, those of bodies that are not enabled too.
+fn coordinates(scenario: &Scenario, motion: AxisMotion) -> Vec<String> {
+    let of_body = |(name, body): (&schema::Name, &schema::Body)| {
+        let axes = axes(&body.joint).into_iter().filter(|axis| axis.motion == motion);
+        axes.map(|axis| axis.coordinate_name(joint_name(name, body))).collect::<Vec<_>>()
+    };
+    scenario.bodies.iter().flat_map(of_body).collect()
 }
 
 fn profile(field: &str, history: History, pulse: Option<&schema::Pulse>) -> Result<Profile, FieldError> {
@@ -154,7 +179,7 @@ fn profile(field: &str, history: History, pulse: Option<&schema::Pulse>) -> Resu
     }
 }
 
-/// The motions of the prescribed joints that are there.
+/// The motions of the prescribed coordinates that are there.
 fn prescribed<S: Gathered>(
     scenario: &Reading<Scenario>,
     model: &Model<S>,
@@ -162,48 +187,27 @@ fn prescribed<S: Gathered>(
     let mut motions = Vec::new();
     for (i, body) in model.bodies.iter().enumerate() {
         let joint = scenario.part(|scenario| &scenario.bodies[body.name.as_str()].joint);
-        let Some((kind, history, pulse)) = prescribed_law(joint.first()) else { continue };
-        let field = format!("bodies.{}.joint.{kind}.mode.prescribed", body.name);
-        if history == History::Lever {
-            return Err(FieldError::new(
-                format!("{field}.history"),
-                "lever",
-                "constant or pulse, for a prescribed motion",
-            ));
+        for (k, axis) in axes(joint.first()).iter().enumerate() {
+            let Some((_, history, pulse)) = &axis.prescribed else { continue };
+            let path = format!("bodies.{}.joint.{}", body.name, joint.first().kind());
+            let profile = prescribed_profile(&format!("{path}.{}", axis.field("mode.prescribed")), *history, pulse)?;
+            let rate = joint.number(|joint| axes(joint)[k].prescribed.as_ref().map_or(0.0, |(rate, ..)| *rate));
+            motions.push(PrescribedMotion { coordinate: model.tree.nodes[i].velocities + k, rate, profile });
         }
-        let profile = profile(&field, history, pulse)?;
-        if history == History::Pulse && pulse.is_some_and(|p| p.rise_s.get() == 0.0) {
-            let allowed = "a number greater than 0: a rate cannot jump";
-            return Err(FieldError::new(format!("{field}.pulse.rise_s"), 0, allowed));
-        }
-        let rate = joint.number(prescribed_rate);
-        motions.push(PrescribedMotion { coordinate: model.tree.nodes[i].velocities, rate, profile });
     }
     Ok(motions)
 }
 
-/// The kind of a joint that is prescribed, and how its rate goes with time.
-fn prescribed_law(joint: &schema::Joint) -> Option<(&'static str, History, Option<&schema::Pulse>)> {
-    match joint {
-        schema::Joint::Revolute(schema::RevoluteJoint { mode: RevoluteMode::Prescribed(given), .. }) => {
-            Some(("revolute", given.history, given.pulse.as_ref()))
-        }
-        schema::Joint::Prismatic(schema::PrismaticJoint { mode: PrismaticMode::Prescribed(given), .. }) => {
-            Some(("prismatic", given.history, given.pulse.as_ref()))
-        }
-        _ => None,
+/// How a prescribed rate goes with time; it has no lever, and does not jump.
+fn prescribed_profile(field: &str, history: History, pulse: &Option<schema::Pulse>) -> Result<Profile, FieldError> {
+    if history == History::Lever {
+        let allowed = "constant or pulse, for a prescribed motion";
+        return Err(FieldError::new(format!("{field}.history"), "lever", allowed));
     }
-}
-
-/// The full rate of a joint that is prescribed; 0 for others.
-fn prescribed_rate(joint: &schema::Joint) -> f64 {
-    match joint {
-        schema::Joint::Revolute(schema::RevoluteJoint { mode: RevoluteMode::Prescribed(given), .. }) => {
-            given.rate_rad_s
-        }
-        schema::Joint::Prismatic(schema::PrismaticJoint { mode: PrismaticMode::Prescribed(given), .. }) => {
-            given.speed_m_s
-        }
-        _ => 0.0,
+    let profile = profile(field, history, pulse.as_ref())?;
+    if history == History::Pulse && pulse.as_ref().is_some_and(|p| p.rise_s.get() == 0.0) {
+        let allowed = "a number greater than 0: a rate cannot jump";
+        return Err(FieldError::new(format!("{field}.pulse.rise_s"), 0, allowed));
     }
+    Ok(profile)
 }

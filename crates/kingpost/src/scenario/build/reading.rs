@@ -1,6 +1,6 @@
 //! Numbers of one scenario, or of several of one structure, read as one scalar.
 
-use crate::scalar::{Dual, Lanes, Scalar};
+use crate::scalar::{Dual, LANES, Lanes, Scalar};
 use crate::spatial::Vector3;
 use core::cell::Cell;
 
@@ -92,11 +92,11 @@ impl Gathered for f64 {
     }
 }
 
-impl<const N: usize> Gathered for Lanes<N> {
-    const WIDTH: usize = N;
+impl Gathered for Lanes {
+    const WIDTH: usize = LANES;
 
     fn gather(numbers: &[f64], _: &[Neighbour]) -> Self {
-        Self(core::array::from_fn(|k| numbers[k]))
+        Self::new(core::array::from_fn(|k| numbers[k]))
     }
 }
 

@@ -2,21 +2,26 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Name, NonNegative, yes};
+use super::axes::slow;
+use super::{CoordinateName, NonNegative, Positive, yes};
 
 /// What acts between two bodies, in the joint that connects them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Drive {
-    /// A torque in a revolute joint.
+    /// A torque about an axis.
     Motor(Motor),
-    /// A force in a prismatic joint.
+    /// A force along an axis.
     LinearMotor(LinearMotor),
-    /// A spring and damper with a torque limit that turns a revolute joint to a target.
+    /// A spring and damper with a torque limit that turns an axis to a target.
     Servo(Servo),
-    /// A spring and damper with a force limit that moves a prismatic joint to a target.
+    /// A spring and damper with a force limit that moves an axis to a target.
     LinearServo(LinearServo),
+    /// Dry friction about an axis, set and released.
+    Brake(Brake),
+    /// Dry friction along an axis, set and released.
+    LinearBrake(LinearBrake),
 }
 
 /// How a drive's strength goes with time.
@@ -55,8 +60,8 @@ pub struct Motor {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// The revolute joint.
-    pub joint: Name,
+    /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
+    pub joint: CoordinateName,
     /// Full torque, positive about the joint's axis, N m.
     #[serde(rename = "torque_N_m")]
     pub torque_n_m: f64,
@@ -76,8 +81,8 @@ pub struct LinearMotor {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// The prismatic joint.
-    pub joint: Name,
+    /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
+    pub joint: CoordinateName,
     /// Full force, positive along the joint's axis, N.
     #[serde(rename = "force_N")]
     pub force_n: f64,
@@ -97,8 +102,8 @@ pub struct Servo {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// The revolute joint.
-    pub joint: Name,
+    /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
+    pub joint: CoordinateName,
     /// The angle to hold, rad.
     pub target_rad: f64,
     /// Torque per angle, N m/rad.
@@ -120,8 +125,8 @@ pub struct LinearServo {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// The prismatic joint.
-    pub joint: Name,
+    /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
+    pub joint: CoordinateName,
     /// The extension to hold, m.
     pub target_m: f64,
     /// Force per extension, N/m.
@@ -133,4 +138,60 @@ pub struct LinearServo {
     /// Largest force, N.
     #[serde(rename = "force_limit_N")]
     pub force_limit_n: NonNegative,
+}
+
+/// How far a brake is set.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum BrakeState {
+    /// At its full capacity.
+    #[default]
+    Set,
+    /// Not at all.
+    Released,
+    /// By an input in [0, 1], named as the drive, that begins at 1: set.
+    Lever,
+}
+
+/// Dry friction about an axis, `torque rate / sqrt(rate^2 + smoothing^2)` when set.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Brake {
+    /// Whether it is there.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
+    pub joint: CoordinateName,
+    /// Capacity: the torque that it can hold, N m.
+    #[serde(rename = "torque_N_m")]
+    pub torque_n_m: NonNegative,
+    /// Rate about which its torque changes its sign smoothly, rad/s; what it holds creeps below it.
+    #[serde(default = "slow")]
+    pub smoothing_rad_s: Positive,
+    /// Set, released, or by a lever.
+    #[serde(default)]
+    pub state: BrakeState,
+}
+
+/// Dry friction along an axis, `force speed / sqrt(speed^2 + smoothing^2)` when set.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct LinearBrake {
+    /// Whether it is there.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
+    pub joint: CoordinateName,
+    /// Capacity: the force that it can hold, N.
+    #[serde(rename = "force_N")]
+    pub force_n: NonNegative,
+    /// Speed about which its force changes its sign smoothly, m/s; what it holds creeps below it.
+    #[serde(default = "slow")]
+    pub smoothing_m_s: Positive,
+    /// Set, released, or by a lever.
+    #[serde(default)]
+    pub state: BrakeState,
 }

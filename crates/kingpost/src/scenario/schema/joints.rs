@@ -2,7 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Direction, History, Name, NonNegative, Pulse};
+use super::axes::one;
+use super::joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
+use super::{
+    AngleAxis, AngleFriction, AngleLimits, AngleSpring, Direction, LengthAxis, LengthFriction, LengthLimits,
+    LengthSpring, Name, NonNegative, Positive, PrismaticMode, RevoluteMode,
+};
 
 /// How a body moves against its parent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -15,17 +20,29 @@ pub enum Joint {
     Revolute(RevoluteJoint),
     /// Slides along one axis.
     Prismatic(PrismaticJoint),
+    /// Turns about and slides along one axis.
+    Cylindrical(CylindricalJoint),
+    /// Turns about two perpendicular axes.
+    Universal(UniversalJoint),
+    /// Slides in a plane and turns about its normal.
+    Planar(PlanarJoint),
+    /// Turns about a point.
+    Spherical(SphericalJoint),
     /// Does not move against its parent.
     Fixed(FixedJoint),
 }
 
 impl Joint {
-    /// `floating`, `revolute`, `prismatic` or `fixed`: the key under which it stands.
+    /// `floating`, `revolute` and so on: the key under which it stands.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Floating(_) => "floating",
             Self::Revolute(_) => "revolute",
             Self::Prismatic(_) => "prismatic",
+            Self::Cylindrical(_) => "cylindrical",
+            Self::Universal(_) => "universal",
+            Self::Planar(_) => "planar",
+            Self::Spherical(_) => "spherical",
             Self::Fixed(_) => "fixed",
         }
     }
@@ -36,9 +53,51 @@ impl Joint {
             Self::Floating(joint) => joint.name.as_ref(),
             Self::Revolute(joint) => joint.name.as_ref(),
             Self::Prismatic(joint) => joint.name.as_ref(),
+            Self::Cylindrical(joint) => joint.name.as_ref(),
+            Self::Universal(joint) => joint.name.as_ref(),
+            Self::Planar(joint) => joint.name.as_ref(),
+            Self::Spherical(joint) => joint.name.as_ref(),
             Self::Fixed(joint) => joint.name.as_ref(),
         }
     }
+
+    /// Where it sits; at the origins for a floating joint.
+    pub fn place(&self) -> JointPlace {
+        let (position_m, child_position_m, orientation_rad) = match self {
+            Self::Floating(_) => return JointPlace::default(),
+            Self::Revolute(j) => (j.position_m, j.child_position_m, j.orientation_rad),
+            Self::Prismatic(j) => (j.position_m, j.child_position_m, j.orientation_rad),
+            Self::Cylindrical(j) => (j.position_m, j.child_position_m, j.orientation_rad),
+            Self::Universal(j) => (j.position_m, j.child_position_m, j.orientation_rad),
+            Self::Planar(j) => (j.position_m, j.child_position_m, j.orientation_rad),
+            Self::Spherical(j) => (j.position_m, j.child_position_m, j.orientation_rad),
+            Self::Fixed(j) => (j.position_m, j.child_position_m, j.orientation_rad),
+        };
+        JointPlace { position_m, child_position_m, orientation_rad }
+    }
+
+    /// The fields that hold its directions, with what they hold.
+    pub fn directions(&self) -> Vec<(&'static str, Direction)> {
+        match self {
+            Self::Revolute(joint) => vec![("axis", joint.axis)],
+            Self::Prismatic(joint) => vec![("axis", joint.axis)],
+            Self::Cylindrical(joint) => vec![("axis", joint.axis)],
+            Self::Universal(joint) => vec![("first_axis", joint.first_axis), ("second_axis", joint.second_axis)],
+            Self::Planar(joint) => vec![("normal", joint.normal), ("x_axis", joint.x_axis)],
+            Self::Floating(_) | Self::Spherical(_) | Self::Fixed(_) => Vec::new(),
+        }
+    }
+}
+
+/// Where a joint sits in its two bodies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct JointPlace {
+    /// In the parent's drawing frame, m.
+    pub position_m: [f64; 3],
+    /// In the body's drawing frame, m.
+    pub child_position_m: [f64; 3],
+    /// The body's axes in the parent's: roll, pitch, yaw, rad.
+    pub orientation_rad: [f64; 3],
 }
 
 /// A body free in the world. Its parent is the world.
@@ -100,38 +159,41 @@ pub struct RevoluteJoint {
     /// Viscous damping moment per rate, N m s.
     #[serde(default, rename = "damping_N_m_s")]
     pub damping_n_m_s: NonNegative,
+    /// Dry friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<AngleFriction>,
+    /// A spring.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spring: Option<AngleSpring>,
+    /// Stops at the ends of the travel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limits: Option<AngleLimits>,
+    /// Moment of inertia of the motor's rotor about its own axis, kg m^2.
+    #[serde(default)]
+    pub rotor_inertia_kg_m2: NonNegative,
+    /// Turns of the rotor for one turn about the axis.
+    #[serde(default = "one")]
+    pub gear_ratio: Positive,
     /// Free, held or prescribed.
     #[serde(default)]
     pub mode: RevoluteMode,
 }
 
-/// What decides a hinge's angle.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum RevoluteMode {
-    /// The dynamics do.
-    #[default]
-    Free,
-    /// It stays at its initial angle.
-    Held,
-    /// A given rate does.
-    Prescribed(PrescribedRate),
-}
-
-/// A hinge's rate as a given function of time.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct PrescribedRate {
-    /// Full rate, rad/s.
-    pub rate_rad_s: f64,
-    /// How the rate goes with time.
-    #[serde(default)]
-    pub history: History,
-    /// The times of the history `pulse`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pulse: Option<Pulse>,
+impl RevoluteJoint {
+    /// Its one axis.
+    pub fn only_axis(&self) -> AngleAxis {
+        AngleAxis {
+            initial_angle_rad: self.initial_angle_rad,
+            initial_rate_rad_s: self.initial_rate_rad_s,
+            mode: self.mode.clone(),
+            damping_n_m_s: self.damping_n_m_s,
+            friction: self.friction.clone(),
+            spring: self.spring.clone(),
+            limits: self.limits.clone(),
+            rotor_inertia_kg_m2: self.rotor_inertia_kg_m2,
+            gear_ratio: self.gear_ratio,
+        }
+    }
 }
 
 /// A slide.
@@ -162,38 +224,41 @@ pub struct PrismaticJoint {
     /// Viscous damping force per speed, N s/m.
     #[serde(default, rename = "damping_N_s_m")]
     pub damping_n_s_m: NonNegative,
+    /// Dry friction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<LengthFriction>,
+    /// A spring.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spring: Option<LengthSpring>,
+    /// Stops at the ends of the travel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limits: Option<LengthLimits>,
+    /// Moment of inertia of the motor's rotor about its own axis, kg m^2.
+    #[serde(default)]
+    pub rotor_inertia_kg_m2: NonNegative,
+    /// Angle of the rotor per extension, rad/m.
+    #[serde(default = "one")]
+    pub gear_ratio_rad_per_m: Positive,
     /// Free, held or prescribed.
     #[serde(default)]
     pub mode: PrismaticMode,
 }
 
-/// What decides a slide's extension.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum PrismaticMode {
-    /// The dynamics do.
-    #[default]
-    Free,
-    /// It stays at its initial extension.
-    Held,
-    /// A given speed does.
-    Prescribed(PrescribedSpeed),
-}
-
-/// A slide's speed as a given function of time.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct PrescribedSpeed {
-    /// Full speed, m/s.
-    pub speed_m_s: f64,
-    /// How the speed goes with time.
-    #[serde(default)]
-    pub history: History,
-    /// The times of the history `pulse`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pulse: Option<Pulse>,
+impl PrismaticJoint {
+    /// Its one axis.
+    pub fn only_axis(&self) -> LengthAxis {
+        LengthAxis {
+            initial_extension_m: self.initial_extension_m,
+            initial_speed_m_s: self.initial_speed_m_s,
+            mode: self.mode.clone(),
+            damping_n_s_m: self.damping_n_s_m,
+            friction: self.friction.clone(),
+            spring: self.spring.clone(),
+            limits: self.limits.clone(),
+            rotor_inertia_kg_m2: self.rotor_inertia_kg_m2,
+            gear_ratio_rad_per_m: self.gear_ratio_rad_per_m,
+        }
+    }
 }
 
 /// No motion against the parent.

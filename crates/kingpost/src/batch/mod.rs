@@ -1,0 +1,164 @@
+//! Many runs at once: variants of one scenario over lanes and threads.
+//!
+//! Variants of one structure go side by side in the [lanes](crate::scalar::Lanes) of SIMD
+//! registers, groups of them over threads. Every run has the bits that it would have alone,
+//! whatever stands beside it and whatever the number of threads.
+
+mod side_by_side;
+mod structure;
+
+use crate::plant::Form;
+use crate::results::{Channel, channels};
+use crate::scalar::LANES;
+use crate::scenario::{Scenario, ScenarioError, read};
+use crate::simulation::{Run, SchemeName, Setup, Simulation};
+use core::sync::atomic::{AtomicUsize, Ordering};
+use indexmap::IndexMap;
+use rayon::prelude::*;
+use serde_json::Value;
+
+use structure::Structure;
+use thiserror::Error;
+
+/// What is set over the scenario in one run: names of parameters or paths of fields, in order.
+pub type Variant = Vec<(String, Value)>;
+
+/// Why a batch did not run at all.
+#[derive(Clone, Debug, Error)]
+pub enum BatchError {
+    /// A variant that is no scenario.
+    #[error("run {run}: {error}")]
+    Variant {
+        /// Which, from 0.
+        run: usize,
+        /// What is wrong with it.
+        error: ScenarioError,
+    },
+    /// Variants with other bodies, joints or points than the first: their rows would not compare.
+    #[error("run {run}: found other result channels than those of run 0, allowed: the same bodies, joints and points")]
+    Channels {
+        /// Which, from 0.
+        run: usize,
+    },
+    /// The threads could not be started.
+    #[error("{0} threads could not be started")]
+    Threads(usize),
+    /// `progress` said so.
+    #[error("stopped")]
+    Stopped,
+}
+
+/// Runs of one batch, in the order of their variants.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    /// The channels of a row, the same in every run.
+    pub channels: Vec<Channel>,
+    /// The runs; one that diverged has its error, and the rows before it.
+    pub runs: Vec<Run>,
+}
+
+/// Runs every variant of a scenario from start to end. `threads` 0 takes as many as the machine
+/// has. `progress` hears how many runs are done; it may stop the batch by returning false.
+///
+/// ```
+/// let text = include_str!("../../../../scenarios/paper.yaml");
+/// let variant = |x: f64| vec![("crane_x_m".to_owned(), x.into()), ("simulation.duration_s".to_owned(), 0.1.into())];
+/// let batch = kingpost::batch::run(text, "paper.yaml", &[variant(0.0), variant(-5.0)], 2, |_| true)?;
+/// assert!(batch.runs.iter().all(|run| run.status.is_ok()));
+/// # Ok::<(), kingpost::batch::BatchError>(())
+/// ```
+///
+/// # Errors
+/// A variant that does not read or build, or whose channels are not those of the first.
+pub fn run(
+    text: &str,
+    file: &str,
+    variants: &[Variant],
+    threads: usize,
+    progress: impl Fn(usize) -> bool + Sync,
+) -> Result<Batch, BatchError> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|_| BatchError::Threads(threads))?;
+    pool.install(|| {
+        let members = members(text, file, variants)?;
+        let channels = members.first().map_or_else(Vec::new, |member| channels(&member.setup.model));
+        let done = AtomicUsize::new(0);
+        let run_group = |group: &[usize]| {
+            let runs = run_group(group, &members, &|| progress(done.load(Ordering::Relaxed)));
+            done.fetch_add(group.len(), Ordering::Relaxed);
+            (runs.is_some() && progress(done.load(Ordering::Relaxed)))
+                .then_some(runs)
+                .flatten()
+                .ok_or(BatchError::Stopped)
+        };
+        let groups = groups(&members);
+        let by_group: Vec<Vec<Run>> = groups.par_iter().map(|group| run_group(group)).collect::<Result<_, _>>()?;
+        let mut runs: Vec<(usize, Run)> = groups.into_iter().flatten().zip(by_group.into_iter().flatten()).collect();
+        runs.sort_by_key(|(run, _)| *run);
+        Ok(Batch { channels, runs: runs.into_iter().map(|(_, run)| run).collect() })
+    })
+}
+
+/// One variant, read and built.
+struct Member {
+    scenario: Scenario,
+    setup: Setup,
+    structure: Structure,
+}
+
+fn members(text: &str, file: &str, variants: &[Variant]) -> Result<Vec<Member>, BatchError> {
+    let member = |(run, variant): (usize, &Variant)| {
+        let wrong = |error| BatchError::Variant { run, error };
+        let scenario = read(text, file, variant).map_err(wrong)?;
+        let setup = scenario.setup().map_err(wrong)?;
+        let structure = Structure::of(&setup);
+        Ok(Member { scenario, setup, structure })
+    };
+    let members: Vec<Member> = variants.par_iter().enumerate().map(member).collect::<Result<_, _>>()?;
+    let names = |member: &Member| channels(&member.setup.model);
+    if let Some(first) = members.first().map(names)
+        && let Some(run) = members.par_iter().position_first(|member| names(member) != first)
+    {
+        return Err(BatchError::Channels { run });
+    }
+    Ok(members)
+}
+
+/// Runs that go side by side: of one structure, as many as there are lanes.
+fn groups(members: &[Member]) -> Vec<Vec<usize>> {
+    let mut by_structure: IndexMap<&Structure, Vec<usize>> = IndexMap::new();
+    for (run, member) in members.iter().enumerate() {
+        by_structure.entry(&member.structure).or_default().push(run);
+    }
+    let mut groups: Vec<Vec<usize>> = by_structure
+        .into_values()
+        .flat_map(|runs| runs.chunks(LANES).map(<[usize]>::to_vec).collect::<Vec<_>>())
+        .collect();
+    groups.sort();
+    groups
+}
+
+/// The runs of a group; `None` where `go_on` said no.
+fn run_group(group: &[usize], members: &[Member], go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
+    let alone: Vec<Simulation> = group.iter().map(|&run| Simulation::new(members[run].setup.clone())).collect();
+    let settings = &members[group[0]].setup.settings;
+    let fits = settings.form == Form::Recursive && steps_lanes(settings.scheme);
+    if group.len() > 1 && fits {
+        let scenarios: Vec<&Scenario> = group.iter().map(|&run| &members[run].scenario).collect();
+        return side_by_side::run(&scenarios, alone, go_on);
+    }
+    let finish = |mut simulation: Simulation| {
+        let mut stopped = false;
+        let run = simulation.run(|_| {
+            stopped = !go_on();
+            !stopped
+        });
+        (!stopped).then_some(run)
+    };
+    alone.into_iter().map(finish).collect()
+}
+
+/// Whether a scheme takes the same steps in every run: an explicit one of a fixed step.
+fn steps_lanes(scheme: SchemeName) -> bool {
+    matches!(scheme, SchemeName::ForwardEuler | SchemeName::MidpointEuler | SchemeName::RungeKutta4)
+}

@@ -1,0 +1,75 @@
+//! Runs of one structure in the lanes of one simulation.
+
+use crate::scalar::{LANES, Lanes};
+use crate::scenario::Scenario;
+use crate::scenario::build::{assemble, reading::Reading};
+use crate::simulation::{Recording, Run, Simulation};
+use crate::state::State;
+
+/// Runs up to [`LANES`] scenarios, each of which has its simulation in `alone`; `None` where
+/// `go_on` said no.
+///
+/// The lanes step together; rows are written by each run's own simulation, which takes over its
+/// lane's state. Where one of them diverges, each goes on alone from its last row.
+pub(super) fn run(scenarios: &[&Scenario], mut alone: Vec<Simulation>, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
+    let lanes = (0..LANES).map(|k| scenarios[k.min(scenarios.len() - 1)]).collect();
+    let mut recording = Recording::new(*alone[0].settings(), alone[0].time_s());
+    let mut rows: Vec<Vec<f64>> = vec![Vec::new(); alone.len()];
+    write_rows(&mut alone, &mut rows);
+    // Each builds alone, so all do together; were it not so, they would still run one by one.
+    let Ok(setup) = assemble::<Lanes>(&Reading::new(lanes)) else {
+        return one_by_one(alone, rows, &recording, go_on);
+    };
+    let mut together = Simulation::recursive(setup);
+    while !recording.is_over(together.state().steps) {
+        let due = recording.due(together.state().steps);
+        if together.step((due - together.state().steps) as usize).is_err() {
+            return one_by_one(alone, rows, &recording, go_on);
+        }
+        for (k, simulation) in alone.iter_mut().enumerate() {
+            take_lane(simulation.state_mut(), together.state(), k);
+        }
+        write_rows(&mut alone, &mut rows);
+        recording.written(together.time_s());
+        if !go_on() {
+            return None;
+        }
+    }
+    let run = |(rows, simulation): (Vec<f64>, &Simulation)| Run { rows, columns: simulation.columns(), status: Ok(()) };
+    Some(rows.into_iter().zip(&alone).map(run).collect())
+}
+
+/// The rest of each run by itself, from its last row on.
+fn one_by_one(
+    alone: Vec<Simulation>,
+    rows: Vec<Vec<f64>>,
+    recording: &Recording,
+    go_on: &dyn Fn() -> bool,
+) -> Option<Vec<Run>> {
+    let finish = |(mut simulation, rows): (Simulation, Vec<f64>)| {
+        let mut stopped = false;
+        let run = simulation.finish(rows, recording.clone(), |_| {
+            stopped = !go_on();
+            !stopped
+        });
+        (!stopped).then_some(run)
+    };
+    alone.into_iter().zip(rows).map(finish).collect()
+}
+
+fn write_rows(simulations: &mut [Simulation], rows: &mut [Vec<f64>]) {
+    simulations.iter_mut().zip(rows).for_each(|(simulation, rows)| simulation.write_row(rows));
+}
+
+/// Takes over the numbers of one lane.
+fn take_lane(state: &mut State, together: &State<Lanes>, k: usize) {
+    let lane = |from: &[Lanes], to: &mut [f64]| {
+        to.iter_mut().zip(from).for_each(|(to, from)| *to = from.to_array()[k]);
+    };
+    state.steps = together.steps;
+    lane(&together.q, &mut state.q);
+    lane(&together.v, &mut state.v);
+    lane(&together.s, &mut state.s);
+    lane(&together.d, &mut state.d);
+    lane(&together.memory, &mut state.memory);
+}

@@ -1,0 +1,149 @@
+//! J M^-1 J^T, factored by Cholesky in the order of the constraints.
+//!
+//! The order is kept, not chosen by the size of the pivots, so that a pivot that vanishes names the
+//! first constraint that depends on those before it.
+
+use crate::scalar::Scalar;
+
+/// A pivot below this share of its reference is no number to divide by: the constraint has become
+/// one of the others, as at a dead centre to 1e-5 rad.
+pub const SMALLEST_PIVOT: f64 = 1e-10;
+
+/// A constraint whose row of J is no longer than this share of its wrench moves nothing.
+const SMALLEST_MOTION: f64 = 1e-9;
+
+/// The matrix with its Cholesky factor, by rows.
+#[derive(Clone, Debug)]
+pub struct Factor<S = f64> {
+    count: usize,
+    /// The matrix, of which the lower triangle is read; overwritten by its factor L.
+    matrix: Vec<S>,
+    /// One over the diagonal of L, zero where the pivot is too small.
+    reciprocal: Vec<S>,
+    /// What each pivot is measured against.
+    reference: Vec<S>,
+    /// Pivots over their references.
+    pivots: Vec<S>,
+}
+
+impl<S: Scalar> Factor<S> {
+    /// Room for so many constraints.
+    pub fn new(count: usize) -> Self {
+        let many = |value| vec![value; count];
+        Self {
+            count,
+            matrix: vec![S::ZERO; count * count],
+            reciprocal: many(S::ZERO),
+            reference: many(S::ONE),
+            pivots: many(S::ONE),
+        }
+    }
+
+    /// Writes an entry of the lower triangle.
+    #[inline]
+    pub fn set(&mut self, row: usize, column: usize, value: S) {
+        self.matrix[row * self.count + column] = value;
+    }
+
+    /// Measures the pivots of a constraint against the diagonal as it stands, from now on; against
+    /// infinity where the constraint `moves` nothing and its diagonal is rounding.
+    pub fn take_reference(&mut self, row: usize, moves: S) {
+        let own = self.matrix[row * self.count + row];
+        self.reference[row] = moves.select_below(SMALLEST_MOTION, || S::constant(f64::INFINITY), || own);
+    }
+
+    /// Factors the matrix in place. A constraint whose pivot is too small is left out: it carries
+    /// nothing, and its pivot tells.
+    pub fn factor(&mut self) {
+        let n = self.count;
+        for i in 0..n {
+            for j in 0..=i {
+                let sum =
+                    (0..j).fold(self.matrix[i * n + j], |sum, k| sum - self.matrix[i * n + k] * self.matrix[j * n + k]);
+                if i != j {
+                    self.matrix[i * n + j] = sum * self.reciprocal[j];
+                    continue;
+                }
+                let limit = S::constant(SMALLEST_PIVOT) * self.reference[i];
+                self.pivots[i] = sum / self.reference[i];
+                // Written so that what is not a number is left out as well.
+                let root = limit.select_less(sum, || sum.sqrt(), || S::ZERO);
+                self.reciprocal[i] = limit.select_less(sum, || S::ONE / root, || S::ZERO);
+                self.matrix[i * n + i] = root;
+            }
+        }
+    }
+
+    /// Solves for the multipliers in place.
+    pub fn solve(&self, x: &mut [S]) {
+        let n = self.count;
+        for i in 0..n {
+            let sum = (0..i).fold(x[i], |sum, k| sum - self.matrix[i * n + k] * x[k]);
+            x[i] = sum * self.reciprocal[i];
+        }
+        for i in (0..n).rev() {
+            let sum = (i + 1..n).fold(x[i], |sum, k| sum - self.matrix[k * n + i] * x[k]);
+            x[i] = sum * self.reciprocal[i];
+        }
+    }
+
+    /// Pivots over their references.
+    pub fn pivots(&self) -> &[S] {
+        &self.pivots
+    }
+
+    /// The first constraint whose pivot is too small, in any lane.
+    pub fn dependent(&self) -> Option<usize> {
+        self.pivots.iter().position(|pivot| !pivot.all(|pivot| pivot > SMALLEST_PIVOT))
+    }
+
+    /// The constraints before `row` that it is made of, where it depends on them.
+    pub fn depends_on(&self, row: usize) -> Vec<usize> {
+        // The row of L holds L^T c, with c the shares of the rows before.
+        let (n, mut share) = (self.count, vec![0.0; row]);
+        let entry = |row: usize, column: usize| self.matrix[row * n + column].value();
+        for i in (0..row).rev() {
+            let sum = (i + 1..row).fold(entry(row, i), |sum, k| sum - entry(k, i) * share[k]);
+            share[i] = sum * self.reciprocal[i].value();
+        }
+        let reference = |i: usize| self.reference[i].value();
+        let size = |i: usize| libm::sqrt(share[i] * share[i] * reference(i) / reference(row));
+        (0..row).filter(|&i| size(i) > 1e-6).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn factor(rows: &[[f64; 3]; 3]) -> Factor {
+        let mut factor = Factor::new(3);
+        (0..3).for_each(|i| (0..=i).for_each(|j| factor.set(i, j, rows[i][j])));
+        (0..3).for_each(|i| factor.take_reference(i, 1.0));
+        factor.factor();
+        factor
+    }
+
+    #[test]
+    fn a_positive_definite_system_is_solved() {
+        let rows = [[4.0, 1.0, 0.5], [1.0, 3.0, -0.7], [0.5, -0.7, 2.0]];
+        let mut x = [1.0, -2.0, 0.3];
+        factor(&rows).solve(&mut x);
+        for (row, right) in rows.iter().zip([1.0, -2.0, 0.3]) {
+            let left: f64 = row.iter().zip(&x).map(|(a, x)| a * x).sum();
+            assert!((left - right).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_dependent_row_is_named_with_those_that_make_it_and_carries_nothing() {
+        // Rows J = (1, 0), (1, 1e-3), (0, 2): the third is 2000 times the second less the first.
+        let rows = [[1.0, 1.0, 0.0], [1.0, 1.0 + 1e-6, 2e-3], [0.0, 2e-3, 4.0]];
+        let factor = factor(&rows);
+        assert_eq!(factor.dependent(), Some(2));
+        assert_eq!(factor.depends_on(2), [0, 1]);
+        let mut x = [1.0, 2.0, 3.0];
+        factor.solve(&mut x);
+        assert!(x[2] == 0.0 && x.iter().all(|x| x.is_finite()));
+    }
+}

@@ -1,0 +1,180 @@
+//! Back to phi = 0 and phi' = 0 by the least change of q and v that M knows.
+//!
+//! A correction of the positions is one step of Newton's method with the M-weighted inverse of J,
+//! `xi = -M^-1 J^T (J M^-1 J^T)^-1 phi`, retracted on the group; one of the velocities is
+//! `-M^-1 J^T (J M^-1 J^T)^-1 J v`, which ends in one step. (Gear, Leimkuhler & Gupta 1985; Hairer &
+//! Wanner, *Solving Ordinary Differential Equations II*, 1996, sec. VII.2.) Coordinates that are
+//! held or prescribed do not move.
+
+use super::{LoopSolver, Row, SMALLEST_PIVOT};
+use crate::dynamics::forward::{Workspace, forward_dynamics};
+use crate::dynamics::{LinkKinematics, Loads};
+use crate::model::Model;
+use crate::scalar::Scalar;
+
+/// Corrections end where no constraint is off by more, m or rad.
+const WANTED_GAP: f64 = 1e-12;
+
+/// A loop whose constraint is off by more is open, m or rad: rounding leaves as much where the
+/// bodies are far from the origin.
+pub const LARGEST_GAP: f64 = 1e-10;
+
+/// Corrections of a step before its loops count as open. Newton's method doubles the digits.
+const MOST_IN_A_STEP: usize = 8;
+
+/// Corrections of an assembly, and the longest of each along any coordinate, m or rad.
+const MOST_IN_AN_ASSEMBLY: usize = 100;
+const LONGEST_CORRECTION: f64 = 0.3;
+
+/// Why a loop cannot be kept closed. Constraints are counted over all loops.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LoopFault {
+    /// A constraint has come to depend on those before it, or to move nothing: a dead centre.
+    Singular {
+        /// The constraint.
+        constraint: usize,
+        /// Its pivot against its size at the start; allowed is more than [`SMALLEST_PIVOT`].
+        pivot: f64,
+    },
+    /// A constraint is off, and Newton's method does not close it: out of reach.
+    Open {
+        /// The constraint.
+        constraint: usize,
+        /// By how much, m or rad; allowed is less than [`LARGEST_GAP`].
+        gap: f64,
+    },
+}
+
+/// No gap is below it.
+const NEVER: f64 = 0.0;
+
+/// What a projection works on.
+pub struct Projection<'a, S> {
+    /// The model.
+    pub model: &'a Model<S>,
+    /// Its kinematics; left at the corrected state.
+    pub links: &'a mut LinkKinematics<S>,
+    /// Working memory of the recursion.
+    pub work: &'a mut Workspace<S>,
+    /// Loads, for their added inertia.
+    pub loads: &'a Loads<S>,
+}
+
+impl<S: Scalar> LoopSolver<S> {
+    /// Measures pivots against the diagonal of J M^-1 J^T at this state.
+    pub fn begin_at(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &[S]) {
+        self.look(on, q, v);
+        self.begin();
+        self.factor_anew(on, v);
+    }
+
+    /// After a step: closes the loops, and stops their opening.
+    ///
+    /// # Errors
+    /// The constraint that came closest to depending on the others since the last call, where that
+    /// was too close; else the one that is off by most, where Newton's method does not close it. In
+    /// lanes, that of any lane.
+    pub fn close(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &mut [S]) -> Result<(), LoopFault> {
+        self.look(on, q, v);
+        for _ in 0..MOST_IN_A_STEP {
+            if self.gap().all(|gap| gap < WANTED_GAP) {
+                break;
+            }
+            self.correct_positions(on, q, v, WANTED_GAP);
+        }
+        self.correct_velocities(on, v);
+        let fault = self.fault();
+        self.forget_pivots();
+        fault.map_or(Ok(()), Err)
+    }
+
+    /// A gap that is not a number is that of a run that diverges, not the loop's.
+    fn fault(&self) -> Option<LoopFault> {
+        let weak = |(constraint, pivot): (usize, &S)| {
+            let singular = LoopFault::Singular { constraint, pivot: pivot.value() };
+            (!pivot.all(|pivot| pivot > SMALLEST_PIVOT)).then_some(singular)
+        };
+        let open = |(constraint, row): (usize, &Row<S>)| {
+            let open = LoopFault::Open { constraint, gap: row.residual.value() };
+            (!row.residual.all(|gap| gap.is_nan() || gap.abs() < LARGEST_GAP)).then_some(open)
+        };
+        let weak = self.lowest.iter().enumerate().find_map(weak);
+        weak.or_else(|| self.rows.iter().enumerate().find_map(open))
+    }
+
+    /// At the start: closes the loops from where they stand, however far they are open, and takes
+    /// the diagonal of J M^-1 J^T there as what pivots are measured against. The last correction
+    /// finds nothing to move, but gives the derivatives of a dual number. Returns whether the loops
+    /// are closed, in every lane.
+    pub fn assemble(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &mut [S]) -> bool {
+        self.look(on, q, v);
+        for _ in 0..MOST_IN_AN_ASSEMBLY {
+            if self.gap().all(|gap| gap < WANTED_GAP) {
+                break;
+            }
+            self.begin();
+            self.correct_positions(on, q, v, WANTED_GAP);
+        }
+        self.begin();
+        self.correct_positions(on, q, v, NEVER);
+        self.begin();
+        self.correct_velocities(on, v);
+        self.gap().all(|gap| gap < LARGEST_GAP)
+    }
+
+    /// Evaluates the constraints at a state.
+    fn look(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &[S]) {
+        on.links.update(on.model, q, v);
+        self.update_rows(on.model, on.links);
+    }
+
+    /// Largest absolute phi, m or rad.
+    fn gap(&self) -> S {
+        self.rows.iter().fold(S::ZERO, |largest, row| larger(largest, row.residual))
+    }
+
+    /// Factors J M^-1 J^T here, over articulated inertias that are computed anew.
+    fn factor_anew(&mut self, on: &mut Projection<'_, S>, v: &[S]) {
+        forward_dynamics(on.model, on.links, v, on.loads, on.work, &mut self.v_dot);
+        self.factor_here(on.model, on.links, on.work);
+    }
+
+    /// One correction of the positions. A lane whose gap is below `closed` stays as it is, to the
+    /// bit, whatever the others need.
+    fn correct_positions(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &[S], closed: f64) {
+        self.factor_anew(on, v);
+        for (right, row) in self.multipliers.iter_mut().zip(&self.rows) {
+            *right = -row.residual;
+        }
+        self.respond(on.model, on.links, on.work);
+        let longest = self.response.rates().iter().fold(S::ZERO, |longest, rate| larger(longest, *rate));
+        let (limit, gap) = (S::constant(LONGEST_CORRECTION), self.gap());
+        let share = limit.select_less(longest, || limit / longest, || S::ONE);
+        for (xi, rate) in self.xi.iter_mut().zip(self.response.rates()) {
+            *xi = *rate * share;
+        }
+        on.model.links.retract(q, &self.xi, &mut self.q);
+        for (q, corrected) in q.iter_mut().zip(&self.q) {
+            *q = gap.select_below(closed, || *q, || *corrected);
+        }
+        self.look(on, q, v);
+    }
+
+    /// The correction of the velocities: linear, so that one is enough.
+    fn correct_velocities(&mut self, on: &mut Projection<'_, S>, v: &mut [S]) {
+        self.factor_anew(on, v);
+        for (right, row) in self.multipliers.iter_mut().zip(&self.rows) {
+            *right = -row.rate;
+        }
+        self.respond(on.model, on.links, on.work);
+        for (v, rate) in v.iter_mut().zip(self.response.rates()) {
+            *v += *rate;
+        }
+    }
+}
+
+/// The larger of a number and the size of another; what is not a number stays so.
+fn larger<S: Scalar>(largest: S, other: S) -> S {
+    let size = other.select_below(0.0, || -other, || other);
+    size.select_less(largest, || largest, || size)
+}

@@ -1,0 +1,224 @@
+//! Every constraint where the bodies are: phi, its row of J as a wrench, and J' v.
+//!
+//! By Newton's third law a constraint carries one wrench W, on the second body, and -W on the
+//! first. The row of J is that wrench: `phi' = W . (V_second - V_first)` with both twists about one
+//! point in the same axes. Differentiated once more, with W fixed in A but for the rate `W_rel'`
+//! that the motion of B in A gives it,
+//!
+//! ```text
+//! phi'' = W . (V_second' - V_first') - W . (V_first x V_rel) + W_rel' . V_rel
+//! ```
+//!
+//! (Featherstone 2008, section 2.9 for the derivatives of twists and wrenches, ch. 8 for loops).
+
+use crate::dynamics::LinkKinematics;
+use crate::dynamics::ball::Ball;
+use crate::model::{Attachment, Constraint, JointKind, Loop, Mode, Model};
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Twist, Vector3, Wrench};
+
+/// One constraint where the bodies are.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<S = f64> {
+    /// phi, m or rad (of an angle, its sine).
+    pub residual: S,
+    /// phi', m/s or rad/s.
+    pub rate: S,
+    /// J' v: phi'' where the accelerations along v's coordinates vanish, m/s^2 or rad/s^2.
+    pub drift: S,
+    /// W, about the first attachment in its axes.
+    pub wrench: Wrench<S>,
+    /// -W in the axes of the first link's root, about the root's origin.
+    pub on_first: Wrench<S>,
+    /// W in the axes of the second link's root, about the root's origin.
+    pub on_second: Wrench<S>,
+    /// From the first attachment to the second, axes of the first, m.
+    pub way: Vector3<S>,
+    /// The link of the first attachment; `None` for the world.
+    pub first: Option<usize>,
+    /// The link of the second attachment; `None` for the world.
+    pub second: Option<usize>,
+}
+
+impl<S: Scalar> Row<S> {
+    /// W about the second attachment, in the axes of the first.
+    pub fn at_second(&self) -> Wrench<S> {
+        Wrench { moment: self.wrench.moment - self.way.cross(self.wrench.force), ..self.wrench }
+    }
+
+    /// `J a`, from the accelerations (or twists) of the links in root axes.
+    #[inline]
+    pub fn times(&self, acceleration: impl Fn(usize) -> Twist<S>) -> S {
+        let along = |wrench: &Wrench<S>, link: Option<usize>| link.map_or(S::ZERO, |i| wrench.dot(&acceleration(i)));
+        along(&self.on_second, self.second) + along(&self.on_first, self.first)
+    }
+
+    /// Length of the row of J over the free coordinates, beside that of its wrench: zero where no
+    /// coordinate moves the one body against the other.
+    pub fn motion(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
+        let size = |wrench: &Wrench<S>| wrench.force.norm_squared() + wrench.moment.norm_squared();
+        let mut squares = S::ZERO;
+        for (i, node) in model.links.nodes.iter().enumerate() {
+            let carries = |end: Option<usize>| end.is_some_and(|end| is_on_the_way(model, i, end));
+            let mut wrench = Wrench::zero();
+            if carries(self.first) {
+                wrench += self.on_first;
+            }
+            if carries(self.second) {
+                wrench += self.on_second;
+            }
+            squares += match &node.kind {
+                JointKind::Floating(floating) => {
+                    let free = |held: bool| if held { S::ZERO } else { S::ONE };
+                    wrench.force.norm_squared() * free(floating.hold_translation)
+                        + wrench.moment.norm_squared() * free(floating.hold_rotation)
+                }
+                JointKind::Spherical(joint) if node.mode == Mode::Free => {
+                    let axes = Ball::new(joint, node, &links.in_root[i]).axes();
+                    axes.iter().fold(S::ZERO, |sum, axis| sum + wrench.dot(axis) * wrench.dot(axis))
+                }
+                _ if node.mode == Mode::Free => wrench.dot(&links.axis[i]) * wrench.dot(&links.axis[i]),
+                _ => S::ZERO,
+            };
+        }
+        (squares / (size(&self.on_first) + size(&self.on_second))).sqrt()
+    }
+}
+
+/// Whether a link is on the way from another to the world, itself included.
+fn is_on_the_way<S>(model: &Model<S>, link: usize, from: usize) -> bool {
+    let mut next = Some(from);
+    while let Some(at) = next.filter(|at| *at >= link) {
+        if at == link {
+            return true;
+        }
+        next = model.links.nodes[at].parent;
+    }
+    false
+}
+
+/// Writes the rows of all loops.
+pub fn update<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, rows: &mut Vec<Row<S>>) {
+    rows.clear();
+    for closed in &model.loops {
+        let pair = Pair::new(model, links, closed);
+        rows.extend(closed.constraints.iter().map(|(_, constraint)| pair.row(closed, constraint)));
+    }
+}
+
+/// Two attachments, seen from the first: A.
+struct Pair<S> {
+    /// A in the axes of the first body's root, or in the world.
+    first_in_own_root: Frame<S>,
+    /// A in the axes of the second body's root, or in the world.
+    first_in_other_root: Frame<S>,
+    /// B in A.
+    second_in_first: Frame<S>,
+    /// Twist of the first body about A, in A's axes.
+    twist_first: Twist<S>,
+    /// Twist of the second body less that of the first, the same.
+    relative: Twist<S>,
+}
+
+/// The root of the branch that an attachment is on, and the attachment seen from there.
+fn seen_from_root<S: Scalar>(
+    model: &Model<S>,
+    links: &LinkKinematics<S>,
+    attachment: &Attachment<S>,
+) -> (Option<usize>, Frame<S>) {
+    match attachment.link {
+        Some(link) => (Some(model.roots[link]), links.in_root[link].times(&attachment.in_link)),
+        None => (None, attachment.in_link),
+    }
+}
+
+/// The frame `from` seen from the frame `to`, both given in the world. The positions are subtracted
+/// first: two ships may be near each other and far from the origin.
+fn between<S: Scalar>(to: &Frame<S>, from: &Frame<S>) -> Frame<S> {
+    let turned = to.rotation.transpose();
+    Frame { rotation: turned * from.rotation, position: turned * (from.position - to.position) }
+}
+
+impl<S: Scalar> Pair<S> {
+    fn new(model: &Model<S>, links: &LinkKinematics<S>, closed: &Loop<S>) -> Self {
+        let (first_root, first) = seen_from_root(model, links, &closed.first);
+        let (second_root, second) = seen_from_root(model, links, &closed.second);
+        let root = |root: Option<usize>| root.map_or(Frame::identity(), |r| links.root_in_world[r]);
+        let first_in_other_root = if first_root == second_root {
+            first
+        } else {
+            between(&root(second_root), &root(first_root)).times(&first)
+        };
+        let twist = |attachment: &Attachment<S>, frame: &Frame<S>| {
+            attachment.link.map_or(Twist::zero(), |link| frame.twist_to_child(&links.twist[link]))
+        };
+        let twist_first = twist(&closed.first, &first);
+        Self {
+            first_in_own_root: first,
+            first_in_other_root,
+            second_in_first: between(&first_in_other_root, &second),
+            twist_first,
+            relative: twist(&closed.second, &first_in_other_root) - twist_first,
+        }
+    }
+
+    fn row(&self, closed: &Loop<S>, constraint: &Constraint<S>) -> Row<S> {
+        let (residual, wrench, wrench_rate) = match *constraint {
+            Constraint::Offset(axis) => self.offset(axis),
+            Constraint::Perpendicular { first, second } => self.perpendicular(first, second),
+            Constraint::Distance(length) => self.distance(length),
+        };
+        let carried = self.twist_first.cross(&self.relative);
+        Row {
+            residual,
+            rate: wrench.dot(&self.relative),
+            drift: wrench_rate.dot(&self.relative) - wrench.dot(&carried),
+            wrench,
+            on_first: -self.first_in_own_root.wrench_to_parent(&wrench),
+            on_second: self.first_in_other_root.wrench_to_parent(&wrench),
+            way: self.second_in_first.position,
+            first: closed.first.link,
+            second: closed.second.link,
+        }
+    }
+
+    /// d in A's axes, and its rate as A sees it.
+    fn way(&self) -> (Vector3<S>, Vector3<S>) {
+        let d = self.second_in_first.position;
+        (d, self.relative.linear + self.relative.angular.cross(d))
+    }
+
+    /// phi, W and the rate of W in A, of `d_i = 0`: a force along A's axis, through B.
+    fn offset(&self, axis: usize) -> (S, Wrench<S>, Wrench<S>) {
+        let ((d, d_dot), e) = (self.way(), unit(axis));
+        let wrench = Wrench { moment: d.cross(e), force: e };
+        (d[axis], wrench, Wrench { moment: d_dot.cross(e), force: Vector3::zero() })
+    }
+
+    /// The same of `abs(d) = l`: a force along d. Where d vanishes, it has no direction.
+    fn distance(&self, length: S) -> (S, Wrench<S>, Wrench<S>) {
+        let (d, d_dot) = self.way();
+        let now = d.norm();
+        let reciprocal = now.select_below(SHORTEST, || S::ZERO, || S::ONE / now);
+        let n = d * reciprocal;
+        let n_dot = (d_dot - n * n.dot(d_dot)) * reciprocal;
+        let force = |force| Wrench { moment: Vector3::zero(), force };
+        (now - length, force(n), force(n_dot))
+    }
+
+    /// The same of `+-a . b = 0`, a an axis of A and b one of B: a moment along b x a.
+    fn perpendicular(&self, first: usize, second: usize) -> (S, Wrench<S>, Wrench<S>) {
+        let sign = if (first + 3 - second) % 3 == 1 { S::ONE } else { -S::ONE };
+        let (a, b) = (unit(first) * sign, self.second_in_first.rotation.column(second));
+        let b_dot = self.relative.angular.cross(b);
+        let moment = |moment| Wrench { moment, force: Vector3::zero() };
+        (a.dot(b), moment(b.cross(a)), moment(b_dot.cross(a)))
+    }
+}
+
+/// A rod shorter than this has no direction, m.
+const SHORTEST: f64 = 1e-9;
+
+fn unit<S: Scalar>(axis: usize) -> Vector3<S> {
+    Vector3(core::array::from_fn(|i| if i == axis { S::ONE } else { S::ZERO }))
+}

@@ -1,0 +1,125 @@
+//! J and J' q' of the closed loops, from B and B' by the product rule in world axes.
+//!
+//! An attachment with the lever r on its body moves with `x' + R hat(r)^T omega`: three rows of J
+//! over all coordinates, and three more for its angular velocity. `dynamics::loops` finds the same
+//! rows as wrenches, in other axes.
+
+use super::blocks::{omega_of, x_dot_of};
+use crate::model::{Attachment, Constraint, Model};
+use crate::spatial::{Frame, Vector3};
+use nalgebra::{DMatrix, DVector, RowDVector};
+
+/// What the rows are made of.
+pub(super) struct Motion<'a> {
+    pub model: &'a Model,
+    pub frames: &'a [Frame],
+    pub b: &'a DMatrix<f64>,
+    pub x_dot: &'a DVector<f64>,
+    /// B' q'.
+    pub x_drift: &'a DVector<f64>,
+}
+
+/// J over all coordinates, and J' q'.
+pub(super) fn rows(motion: &Motion<'_>) -> (DMatrix<f64>, DVector<f64>) {
+    let constraints = motion.model.loops.iter().flat_map(|closed| {
+        let (first, second) = (motion.point(&closed.first), motion.point(&closed.second));
+        closed.constraints.iter().map(move |(_, constraint)| row(&first, &second, constraint)).collect::<Vec<_>>()
+    });
+    let (rows, drifts): (Vec<RowDVector<f64>>, Vec<f64>) = constraints.unzip();
+    let j = if rows.is_empty() { DMatrix::zeros(0, motion.b.ncols()) } else { DMatrix::from_rows(&rows) };
+    (j, DVector::from_vec(drifts))
+}
+
+/// An attachment in the world.
+#[derive(Clone)]
+struct Point {
+    frame: Frame,
+    velocity: Vector3,
+    omega: Vector3,
+    /// The parts of its accelerations that do not come from q''.
+    acceleration: Vector3,
+    alpha: Vector3,
+    /// Velocity per coordinate: three rows.
+    linear: DMatrix<f64>,
+    /// Angular velocity per coordinate: three rows.
+    angular: DMatrix<f64>,
+}
+
+impl Motion<'_> {
+    fn point(&self, attachment: &Attachment) -> Point {
+        let none = DMatrix::zeros(3, self.b.ncols());
+        let Some(body) = attachment.body else {
+            let [velocity, omega, acceleration, alpha] = [Vector3::zero(); 4];
+            let frame = attachment.in_body;
+            return Point { frame, velocity, omega, acceleration, alpha, linear: none.clone(), angular: none };
+        };
+        let (frame, rotation) = (self.frames[body], self.frames[body].rotation);
+        let lever = rotation * attachment.in_body.position;
+        let omega = rotation * omega_of(self.x_dot, body);
+        let alpha = rotation * omega_of(self.x_drift, body);
+        let (mut linear, mut angular) = (none.clone(), none);
+        for k in 0..self.b.ncols() {
+            let entry = |row: usize| Vector3(core::array::from_fn(|i| self.b[(6 * body + row + i, k)]));
+            let turning = rotation * entry(3);
+            let moving = entry(0) + turning.cross(lever);
+            for i in 0..3 {
+                linear[(i, k)] = moving[i];
+                angular[(i, k)] = turning[i];
+            }
+        }
+        Point {
+            frame: frame.times(&attachment.in_body),
+            velocity: x_dot_of(self.x_dot, body) + omega.cross(lever),
+            omega,
+            acceleration: x_dot_of(self.x_drift, body) + alpha.cross(lever) + omega.cross(omega.cross(lever)),
+            alpha,
+            linear,
+            angular,
+        }
+    }
+}
+
+/// One row of J, and its share of J' q'.
+fn row(first: &Point, second: &Point, constraint: &Constraint) -> (RowDVector<f64>, f64) {
+    let along = |v: Vector3, rows: &DMatrix<f64>| RowDVector::from_row_slice(&v.0) * rows;
+    let (way, rate) = (second.frame.position - first.frame.position, second.velocity - first.velocity);
+    let between = second.acceleration - first.acceleration;
+    let linear = &second.linear - &first.linear;
+    match *constraint {
+        Constraint::Offset(axis) => {
+            let a = first.axis(axis);
+            let row = along(a, &linear) + along(a.cross(way), &first.angular);
+            (row, a.dot(between) + 2.0 * first.rate_of(a).dot(rate) + first.second_rate_of(a).dot(way))
+        }
+        Constraint::Perpendicular { first: i, second: j } => {
+            let sign = if [(2, 1), (0, 2), (1, 0)].contains(&(i, j)) { 1.0 } else { -1.0 };
+            let (a, b) = (first.axis(i) * sign, second.axis(j));
+            let row = along(a.cross(b), &first.angular) + along(b.cross(a), &second.angular);
+            let both = 2.0 * first.rate_of(a).dot(second.rate_of(b));
+            (row, first.second_rate_of(a).dot(b) + both + a.dot(second.second_rate_of(b)))
+        }
+        Constraint::Distance(_) => {
+            let length = way.norm();
+            let n = way * (1.0 / length);
+            let across = rate - n * n.dot(rate);
+            (along(n, &linear), n.dot(between) + across.norm_squared() / length)
+        }
+    }
+}
+
+impl Point {
+    /// One of its axes, world.
+    fn axis(&self, axis: usize) -> Vector3 {
+        self.frame.rotation.column(axis)
+    }
+
+    /// First derivative of a direction that turns with it.
+    fn rate_of(&self, a: Vector3) -> Vector3 {
+        self.omega.cross(a)
+    }
+
+    /// Second derivative of it, q'' apart.
+    fn second_rate_of(&self, a: Vector3) -> Vector3 {
+        self.alpha.cross(a) + self.omega.cross(self.omega.cross(a))
+    }
+}

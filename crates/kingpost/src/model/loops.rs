@@ -1,0 +1,130 @@
+//! Closed loops: what ties two bodies of the tree together beside their joints.
+//!
+//! A mechanism with a loop is cut open into a tree, and the joint that was cut is written as
+//! constraints between the two bodies that it tied. With A the attachment on the first body and B
+//! on the second, d the way from A to B in A's axes and Q = R_A^T R_B the axes of B in those of A,
+//! each constraint is one equation phi = 0:
+//!
+//! | constraint | phi | carries, at B |
+//! | --- | --- | --- |
+//! | x, y, z | d_i | a force along A's axis i |
+//! | roll, pitch, yaw | +-Q_ij, i and j different | a moment about B's axis j cross A's axis i |
+//! | distance | abs(d) - l | a force along d |
+
+use super::Body;
+use crate::scalar::Scalar;
+use crate::spatial::Frame;
+
+/// A point with axes, on a body or on the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attachment<S = f64> {
+    /// The body; `None` is the world.
+    pub body: Option<usize>,
+    /// The attachment in the body's frame, or in the world.
+    pub in_body: Frame<S>,
+    /// The link that carries the body; `None` where it is fixed to the world.
+    pub link: Option<usize>,
+    /// The attachment in the link's frame, or in the world.
+    pub in_link: Frame<S>,
+}
+
+/// One equation between two attachments.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Constraint<S = f64> {
+    /// The second attachment stays at zero along this axis (0, 1, 2) of the first.
+    Offset(usize),
+    /// An axis of the first and another of the second stay perpendicular: phi is their product,
+    /// with the sign that makes it a small positive angle about the third axis.
+    Perpendicular {
+        /// Axis of the first attachment: 0, 1 or 2.
+        first: usize,
+        /// Axis of the second, another than `first`.
+        second: usize,
+    },
+    /// The attachments stay this far apart, m: a massless rod.
+    Distance(S),
+}
+
+/// A rotation that a loop can constrain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// About x.
+    Roll,
+    /// About y.
+    Pitch,
+    /// About z.
+    Yaw,
+}
+
+/// A named cut joint.
+#[derive(Clone, Debug)]
+pub struct Loop<S = f64> {
+    /// Unique name.
+    pub name: String,
+    /// Where it is tied to the first body: its axes are those of the constraints.
+    pub first: Attachment<S>,
+    /// Where it is tied to the second body.
+    pub second: Attachment<S>,
+    /// Its equations, each under the author's name for it.
+    pub constraints: Vec<(String, Constraint<S>)>,
+}
+
+impl<S: Scalar> Attachment<S> {
+    /// An attachment on a body, or on the world.
+    pub fn on(body: Option<usize>, in_body: Frame<S>) -> Self {
+        Self { body, in_body, link: None, in_link: in_body }
+    }
+
+    /// The same, once the bodies have their links.
+    pub(super) fn on_link(self, bodies: &[Body<S>]) -> Self {
+        let Some(body) = self.body.map(|body| &bodies[body]) else { return self };
+        Self { link: body.link, in_link: body.in_link.times(&self.in_body), ..self }
+    }
+}
+
+impl<S: Scalar> Constraint<S> {
+    /// The constraint of one rotation, where `all` are constrained. Two of them leave a hinge about
+    /// the third axis: B's hinge axis stays perpendicular to A's other two, at any angle of the
+    /// hinge. Otherwise phi is that of the intrinsic z-y-x angles: B's y on A's z for roll, B's x
+    /// on A's z for pitch, B's x on A's y for yaw.
+    pub fn rotation(turn: Turn, all: &[Turn]) -> Self {
+        let third = |axis: usize| 3 - turn as usize - axis;
+        let free: Vec<usize> = (0..3).filter(|axis| !all.iter().any(|turn| *turn as usize == *axis)).collect();
+        let second = match (free.as_slice(), turn) {
+            ([hinge], _) => *hinge,
+            (_, Turn::Roll) => 1,
+            (_, Turn::Pitch | Turn::Yaw) => 0,
+        };
+        Self::Perpendicular { first: third(second), second }
+    }
+
+    /// Unit of its equation.
+    pub fn unit(&self) -> &'static str {
+        match self {
+            Self::Offset(_) | Self::Distance(_) => "m",
+            Self::Perpendicular { .. } => "rad",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn axes(turn: Turn, all: &[Turn]) -> (usize, usize) {
+        match Constraint::<f64>::rotation(turn, all) {
+            Constraint::Perpendicular { first, second } => (first, second),
+            _ => unreachable!("a rotation is about axes"),
+        }
+    }
+
+    #[test]
+    fn two_rotations_leave_a_hinge_whose_axis_stays_perpendicular_to_the_other_two() {
+        use Turn::{Pitch, Roll, Yaw};
+        assert_eq!([Roll, Yaw].map(|turn| axes(turn, &[Roll, Yaw])), [(2, 1), (0, 1)]);
+        assert_eq!([Roll, Pitch].map(|turn| axes(turn, &[Roll, Pitch])), [(1, 2), (0, 2)]);
+        assert_eq!([Pitch, Yaw].map(|turn| axes(turn, &[Pitch, Yaw])), [(2, 0), (1, 0)]);
+        let all = [Roll, Pitch, Yaw];
+        assert_eq!(all.map(|turn| axes(turn, &all)), [(2, 1), (2, 0), (1, 0)]);
+    }
+}

@@ -1,0 +1,172 @@
+//! Closed loops: their attachments, whether their constraints are independent, and whether they
+//! close from where they start.
+
+use super::super::schema::{self, Scenario};
+use super::reading::{Gathered, Reading};
+use super::{FieldError, known};
+use crate::dynamics::forward::Workspace;
+use crate::dynamics::loops::{LoopSolver, Projection, Row};
+use crate::dynamics::{LinkKinematics, Loads};
+use crate::model::{Attachment, Constraint, Loop, Model, Turn};
+use crate::scalar::Scalar;
+use crate::simulation::Setup;
+use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
+
+/// The model with the loops that are on, between bodies that are there.
+pub fn build<S: Gathered>(scenario: &Reading<Scenario>, model: Model<S>) -> Result<Model<S>, FieldError> {
+    let mut loops = Vec::new();
+    for (name, first) in &scenario.first().loops {
+        let given = scenario.part(|scenario| &scenario.loops[name]);
+        let ends = [given.part(|given| &given.first), given.part(|given| &given.second)];
+        for (end, which) in ends.iter().zip(["first", "second"]) {
+            let bodies = scenario.first().bodies.keys().map(|body| body.as_str());
+            known(&format!("loops.{name}.{which}.body"), &end.first().body, bodies.chain([schema::WORLD]))?;
+        }
+        if first.constraints.is_empty() {
+            return Err(FieldError::new(
+                format!("loops.{name}.constraints"),
+                "an empty list",
+                "at least one constraint",
+            ));
+        }
+        let there =
+            |end: &Reading<schema::Attachment>| end.first().named_body().is_none_or(|body| model.body(body).is_some());
+        if first.enabled && ends.iter().all(there) {
+            let [first, second] = ends.map(|end| attachment(scenario, &model, &end));
+            loops.push(Loop { name: name.to_string(), first, second, constraints: constraints(&given) });
+        }
+    }
+    Ok(model.with_loops(loops))
+}
+
+/// An attachment seen from the centre of mass of its body.
+fn attachment<S: Gathered>(
+    scenario: &Reading<Scenario>,
+    model: &Model<S>,
+    given: &Reading<schema::Attachment>,
+) -> Attachment<S> {
+    let centre = given
+        .first()
+        .named_body()
+        .map_or(Vector3::zero(), |body| scenario.vector(|scenario| scenario.bodies[body].centre_of_mass_m));
+    let position = given.vector(|given| given.position_m) - centre;
+    let rotation = rotation_from_roll_pitch_yaw(given.vector(|given| given.orientation_rad));
+    let body = given.first().named_body().and_then(|body| model.body(body));
+    Attachment::on(body, Frame { rotation, position })
+}
+
+/// The constraints in the engine's terms, with their names.
+fn constraints<S: Gathered>(given: &Reading<schema::Loop>) -> Vec<(String, Constraint<S>)> {
+    let turn = |constraint: &schema::Constraint| match constraint {
+        schema::Constraint::Roll => Some(Turn::Roll),
+        schema::Constraint::Pitch => Some(Turn::Pitch),
+        schema::Constraint::Yaw => Some(Turn::Yaw),
+        _ => None,
+    };
+    let turns: Vec<Turn> = given.first().constraints.iter().filter_map(turn).collect();
+    let length = |i: usize| {
+        given.number(|given| match given.constraints[i] {
+            schema::Constraint::Distance(distance) => distance.length_m.get(),
+            _ => 0.0,
+        })
+    };
+    let constraint = |(i, constraint): (usize, &schema::Constraint)| {
+        let meant = match constraint {
+            schema::Constraint::X => Constraint::Offset(0),
+            schema::Constraint::Y => Constraint::Offset(1),
+            schema::Constraint::Z => Constraint::Offset(2),
+            schema::Constraint::Roll => Constraint::rotation(Turn::Roll, &turns),
+            schema::Constraint::Pitch => Constraint::rotation(Turn::Pitch, &turns),
+            schema::Constraint::Yaw => Constraint::rotation(Turn::Yaw, &turns),
+            schema::Constraint::Distance(_) => Constraint::Distance(length(i)),
+        };
+        (constraint.name().to_owned(), meant)
+    };
+    given.first().constraints.iter().enumerate().map(constraint).collect()
+}
+
+/// Brings the start to where the loops are closed, and its velocities to a motion that keeps them
+/// so.
+///
+/// # Errors
+/// A gap larger than the author allows, a constraint that follows from others or moves nothing, a
+/// loop that cannot be closed.
+pub fn close<S: Scalar>(scenario: &Scenario, setup: &mut Setup<S>) -> Result<(), FieldError> {
+    let Setup { model, q, v, .. } = setup;
+    if model.loops.is_empty() {
+        return Ok(());
+    }
+    let (mut links, mut work, loads) = (LinkKinematics::new(model), Workspace::new(model), Loads::new(model));
+    let mut solver = LoopSolver::new(model);
+    let mut on = Projection { model, links: &mut links, work: &mut work, loads: &loads };
+    solver.begin_at(&mut on, q, v);
+    check_start(scenario, model, solver.rows())?;
+    let closed = solver.assemble(&mut on, q, v);
+    check_independence(model, &solver)?;
+    if closed {
+        return Ok(());
+    }
+    let (name, gaps) = gaps(model, solver.rows()).into_iter().next().unwrap_or_default();
+    let found = format!("a loop that stays open by {gaps} as near as its joints bring it");
+    Err(FieldError::new(format!("loops.{name}"), found, "lengths and a start from which the loop closes"))
+}
+
+/// The gap at the start must be one that may be closed.
+fn check_start<S: Scalar>(scenario: &Scenario, model: &Model<S>, rows: &[Row<S>]) -> Result<(), FieldError> {
+    let mut rows = rows.iter();
+    for closed in &model.loops {
+        let allowed = scenario.loops[closed.name.as_str()].start_gap_m.get();
+        let own: Vec<Row<S>> = rows.by_ref().take(closed.constraints.len()).copied().collect();
+        if !own.iter().all(|row| row.residual.all(|gap| gap.abs() <= allowed)) {
+            let gaps = worded(closed, &own);
+            let allowed = format!("at most {allowed} m or rad: start_gap_m");
+            return Err(FieldError::new(
+                format!("loops.{}", closed.name),
+                format!("a gap at the start of {gaps}"),
+                allowed,
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// No constraint may follow from those before it, or move nothing.
+fn check_independence<S: Scalar>(model: &Model<S>, solver: &LoopSolver<S>) -> Result<(), FieldError> {
+    let Some(dependent) = solver.factor().dependent() else { return Ok(()) };
+    let all = model.constraint_names();
+    let (closed, own) = model
+        .loops
+        .iter()
+        .flat_map(|closed| (0..closed.constraints.len()).map(move |own| (closed, own)))
+        .nth(dependent)
+        .expect("a pivot is of a constraint");
+    let others: Vec<&str> = solver.factor().depends_on(dependent).into_iter().map(|i| all[i].as_str()).collect();
+    let why = match others.as_slice() {
+        [] => "which no free coordinate can change".to_owned(),
+        others => format!("which follows from {}", others.join(", ")),
+    };
+    let found = format!("{}, {why}", closed.constraints[own].0);
+    let allowed = "constraints of which none depends on the others: leave this one out";
+    Err(FieldError::new(format!("loops.{}.constraints.{own}", closed.name), found, allowed))
+}
+
+/// The loops that are open, and by how much.
+fn gaps<S: Scalar>(model: &Model<S>, rows: &[Row<S>]) -> Vec<(String, String)> {
+    let mut rows = rows.iter();
+    let mut open = Vec::new();
+    for closed in &model.loops {
+        let own: Vec<Row<S>> = rows.by_ref().take(closed.constraints.len()).copied().collect();
+        if !own.iter().all(|row| row.residual.all(|gap| gap.abs() < 1e-9)) {
+            open.push((closed.name.clone(), worded(closed, &own)));
+        }
+    }
+    open
+}
+
+/// `0.2500 m in x, -0.0100 rad in roll`.
+fn worded<S: Scalar>(closed: &Loop<S>, rows: &[Row<S>]) -> String {
+    let one = |((name, constraint), row): (&(String, Constraint<S>), &Row<S>)| {
+        format!("{:.4} {} in {name}", row.residual.value(), constraint.unit())
+    };
+    closed.constraints.iter().zip(rows).map(one).collect::<Vec<_>>().join(", ")
+}

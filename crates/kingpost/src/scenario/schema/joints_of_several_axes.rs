@@ -1,0 +1,129 @@
+//! Joints of several axes, and the spherical joint.
+
+use serde::{Deserialize, Serialize};
+
+use super::{AngleAxis, Direction, LengthAxis, Name, NonNegative};
+
+/// Turns about and slides along one axis. Its coordinates are `rotation` and `translation`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct CylindricalJoint {
+    /// Name of the joint; the body's when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<Name>,
+    /// The axis in this body's axes, of any length but 0.
+    pub axis: Direction,
+    /// The joint in the parent's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [f64; 3],
+    /// The joint in this body's drawing frame, m.
+    #[serde(default)]
+    pub child_position_m: [f64; 3],
+    /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    #[serde(default)]
+    pub orientation_rad: [f64; 3],
+    /// The turning about the axis.
+    #[serde(default)]
+    pub rotation: AngleAxis,
+    /// The sliding along the axis.
+    #[serde(default)]
+    pub translation: LengthAxis,
+}
+
+/// Turns about an axis that stays with the parent, then about one that stays with this body. Its coordinates are
+/// `first` and `second`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct UniversalJoint {
+    /// Name of the joint; the body's when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<Name>,
+    /// The axis that stays with the parent, in this body's axes at angle 0, of any length but 0.
+    pub first_axis: Direction,
+    /// The axis that stays with this body, in its axes, perpendicular to the first.
+    pub second_axis: Direction,
+    /// The joint in the parent's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [f64; 3],
+    /// The joint in this body's drawing frame, m.
+    #[serde(default)]
+    pub child_position_m: [f64; 3],
+    /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    #[serde(default)]
+    pub orientation_rad: [f64; 3],
+    /// The turning about the first axis.
+    #[serde(default)]
+    pub first: AngleAxis,
+    /// The turning about the second axis.
+    #[serde(default)]
+    pub second: AngleAxis,
+}
+
+/// Slides in a plane that stays with the parent and turns about its normal. Its coordinates are `x`, `y` and
+/// `rotation`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct PlanarJoint {
+    /// Name of the joint; the body's when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<Name>,
+    /// The plane's normal in this body's axes, of any length but 0.
+    pub normal: Direction,
+    /// The direction of x in the plane, in this body's axes at angle 0, perpendicular to the normal; y is the normal
+    /// times x.
+    pub x_axis: Direction,
+    /// The joint in the parent's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [f64; 3],
+    /// The joint in this body's drawing frame, m.
+    #[serde(default)]
+    pub child_position_m: [f64; 3],
+    /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    #[serde(default)]
+    pub orientation_rad: [f64; 3],
+    /// The sliding along x.
+    #[serde(default)]
+    pub x: LengthAxis,
+    /// The sliding along y.
+    #[serde(default)]
+    pub y: LengthAxis,
+    /// The turning about the normal.
+    #[serde(default)]
+    pub rotation: AngleAxis,
+}
+
+/// Turns about a point. Its coordinates `x`, `y` and `z` are the angular velocity against the parent in this body's
+/// axes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SphericalJoint {
+    /// Name of the joint; the body's when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<Name>,
+    /// The joint in the parent's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [f64; 3],
+    /// The joint in this body's drawing frame, m.
+    #[serde(default)]
+    pub child_position_m: [f64; 3],
+    /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    #[serde(default)]
+    pub orientation_rad: [f64; 3],
+    /// This body's axes at the start in those that `orientation_rad` gives: roll, pitch, yaw (intrinsic z-y-x angles),
+    /// rad.
+    #[serde(default)]
+    pub initial_orientation_rad: [f64; 3],
+    /// Angular velocity against the parent at the start, in this body's axes, rad/s.
+    #[serde(default)]
+    pub initial_angular_velocity_rad_s: [f64; 3],
+    /// Viscous damping moment per angular velocity, N m s.
+    #[serde(default, rename = "damping_N_m_s")]
+    pub damping_n_m_s: NonNegative,
+    /// Holds the orientation against the parent as it is.
+    #[serde(default)]
+    pub held: bool,
+}

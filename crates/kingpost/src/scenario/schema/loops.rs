@@ -1,0 +1,98 @@
+//! Closed loops: what ties two bodies together beside their joints.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Name, NonNegative, Positive, yes};
+
+/// A joint that closes a loop, cut out of the tree and written as constraints between the two bodies that it ties. Name
+/// only those that the joints do not keep already: a four-bar linkage in the x-z plane needs x and z.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Loop {
+    /// Whether it holds.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// Where it is tied to one body. Constraints are along and about these axes.
+    pub first: Attachment,
+    /// Where it is tied to the other.
+    pub second: Attachment,
+    /// What it constrains, in any order; none may follow from the others.
+    pub constraints: Vec<Constraint>,
+    /// The largest gap at the start that is closed by moving the free joints, m, and rad for angles. They move by the
+    /// least that the masses allow; a larger gap is an error.
+    #[serde(default = "start_gap")]
+    pub start_gap_m: NonNegative,
+}
+
+/// The default of `start_gap_m`.
+const fn start_gap() -> NonNegative {
+    NonNegative::literal(0.1)
+}
+
+/// A point with axes on a body, or on the world.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Attachment {
+    /// The body, or `world`.
+    pub body: Name,
+    /// The point in the body's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [f64; 3],
+    /// The axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+    #[serde(default)]
+    pub orientation_rad: [f64; 3],
+}
+
+/// One equation between the two attachments.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Constraint {
+    /// The second stays at x = 0 in the axes of the first.
+    X,
+    /// The second stays at y = 0 in the axes of the first.
+    Y,
+    /// The second stays at z = 0 in the axes of the first.
+    Z,
+    /// The second does not turn about x of the first.
+    Roll,
+    /// The second does not turn about y of the first.
+    Pitch,
+    /// The second does not turn about z of the first.
+    Yaw,
+    /// The second stays at a distance from the first, as on a massless rod.
+    Distance(Distance),
+}
+
+/// A distance to keep.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Distance {
+    /// Length of the rod, m.
+    pub length_m: Positive,
+}
+
+impl Attachment {
+    /// The body; `None` for the world.
+    pub fn named_body(&self) -> Option<&Name> {
+        (self.body != super::WORLD).then_some(&self.body)
+    }
+}
+
+impl Constraint {
+    /// The name under which it stands.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+            Self::Roll => "roll",
+            Self::Pitch => "pitch",
+            Self::Yaw => "yaw",
+            Self::Distance(_) => "distance",
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! When rows are due.
+
+use super::Settings;
+
+/// The recording times of a run, counted in steps.
+#[derive(Clone, Debug)]
+pub(crate) struct Recording {
+    settings: Settings,
+    /// The step at which the run ends.
+    last: u64,
+    /// Recording times that have passed.
+    passed: f64,
+}
+
+impl Recording {
+    /// Of a run that stands at a time, its row there written.
+    pub(crate) fn new(settings: Settings, time_s: f64) -> Self {
+        let last = libm::ceil(settings.duration_s / settings.step_s - 1e-9) as u64;
+        let mut recording = Self { settings, last, passed: 0.0 };
+        recording.passed = recording.passed_at(time_s);
+        recording
+    }
+
+    fn passed_at(&self, time_s: f64) -> f64 {
+        libm::floor(time_s / self.settings.record_every_s + 1e-9)
+    }
+
+    /// Whether a run that has taken so many steps is at its end.
+    pub(crate) fn is_over(&self, steps: u64) -> bool {
+        steps >= self.last
+    }
+
+    /// The step, after `steps`, at which the next row is due: at a recording time or at the end.
+    pub(crate) fn due(&self, steps: u64) -> u64 {
+        let Settings { record_every_s, step_s, .. } = self.settings;
+        let due = libm::ceil((self.passed + 1.0) * record_every_s / step_s - 1e-9) as u64;
+        due.clamp(steps + 1, self.last)
+    }
+
+    /// A row was written.
+    pub(crate) fn written(&mut self, time_s: f64) {
+        self.passed = self.passed_at(time_s).max(self.passed + 1.0);
+    }
+}
