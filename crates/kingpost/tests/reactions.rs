@@ -3,6 +3,8 @@
 mod common;
 
 use common::{simulation, values};
+use kingpost::Simulation;
+use kingpost::spatial::{Matrix3, Quaternion, Vector3, exp};
 
 const GRAVITY: f64 = 9.80665;
 
@@ -62,4 +64,120 @@ drives: {motor: {motor: {joint: drum, torque_N_m: 20}}}
 ";
     let force = values(&mut simulation(text), "joint_force");
     assert!((force[0] - (20.0 - 4.0 * 3.0)).abs() < 1e-12, "{force:?}");
+}
+
+const MASS: f64 = 2.0;
+const MOMENTS: [[f64; 3]; 3] = [[0.4, 0.05, -0.1], [0.05, 0.6, 0.02], [-0.1, 0.02, 0.9]];
+
+/// Parent, and place of the joint in its own axes, of each body of `every_joint`.
+const BODIES: [(Option<usize>, [f64; 3]); 8] = [
+    (None, [0.0, 0.0, 0.0]),
+    (Some(0), [0.1, 0.0, -1.0]),
+    (Some(1), [0.0, 0.2, 1.0]),
+    (Some(2), [0.3, 0.0, 0.8]),
+    (Some(0), [0.0, 0.1, -0.3]),
+    (Some(4), [0.5, 0.0, 0.0]),
+    (Some(5), [-0.4, 0.1, 0.0]),
+    (Some(6), [0.0, 0.0, 0.5]),
+];
+
+/// A hull with a mechanism of every kind of joint on it, all in motion.
+fn every_joint() -> Simulation {
+    let mut text = "version: 1\ntitle: Every joint\nsimulation: {step_s: 0.0001}\nbodies:\n".to_owned();
+    let kinds = [
+        "floating: {initial: {orientation_rad: [0.2, 0.1, 0.3], angular_velocity_rad_s: [0.3, -0.2, 0.1]}}",
+        "cylindrical: {axis: [0, 0, 1], rotation: {initial_rate_rad_s: 2}, translation: {spring: {stiffness_N_per_m: 900}}, PLACE}",
+        "universal: {first_axis: [1, 0, 0], second_axis: [0, 1, 0], first: {initial_angle_rad: 0.5}, second: {initial_rate_rad_s: -1}, PLACE}",
+        "spherical: {initial_angular_velocity_rad_s: [1, 2, -1], damping_N_m_s: 0.3, PLACE}",
+        "planar: {normal: [0, 0, 1], x_axis: [1, 1, 0], x: {initial_speed_m_s: 1}, rotation: {initial_rate_rad_s: 3}, PLACE}",
+        "revolute: {axis: [0, 1, 1], initial_rate_rad_s: 1, friction: {torque_N_m: 0.5}, PLACE}",
+        "prismatic: {axis: [1, 0, 0], mode: {prescribed: {speed_m_s: 0.5}}, PLACE}",
+        "fixed: {orientation_rad: [0.4, 0, 0], PLACE}",
+    ];
+    for (i, ((parent, [x, y, z]), kind)) in BODIES.into_iter().zip(kinds).enumerate() {
+        let parent = parent.map_or("world".to_owned(), |p| format!("b{p}"));
+        let kind = kind.replace("PLACE", &format!("position_m: [0.5, 0.3, 0.2], child_position_m: [{x}, {y}, {z}]"));
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = MOMENTS;
+        text += &format!(
+            "  b{i}: {{parent: {parent}, mass_kg: {MASS}, inertia: {{tensor: {{moments_kg_m2: [{xx}, {yy}, {zz}], \
+             products_kg_m2: [{xy}, {xz}, {yz}]}}}}, joint: {{{kind}}}}}\n"
+        );
+    }
+    text += "forces: {weight: {gravity: {}}}\ndrives: {turn: {motor: {joint: b2.first, torque_N_m: 1.5}}}\n";
+    simulation(&text)
+}
+
+fn vectors(simulation: &mut Simulation, variable: &str) -> Vec<Vector3> {
+    values(simulation, variable).chunks(3).map(Vector3::from_slice).collect()
+}
+
+fn rotations(simulation: &mut Simulation) -> Vec<Matrix3> {
+    values(simulation, "orientation").chunks(4).map(|q| Quaternion::from_slice(q).to_matrix()).collect()
+}
+
+/// Angular momentum of each body about its centre, world.
+fn angular_momenta(simulation: &mut Simulation) -> Vec<Vector3> {
+    let (rotations, rates) = (rotations(simulation), vectors(simulation, "angular_velocity"));
+    rotations.iter().zip(rates).map(|(r, rate)| *r * (Matrix3(MOMENTS) * rate)).collect()
+}
+
+#[test]
+fn reactions_and_weight_account_for_the_motion_of_every_body_on_every_joint() {
+    let mut simulation = every_joint();
+    simulation.step(2000).unwrap();
+    let before = angular_momenta(&mut simulation);
+    simulation.step(1).unwrap();
+    let (positions, accelerations) = (vectors(&mut simulation, "position"), vectors(&mut simulation, "acceleration"));
+    let (rotations, reactions) = (rotations(&mut simulation), vectors(&mut simulation, "joint_reaction"));
+    simulation.step(1).unwrap();
+    let after = angular_momenta(&mut simulation);
+    let weight = Vector3::new(0.0, 0.0, -MASS * GRAVITY);
+    for body in 0..BODIES.len() {
+        let (mut force, mut moment) = (weight, Vector3::zero());
+        for (joint, (parent, place)) in BODIES.iter().enumerate() {
+            let sign = if joint == body { 1.0 } else { -1.0 };
+            if joint == body || *parent == Some(body) {
+                let r = rotations[joint];
+                let (f, m) = (r * reactions[2 * joint] * sign, r * reactions[2 * joint + 1] * sign);
+                let lever = positions[joint] + r * Vector3(*place) - positions[body];
+                force += f;
+                moment += m + lever.cross(f);
+            }
+        }
+        assert!((force - accelerations[body] * MASS).norm() < 1e-10, "body {body}: {force:?}");
+        // Central differences: |L'''| h^2 / 6, with rates of some rad/s.
+        let rate = (after[body] - before[body]) * (0.5 / 1e-4);
+        assert!((moment - rate).norm() < 1e-6, "body {body}: {moment:?} {rate:?}");
+    }
+}
+
+#[test]
+fn a_joint_carries_along_its_own_axes_what_acts_in_them_and_nothing_else() {
+    let mut simulation = every_joint();
+    simulation.step(2000).unwrap();
+    let reactions = vectors(&mut simulation, "joint_reaction");
+    let (force, moment) = (|joint: usize| reactions[2 * joint], |joint: usize| reactions[2 * joint + 1]);
+    let (q, v) = (values(&mut simulation, "joint_position"), values(&mut simulation, "joint_velocity"));
+    let names = simulation.channels().iter().find(|c| c.variable == "joint_position").unwrap().labels[0].clone();
+    let at = |name: &str| names.iter().position(|n| n == name).unwrap();
+    let close =
+        |found: f64, expected: f64, what: &str| assert!((found - expected).abs() < 1e-10, "{what}: {found} {expected}");
+
+    close(force(0).norm() + moment(0).norm(), 0.0, "floating");
+    close(moment(1)[2], 0.0, "cylindrical, about its axis");
+    close(force(1)[2], -900.0 * q[at("b1.translation")], "cylindrical, along its axis");
+    // The first axis in the axes of the child: turned back by the second angle, about y.
+    let first = exp(Vector3::new(0.0, -q[at("b2.second")], 0.0)) * Vector3::new(1.0, 0.0, 0.0);
+    close(moment(2).dot(first), 1.5, "universal, first");
+    close(moment(2)[1], 0.0, "universal, second");
+    for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+        close(moment(3)[k], -0.3 * v[at(&format!("b3.{axis}"))], "spherical");
+    }
+    close(force(4)[0].hypot(force(4)[1]), 0.0, "planar, in the plane");
+    close(moment(4)[2], 0.0, "planar, about the normal");
+    let rate = v[at("b5")];
+    let along = (moment(5)[1] + moment(5)[2]) / 2.0_f64.sqrt();
+    close(along, -0.5 * rate / rate.hypot(0.01), "revolute");
+    let carried = values(&mut simulation, "joint_force")[at("b6")];
+    close(force(6)[0], carried, "prismatic");
 }
