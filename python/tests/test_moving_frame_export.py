@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 import kingpost
+import latex2mathml.converter
 import numpy as np
 import pandas
 import pytest
@@ -73,7 +74,7 @@ def _read(cell: str) -> float:
 
 
 def test_labels_and_braces_are_latex(moving):
-    """Source: names of coordinates in upright letters; underscores escaped; braces that close."""
+    """Source: names of coordinates in upright letters; underscores escaped; a converter reads it."""
     matrices = moving.moving_frame()
     labelled = matrices.latex("B", "array")
     assert r"\mathrm{arm.omega\_y}" in labelled
@@ -82,6 +83,7 @@ def test_labels_and_braces_are_latex(moving):
     for text in texts:
         assert text.count("{") == text.count("}")
         assert len(re.findall(r"\\left", text)) == len(re.findall(r"\\right", text))
+        assert "<mtable" in latex2mathml.converter.convert(text) or "matrix" not in text
 
 
 def test_formulas_have_the_corrected_blocks_of_eq_46b(moving):

@@ -29,6 +29,11 @@ class Equation:
     printed: list[str]
     corrected: list[str]
 
+    def _repr_latex_(self) -> str:
+        lines = [r"& \text{printed:}", *self.printed, r"& \text{corrected:}", *self.corrected]
+        aligned = r" \\ ".join(line if line.startswith("&") else f"& {line}" for line in lines)
+        return rf"$\displaystyle \begin{{aligned}} {aligned} \end{{aligned}}$"
+
 
 _INNER = (
     r"\dot{{x}}_C^{{(3)}} = R^{{(1)}} \left( R^{{(2/1)}} R^{{(3/2)}} S(s_{{C_3}})^T \omega^{{(3)}} "
