@@ -2,6 +2,7 @@
 
 mod loops;
 
+use crate::drives::Drive;
 use crate::ledger;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::plant::Observation;
@@ -32,6 +33,8 @@ pub enum Dimension {
     Loop,
     /// Constraints of closed loops as `loop.constraint`.
     Constraint,
+    /// Hydraulic cylinders by name.
+    Cylinder,
 }
 
 /// The frame of a vector's components.
@@ -101,7 +104,9 @@ enum Unit {
 }
 
 use Components::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, World};
-use Dimension::{Axis, Body, Component, Constraint, Coordinate, Joint, Loop, Point, Quaternion as QuaternionDim};
+use Dimension::{
+    Axis, Body, Component, Constraint, Coordinate, Cylinder, Joint, Loop, Point, Quaternion as QuaternionDim,
+};
 use Unit::{Coordinate as By, Plain};
 
 struct Table<S>(PhantomData<S>);
@@ -109,7 +114,7 @@ struct Table<S>(PhantomData<S>);
 #[rustfmt::skip]
 impl<S: Scalar> Table<S> {
     /// Every channel: the single source of names, units and frames.
-    const ENTRIES: [Entry<S>; 28] = [
+    const ENTRIES: [Entry<S>; 31] = [
         Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
         Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
             write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
@@ -134,6 +139,12 @@ impl<S: Scalar> Table<S> {
             dims: &[Loop, Component], write: loops::reaction },
         Entry { variable: "loop_error", long_name: "what is left open along a constraint; of an angle, its sine", unit: Plain("m or rad"), frame: Number, dims: &[Constraint],
             write: loops::error },
+        Entry { variable: "cylinder_length", long_name: "length of a cylinder between its pins", unit: Plain("m"), frame: Number, dims: &[Cylinder],
+            write: |x, out| out.extend(x.observed.cylinders.iter().map(|cylinder| cylinder.length)) },
+        Entry { variable: "cylinder_rate", long_name: "rate of a cylinder's length", unit: Plain("m/s"), frame: Number, dims: &[Cylinder],
+            write: |x, out| out.extend(x.observed.cylinders.iter().map(|cylinder| cylinder.rate)) },
+        Entry { variable: "cylinder_force", long_name: "force of a cylinder, positive where it pushes, stops included", unit: Plain("N"), frame: Number, dims: &[Cylinder],
+            write: |x, out| out.extend(x.observed.cylinders.iter().map(|cylinder| cylinder.force)) },
         Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
             write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
         Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
@@ -154,11 +165,11 @@ impl<S: Scalar> Table<S> {
     ];
 }
 
-/// The channels of a model, in the order of a row.
-pub fn channels<S: Scalar>(model: &Model<S>) -> Vec<Channel> {
+/// The channels of a model and its drives, in the order of a row.
+pub fn channels<S: Scalar>(model: &Model<S>, drives: &[Drive<S>]) -> Vec<Channel> {
     let mut offset = 0;
     let place = |entry: &Entry<S>| {
-        let labels: Vec<Vec<String>> = entry.dims.iter().map(|dimension| dimension.labels(model)).collect();
+        let labels: Vec<Vec<String>> = entry.dims.iter().map(|dimension| dimension.labels(model, drives)).collect();
         let len = labels.iter().map(Vec::len).product();
         let channel = Channel {
             variable: entry.variable,
@@ -184,7 +195,7 @@ pub fn write_row<S: Scalar>(sample: &Sample<'_, S>, out: &mut Vec<S>) {
 }
 
 impl Dimension {
-    fn labels<S: Scalar>(self, model: &Model<S>) -> Vec<String> {
+    fn labels<S: Scalar>(self, model: &Model<S>, drives: &[Drive<S>]) -> Vec<String> {
         let fixed = |labels: &[&str]| labels.iter().map(|s| (*s).to_owned()).collect();
         match self {
             Body => model.bodies.iter().map(|body| body.name.clone()).collect(),
@@ -204,6 +215,7 @@ impl Dimension {
             }
             Loop => loops::names(model),
             Constraint => model.constraint_names(),
+            Cylinder => drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.name.clone()).collect(),
         }
     }
 }

@@ -1364,7 +1364,7 @@ export type ViscousDamping = {
   angular_kN_m_s?: [number, number, number];
 };
 /**
- * What acts between two bodies, in the joint that connects them.
+ * What acts between two bodies, mostly in the joint that connects them.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
@@ -1387,6 +1387,9 @@ export type Drive =
     }
   | {
       linear_brake: LinearBrake;
+    }
+  | {
+      cylinder: Cylinder;
     };
 /**
  * A torque in a revolute joint; the reaction acts on the parent.
@@ -1605,6 +1608,85 @@ export type LinearBrake = {
    * Set, released, or by a lever.
    */
   state?: "set" | "released" | "lever";
+};
+/**
+ * A hydraulic cylinder between two pins: a force `stiffness (wanted length - length) - damping rate` along the line
+ * between them, clipped at what it can push and pull. The length wanted moves at the speed limit at most.
+ */
+export type Cylinder = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  first: Pin;
+  second: Pin1;
+  /**
+   * Length between the pins where the cylinder is drawn in, m: a stop.
+   */
+  shortest_m: number;
+  /**
+   * Length between the pins where it is all the way out, m: a stop.
+   */
+  longest_m: number;
+  /**
+   * What it is after.
+   */
+  target?:
+    | "hold"
+    | {
+        length: TargetLength;
+      }
+    | "lever";
+  /**
+   * Largest speed of the length wanted, m/s.
+   */
+  speed_limit_m_s: number;
+  /**
+   * Largest force outwards, N.
+   */
+  push_limit_N?: number;
+  /**
+   * The same as `push_limit_N`, in the unit of this name.
+   */
+  push_limit_kN?: number;
+  /**
+   * Largest force inwards, N.
+   */
+  pull_limit_N?: number;
+  /**
+   * The same as `pull_limit_N`, in the unit of this name.
+   */
+  pull_limit_kN?: number;
+  /**
+   * Force per length, N/m.
+   */
+  stiffness_N_per_m?: number;
+  /**
+   * The same as `stiffness_N_per_m`, in the unit of this name.
+   */
+  stiffness_kN_per_m?: number;
+  /**
+   * Force per speed, N s/m.
+   */
+  damping_N_s_per_m?: number;
+  /**
+   * The same as `damping_N_s_per_m`, in the unit of this name.
+   */
+  damping_kN_s_per_m?: number;
+  /**
+   * Force per length of the stops at both ends of the stroke, N/m.
+   */
+  stop_stiffness_N_per_m?: number;
+  /**
+   * The same as `stop_stiffness_N_per_m`, in the unit of this name.
+   */
+  stop_stiffness_kN_per_m?: number;
+  /**
+   * Dissipation of the stops, s/m: at a speed u into a stop its force is 1 + dissipation u times that of its spring.
+   */
+  stop_dissipation_s_per_m?: number;
 };
 
 /**
@@ -1898,4 +1980,45 @@ export interface Gravity {
    * Acceleration of free fall, m/s^2.
    */
   acceleration_m_s2?: number;
+}
+/**
+ * Pin on one body.
+ */
+export interface Pin {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+}
+/**
+ * Pin on the other.
+ */
+export interface Pin1 {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+}
+/**
+ * A length to go to.
+ */
+export interface TargetLength {
+  /**
+   * Length between the pins, m.
+   */
+  length_m: number;
 }

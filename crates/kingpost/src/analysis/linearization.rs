@@ -1,6 +1,6 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::integrate::Stage;
+use crate::integrate::{Stage, System};
 use crate::ledger;
 use crate::model::{Mode, Model};
 use crate::plant::{Along, DIRECTIONS, Number, Plant, Tangent};
@@ -68,8 +68,8 @@ impl Linearizer {
     pub fn new(scenario: &Scenario) -> Result<Self, ScenarioError> {
         let setup = scenario.setup_over::<Number>()?;
         let inputs: Vec<String> = setup.inputs.iter().map(|input| input.name.clone()).collect();
-        let (states, along) = states(&setup.model, ledger::COUNT..ledger::COUNT);
         let plant = Plant::new(setup.model, setup.forces, setup.drives);
+        let (states, along) = states(&plant.model, ledger::COUNT..plant.sizes().extras);
         Ok(Self { tangent: Tangent::new(plant, inputs.len()), states, inputs, along })
     }
 

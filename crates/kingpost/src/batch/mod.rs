@@ -81,7 +81,8 @@ pub fn run(
     let pool = pool.map_err(|_| BatchError::Threads(threads))?;
     pool.install(|| {
         let members = members(text, file, variants)?;
-        let channels = members.first().map_or_else(Vec::new, |member| channels(&member.setup.model));
+        let channels =
+            members.first().map_or_else(Vec::new, |member| channels(&member.setup.model, &member.setup.drives));
         let done = AtomicUsize::new(0);
         let run_group = |group: &[usize]| {
             let runs = run_group(group, &members, &|| progress(done.load(Ordering::Relaxed)));
@@ -115,7 +116,7 @@ fn members(text: &str, file: &str, variants: &[Variant]) -> Result<Vec<Member>, 
         Ok(Member { scenario, setup, structure })
     };
     let members: Vec<Member> = variants.par_iter().enumerate().map(member).collect::<Result<_, _>>()?;
-    let names = |member: &Member| channels(&member.setup.model);
+    let names = |member: &Member| channels(&member.setup.model, &member.setup.drives);
     if let Some(first) = members.first().map(names)
         && let Some(run) = members.par_iter().position_first(|member| names(member) != first)
     {

@@ -3,19 +3,41 @@
 //! A new drive is one new file and one arm in each `match` of [`Drive`].
 
 mod brake;
+mod cylinder;
 mod motor;
 mod prescribed;
 mod profile;
 mod servo;
 
 pub use brake::Brake;
+pub use cylinder::{Aim, Cylinder, CylinderReading};
 pub use motor::Motor;
 pub use prescribed::PrescribedMotion;
 pub use profile::{Clock, Profile, Pulse};
 pub use servo::Servo;
 
-use crate::dynamics::Loads;
+use crate::dynamics::{LinkKinematics, Loads};
+use crate::model::Model;
 use crate::scalar::Scalar;
+
+/// What drives act on, and when.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment<'a, S = f64> {
+    /// When.
+    pub clock: Clock,
+    /// The mechanical model.
+    pub model: &'a Model<S>,
+    /// Kinematics of its links.
+    pub links: &'a LinkKinematics<S>,
+    /// Positions.
+    pub q: &'a [S],
+    /// Velocities.
+    pub v: &'a [S],
+    /// Values of the input table.
+    pub inputs: &'a [S],
+    /// Extra states of the drives.
+    pub states: &'a [S],
+}
 
 /// The kinds of drive.
 #[derive(Clone, Debug)]
@@ -28,17 +50,35 @@ pub enum Drive<S = f64> {
     Brake(Brake<S>),
     /// A motion that happens whatever it takes.
     Prescribed(PrescribedMotion<S>),
+    /// A hydraulic cylinder between two bodies.
+    Cylinder(Cylinder<S>),
 }
 
 impl<S: Scalar> Drive<S> {
-    /// Adds this drive to the loads. `inputs` are the values of the input table.
-    pub fn apply(&self, clock: Clock, q: &[S], v: &[S], inputs: &[S], loads: &mut Loads<S>) {
+    /// Adds this drive to the loads.
+    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         match self {
-            Drive::Motor(motor) => motor.apply(clock, v, inputs, loads),
-            Drive::Servo(servo) => servo.apply(q, v, loads),
-            Drive::Brake(brake) => brake.apply(v, inputs, loads),
-            Drive::Prescribed(motion) => motion.apply(clock, loads),
+            Drive::Motor(motor) => motor.apply(at.clock, at.v, at.inputs, loads),
+            Drive::Servo(servo) => servo.apply(at.q, at.v, loads),
+            Drive::Brake(brake) => brake.apply(at.v, at.inputs, loads),
+            Drive::Prescribed(motion) => motion.apply(at.clock, loads),
+            Drive::Cylinder(cylinder) => cylinder.apply(at, loads),
         }
+    }
+
+    /// The cylinder, where it is one.
+    pub fn cylinder(&self) -> Option<&Cylinder<S>> {
+        if let Drive::Cylinder(cylinder) = self { Some(cylinder) } else { None }
+    }
+
+    /// Energy that the drive stores, J; zero for drives that store none.
+    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
+        self.cylinder().map_or(S::ZERO, |cylinder| cylinder.potential_energy(model, links))
+    }
+
+    /// Whether it has an extra state: the length that a lever leads a cylinder to.
+    pub fn has_state(&self) -> bool {
+        self.cylinder().is_some_and(|cylinder| matches!(cylinder.aim, Aim::Lever { .. }))
     }
 
     /// Times at which the drive's law changes its form, s: steps end there.
@@ -46,6 +86,7 @@ impl<S: Scalar> Drive<S> {
         match self {
             Drive::Motor(motor) => motor.profile.edges(),
             Drive::Prescribed(motion) => motion.profile.edges(),
+            Drive::Cylinder(cylinder) => &cylinder.arrival_s,
             Drive::Servo(_) | Drive::Brake(_) => &[],
         }
     }

@@ -1,5 +1,6 @@
 //! What forces, drives and the water hand to the dynamics.
 
+use super::LinkKinematics;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Wrench};
@@ -46,6 +47,21 @@ impl<S: Scalar> Loads<S> {
             added_inertia: Vec::with_capacity(model.bodies.len()),
             power: Power::default(),
         }
+    }
+
+    /// Adds a wrench on a body, given about the origin of its link's root in root axes (in the world,
+    /// where the body is fixed to it); on the world itself nothing is added.
+    pub fn add_on_link(
+        &mut self,
+        model: &Model<S>,
+        links: &LinkKinematics<S>,
+        body: Option<usize>,
+        in_root: &Wrench<S>,
+    ) {
+        let Some(body) = body else { return };
+        let (link, in_link) = (model.bodies[body].link, &model.bodies[body].in_link);
+        let frame = link.map_or(*in_link, |link| links.in_root[link].times(in_link));
+        self.wrenches.push((body, frame.wrench_to_child(in_root)));
     }
 
     /// Takes all loads off.

@@ -32,17 +32,23 @@ pub struct JointStop<S = f64> {
     pub dissipation: S,
 }
 
+/// The force of a stop, `k d max(1 + a d', 0)`, N or N m, and the heat that it makes, W: what the
+/// force takes and the spring does not store, `k d d' max(a d', -1)`. `speed` is d'.
+#[inline]
+pub fn hunt_crossley<S: Scalar>(stiffness: S, dissipation: S, depth: S, speed: S) -> (S, S) {
+    let elastic = stiffness * depth;
+    let excess = dissipation * speed;
+    let excess = excess.select_below(-1.0, || -S::ONE, || excess);
+    (elastic * (S::ONE + excess), elastic * speed * excess)
+}
+
 impl<S: Scalar> JointStop<S> {
-    /// Adds the stop's force, and the heat that it makes: what the force takes and the spring does
-    /// not store, `k d d' max(a d', -1)`.
+    /// Adds the stop's force, and the heat that it makes.
     pub fn apply(&self, q: &[S], v: &[S], loads: &mut Loads<S>) {
         let (outwards, depth) = (self.outwards(), self.depth(q));
-        let speed = outwards * v[self.coordinate];
-        let elastic = self.stiffness * depth;
-        let excess = self.dissipation * speed;
-        let excess = excess.select_below(-1.0, || -S::ONE, || excess);
-        loads.force[self.coordinate] -= outwards * elastic * (S::ONE + excess);
-        loads.power.dissipated += elastic * speed * excess;
+        let (force, heat) = hunt_crossley(self.stiffness, self.dissipation, depth, outwards * v[self.coordinate]);
+        loads.force[self.coordinate] -= outwards * force;
+        loads.power.dissipated += heat;
     }
 
     /// Energy stored, J.

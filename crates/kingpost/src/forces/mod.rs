@@ -13,7 +13,7 @@ pub use coulomb_friction::CoulombFriction;
 pub use gravity::Gravity;
 pub use joint_damping::JointDamping;
 pub use joint_spring::JointSpring;
-pub use joint_stop::{JointStop, StopSide};
+pub use joint_stop::{JointStop, StopSide, hunt_crossley};
 pub use viscous_damping::ViscousDamping;
 
 use crate::dynamics::{LinkKinematics, Loads};

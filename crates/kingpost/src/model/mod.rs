@@ -140,6 +140,11 @@ impl<S: Scalar> Model<S> {
         }
     }
 
+    /// A point with axes on a body, or on the world, given in the body's frame.
+    pub fn attachment(&self, body: Option<usize>, in_body: Frame<S>) -> Attachment<S> {
+        Attachment::on(body, in_body).on_link(&self.bodies)
+    }
+
     /// The same model with closed loops.
     pub fn with_loops(mut self, loops: Vec<Loop<S>>) -> Self {
         let tied = |tie: Attachment<S>, bodies: &[Body<S>]| tie.on_link(bodies);

@@ -4,7 +4,7 @@ mod tangent;
 
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
-use crate::drives::{Clock, Drive};
+use crate::drives::{Clock, CylinderReading, Drive, Moment};
 use crate::dynamics::loops::{LoopFault, LoopSolver, Projection};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
 use crate::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
@@ -45,6 +45,7 @@ pub struct Plant<S = f64> {
     work: forward::Workspace<S>,
     inverse: InverseDynamics<S>,
     loops: LoopSolver<S>,
+    cylinders: Vec<CylinderReading<S>>,
     rotation_rates: Vec<bool>,
 }
 
@@ -62,10 +63,11 @@ impl<S: Scalar> Plant<S> {
         Self {
             links: LinkKinematics::new(&model),
             bodies: Kinematics::new(&model.tree),
-            loads: Loads::with_room_for(&model, forces.len() + 2 * model.constraint_count()),
+            loads: Loads::with_room_for(&model, forces.len() + 2 * (drives.len() + model.constraint_count())),
             work: forward::Workspace::new(&model),
             inverse: InverseDynamics::new(&model),
             loops: LoopSolver::new(&model),
+            cylinders: Vec::with_capacity(drives.len()),
             rotation_rates,
             model,
             forces,
@@ -78,16 +80,22 @@ impl<S: Scalar> Plant<S> {
 
     /// Kinematics of the links and loads at a stage.
     fn evaluate_loads(&mut self, at: Stage<'_, S>) {
-        let middle_s = 0.5 * (at.interval.start_s + at.interval.end_s);
-        let clock = Clock { time_s: at.time_s, middle_s };
         self.links.update(&self.model, at.q, at.v);
-        self.loads.clear();
-        for force in &self.forces {
-            force.apply(&self.model, &self.links, at.q, at.v, &mut self.loads);
+        let ledger = self.ledger_entries();
+        let Self { model, links, forces, drives, loads, .. } = self;
+        loads.clear();
+        for force in forces.iter() {
+            force.apply(model, links, at.q, at.v, loads);
         }
-        for drive in &self.drives {
-            drive.apply(clock, at.q, at.v, at.d, &mut self.loads);
+        let moment = moment(model, links, at, ledger);
+        for drive in drives.iter() {
+            drive.apply(&moment, loads);
         }
+    }
+
+    /// Entries of s that are the ledger's; those of the drives follow.
+    fn ledger_entries(&self) -> usize {
+        if self.keeps_ledger { ledger::COUNT } else { 0 }
     }
 
     /// Accelerations of all coordinates under the loads that were evaluated last.
@@ -115,7 +123,12 @@ impl<S: Scalar> Plant<S> {
         self.bodies.update(&self.model.tree, at.q, at.v);
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
         let totals = self.totals_here(at.q, at.v);
-        Observation { model: &self.model, bodies: &self.bodies, inverse: &self.inverse, loops: &self.loops, totals }
+        let ledger = self.ledger_entries();
+        let Self { model, links, bodies, inverse, loops, drives, cylinders, .. } = self;
+        let moment = moment(model, links, at, ledger);
+        cylinders.clear();
+        cylinders.extend(drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.reading(&moment)));
+        Observation { model, bodies, inverse, loops, cylinders, totals }
     }
 
     /// Frames and twists of the bodies at a state.
@@ -172,26 +185,36 @@ impl<S: Scalar> Plant<S> {
 
     /// The same, where the kinematics stands.
     fn totals_here(&self, q: &[S], v: &[S]) -> Totals<S> {
-        let Self { model, forces, links, bodies, .. } = self;
+        let Self { model, forces, drives, links, bodies, .. } = self;
+        let stored = drives.iter().fold(S::ZERO, |sum, drive| sum + drive.potential_energy(model, links));
         let centre = ledger::reference_point(model, q);
         let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
         Totals {
             kinetic_energy: energy::kinetic_energy(&model.tree, bodies) + energy::rotor_energy(model, v),
-            potential_energy: forces.iter().fold(S::ZERO, |sum, force| sum + force.potential_energy(model, links, q)),
+            potential_energy: forces.iter().fold(stored, |sum, force| sum + force.potential_energy(model, links, q)),
             linear_momentum,
             angular_momentum,
         }
     }
 
-    /// The ledger's entries for a run that begins here.
+    /// The extra states for a run that begins here: the ledger's entries, then those of the drives.
     pub fn open_ledger(&mut self, q: &[S], v: &[S]) -> Vec<S> {
         let mut s = vec![S::ZERO; ledger::COUNT];
         let totals = self.totals(q, v);
         s[ledger::INITIAL_ENERGY] = totals.kinetic_energy + totals.potential_energy;
         totals.linear_momentum.write_to(&mut s[ledger::LINEAR_MOMENTUM..]);
         totals.angular_momentum.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
+        let cylinders = self.drives.iter().filter_map(Drive::cylinder);
+        s.extend(cylinders.filter_map(|cylinder| cylinder.first_state(&self.model, &self.links)));
         s
     }
+}
+
+/// What the drives see at a stage whose kinematics stands, with so many entries of s before theirs.
+fn moment<'a, S>(model: &'a Model<S>, links: &'a LinkKinematics<S>, at: Stage<'a, S>, ledger: usize) -> Moment<'a, S> {
+    let clock = Clock { time_s: at.time_s, middle_s: 0.5 * (at.interval.start_s + at.interval.end_s) };
+    let states = at.s.get(ledger..).unwrap_or_default();
+    Moment { clock, model, links, q: at.q, v: at.v, inputs: at.d, states }
 }
 
 impl Plant {
@@ -246,6 +269,8 @@ pub struct Observation<'a, S = f64> {
     pub inverse: &'a InverseDynamics<S>,
     /// Constraints of the closed loops, and what they carry.
     pub loops: &'a LoopSolver<S>,
+    /// The hydraulic cylinders, in the order of the drives.
+    pub cylinders: &'a [CylinderReading<S>],
     /// Energy and momentum.
     pub totals: Totals<S>,
 }
@@ -268,13 +293,18 @@ impl<S: Scalar> System<S> for Plant<S> {
         Sizes {
             positions: self.model.position_count,
             velocities: self.model.velocity_count,
-            extras: if self.keeps_ledger { ledger::COUNT } else { 0 },
+            extras: self.ledger_entries() + self.drives.iter().filter(|drive| drive.has_state()).count(),
         }
     }
 
     fn rates(&mut self, at: Stage<'_, S>, v_dot: &mut [S], s_dot: &mut [S]) {
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
+        let (s_dot, drives_dot) = s_dot.split_at_mut(self.ledger_entries());
+        let states = at.s.get(s_dot.len()..).unwrap_or_default();
+        for (state, rate) in self.drives.iter().filter_map(|drive| drive.cylinder()?.state_rate(at.d, states)) {
+            drives_dot[state] = rate;
+        }
         if !self.keeps_ledger {
             return;
         }

@@ -2,6 +2,7 @@
 
 mod axes;
 mod bodies;
+mod cylinders;
 mod drives;
 mod loops;
 pub mod reading;
@@ -30,6 +31,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     check_recording(&setup)?;
     check_mass_matrix(scenario, &setup)?;
     loops::close(scenario, &mut setup)?;
+    cylinders::begin(&mut setup)?;
     Ok(setup)
 }
 
@@ -37,6 +39,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
 pub fn assemble<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldError> {
     let mut setup = open(scenario)?;
     loops::close(scenario.first(), &mut setup)?;
+    cylinders::begin(&mut setup)?;
     Ok(setup)
 }
 
@@ -84,7 +87,7 @@ fn settings(scenario: &Scenario) -> Result<Settings, FieldError> {
 /// What a run records must fit in memory.
 fn check_recording(setup: &Setup) -> Result<(), FieldError> {
     let Settings { step_s, duration_s, record_every_s, .. } = setup.settings;
-    let columns: usize = channels(&setup.model).iter().map(|channel| channel.len).sum();
+    let columns: usize = channels(&setup.model, &setup.drives).iter().map(|channel| channel.len).sum();
     let rows = duration_s / record_every_s.max(step_s);
     if rows * columns as f64 > MOST_NUMBERS {
         let least = duration_s * columns as f64 / MOST_NUMBERS;

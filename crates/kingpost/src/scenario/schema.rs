@@ -4,6 +4,7 @@
 
 mod axes;
 mod bodies;
+mod cylinder;
 mod drives;
 mod forces;
 mod joints;
@@ -24,6 +25,7 @@ pub use bodies::{
     Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
     SphereShape,
 };
+pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
 pub use drives::{Brake, BrakeState, Drive, History, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use forces::{Force, Gravity, ViscousDamping};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};

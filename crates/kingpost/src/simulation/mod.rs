@@ -68,7 +68,7 @@ impl<S: Scalar> Simulation<S> {
         let fingerprint = setup.fingerprint();
         let Setup { model, forces, drives, inputs, settings, q, v } = setup;
         let edges = Edges::new(&drives, settings.step_s);
-        let channels = results::channels(&model);
+        let channels = results::channels(&model, &drives);
         let mut plant = Plant::new(model, forces, drives);
         let d = inputs.iter().map(|input| S::constant(input.value)).collect();
         let s = plant.open_ledger(&q, &v);

@@ -160,10 +160,7 @@ impl<S: Scalar> LoopSolver<S> {
         let constraints = model.loops.iter().flat_map(|closed| closed.constraints.iter().map(move |_| closed));
         for ((closed, row), lambda) in constraints.zip(&self.rows).zip(&self.multipliers) {
             for (attachment, in_root) in [(&closed.first, &row.on_first), (&closed.second, &row.on_second)] {
-                let Some(body) = attachment.body else { continue };
-                let in_link = &model.bodies[body].in_link;
-                let frame = attachment.link.map_or(*in_link, |link| links.in_root[link].times(in_link));
-                loads.wrenches.push((body, frame.wrench_to_child(&(*in_root * *lambda))));
+                loads.add_on_link(model, links, attachment.body, &(*in_root * *lambda));
             }
         }
     }

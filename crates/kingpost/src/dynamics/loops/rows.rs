@@ -13,7 +13,7 @@
 
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::ball::Ball;
-use crate::model::{Attachment, Constraint, JointKind, Loop, Mode, Model};
+use crate::model::{Attachment, Constraint, JointKind, Mode, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3, Wrench};
 
@@ -41,6 +41,17 @@ pub struct Row<S = f64> {
 }
 
 impl<S: Scalar> Row<S> {
+    /// The row of one constraint between two attachments.
+    pub fn new(
+        model: &Model<S>,
+        links: &LinkKinematics<S>,
+        first: &Attachment<S>,
+        second: &Attachment<S>,
+        constraint: &Constraint<S>,
+    ) -> Self {
+        Pair::new(model, links, first, second).row(constraint)
+    }
+
     /// W about the second attachment, in the axes of the first.
     pub fn at_second(&self) -> Wrench<S> {
         Wrench { moment: self.wrench.moment - self.way.cross(self.wrench.force), ..self.wrench }
@@ -101,13 +112,15 @@ fn is_on_the_way<S>(model: &Model<S>, link: usize, from: usize) -> bool {
 pub fn update<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, rows: &mut Vec<Row<S>>) {
     rows.clear();
     for closed in &model.loops {
-        let pair = Pair::new(model, links, closed);
-        rows.extend(closed.constraints.iter().map(|(_, constraint)| pair.row(closed, constraint)));
+        let pair = Pair::new(model, links, &closed.first, &closed.second);
+        rows.extend(closed.constraints.iter().map(|(_, constraint)| pair.row(constraint)));
     }
 }
 
 /// Two attachments, seen from the first: A.
 struct Pair<S> {
+    first: Option<usize>,
+    second: Option<usize>,
     /// A in the axes of the first body's root, or in the world.
     first_in_own_root: Frame<S>,
     /// A in the axes of the second body's root, or in the world.
@@ -140,9 +153,9 @@ fn between<S: Scalar>(to: &Frame<S>, from: &Frame<S>) -> Frame<S> {
 }
 
 impl<S: Scalar> Pair<S> {
-    fn new(model: &Model<S>, links: &LinkKinematics<S>, closed: &Loop<S>) -> Self {
-        let (first_root, first) = seen_from_root(model, links, &closed.first);
-        let (second_root, second) = seen_from_root(model, links, &closed.second);
+    fn new(model: &Model<S>, links: &LinkKinematics<S>, a: &Attachment<S>, b: &Attachment<S>) -> Self {
+        let (first_root, first) = seen_from_root(model, links, a);
+        let (second_root, second) = seen_from_root(model, links, b);
         let root = |root: Option<usize>| root.map_or(Frame::identity(), |r| links.root_in_world[r]);
         let first_in_other_root = if first_root == second_root {
             first
@@ -152,17 +165,19 @@ impl<S: Scalar> Pair<S> {
         let twist = |attachment: &Attachment<S>, frame: &Frame<S>| {
             attachment.link.map_or(Twist::zero(), |link| frame.twist_to_child(&links.twist[link]))
         };
-        let twist_first = twist(&closed.first, &first);
+        let twist_first = twist(a, &first);
         Self {
+            first: a.link,
+            second: b.link,
             first_in_own_root: first,
             first_in_other_root,
             second_in_first: between(&first_in_other_root, &second),
             twist_first,
-            relative: twist(&closed.second, &first_in_other_root) - twist_first,
+            relative: twist(b, &first_in_other_root) - twist_first,
         }
     }
 
-    fn row(&self, closed: &Loop<S>, constraint: &Constraint<S>) -> Row<S> {
+    fn row(&self, constraint: &Constraint<S>) -> Row<S> {
         let (residual, wrench, wrench_rate) = match *constraint {
             Constraint::Offset(axis) => self.offset(axis),
             Constraint::Perpendicular { first, second } => self.perpendicular(first, second),
@@ -177,8 +192,8 @@ impl<S: Scalar> Pair<S> {
             on_first: -self.first_in_own_root.wrench_to_parent(&wrench),
             on_second: self.first_in_other_root.wrench_to_parent(&wrench),
             way: self.second_in_first.position,
-            first: closed.first.link,
-            second: closed.second.link,
+            first: self.first,
+            second: self.second,
         }
     }
 

@@ -4,7 +4,7 @@ use super::super::schema::{self, BrakeState, History, Scenario};
 use super::axes::axes;
 use super::bodies::joint_name;
 use super::reading::{Gathered, Reading};
-use super::{FieldError, known};
+use super::{FieldError, cylinders, known};
 use crate::drives::{Brake, Clock, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
 use crate::forces::CoulombFriction;
 use crate::model::AxisMotion::{self, Rotation, Translation};
@@ -25,7 +25,11 @@ pub fn build<S: Gathered>(
 ) -> Result<Drives<S>, FieldError> {
     let (mut drives, mut inputs) = (Vec::new(), Vec::new());
     for name in scenario.first().drives.keys() {
-        let parts = Parts::of(name, &scenario.part(|scenario| &scenario.drives[name]));
+        let Some(parts) = Parts::of(name, &scenario.part(|scenario| &scenario.drives[name])) else {
+            let states = drives.iter().filter(|drive: &&Drive<S>| drive.has_state()).count();
+            drives.extend(cylinders::build(scenario, name, model, &mut inputs, states)?.map(Drive::Cylinder));
+            continue;
+        };
         let allowed = coordinates(scenario.first(), parts.motion);
         known(&format!("{}.joint", parts.field), parts.joint, allowed.iter().map(String::as_str))?;
         let profile = match parts.law {
@@ -72,7 +76,7 @@ fn check_free<S: Gathered>(parts: &Parts<S>, mode: Mode) -> Result<(), FieldErro
     Err(FieldError::new(format!("{}.joint", parts.field), found, "a joint whose mode is free, for a drive that is on"))
 }
 
-/// A drive without the difference between turning and sliding.
+/// A drive of a joint, without the difference between turning and sliding.
 struct Parts<'a, S> {
     field: String,
     enabled: bool,
@@ -100,7 +104,8 @@ enum Law<'a, S> {
 }
 
 impl<'a, S: Gathered> Parts<'a, S> {
-    fn of(name: &str, drive: &Reading<'a, schema::Drive>) -> Self {
+    /// `None` for a drive that is in no joint.
+    fn of(name: &str, drive: &Reading<'a, schema::Drive>) -> Option<Self> {
         let motor = |history, pulse: &'a Option<schema::Pulse>| Law::Motor {
             effort: drive.number(effort),
             history,
@@ -117,8 +122,9 @@ impl<'a, S: Gathered> Parts<'a, S> {
             schema::Drive::LinearServo(d) => ("linear_servo", d.enabled, &d.joint, Translation, servo()),
             schema::Drive::Brake(d) => ("brake", d.enabled, &d.joint, Rotation, brake(d.state)),
             schema::Drive::LinearBrake(d) => ("linear_brake", d.enabled, &d.joint, Translation, brake(d.state)),
+            schema::Drive::Cylinder(_) => return None,
         };
-        Self { field: format!("drives.{name}.{kind}"), enabled, joint: joint.as_str(), motion, law }
+        Some(Self { field: format!("drives.{name}.{kind}"), enabled, joint: joint.as_str(), motion, law })
     }
 }
 

@@ -1,11 +1,11 @@
-//! Drives: what acts between two bodies, in the joint that connects them.
+//! Drives: what acts between two bodies, mostly in the joint that connects them.
 
 use serde::{Deserialize, Serialize};
 
 use super::axes::slow;
-use super::{CoordinateName, NonNegative, Positive, yes};
+use super::{CoordinateName, Cylinder, NonNegative, Positive, yes};
 
-/// What acts between two bodies, in the joint that connects them.
+/// What acts between two bodies, mostly in the joint that connects them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
@@ -22,6 +22,8 @@ pub enum Drive {
     Brake(Brake),
     /// Dry friction along an axis, set and released.
     LinearBrake(LinearBrake),
+    /// A hydraulic cylinder between two pins, on any two bodies.
+    Cylinder(Cylinder),
 }
 
 /// How a drive's strength goes with time.
