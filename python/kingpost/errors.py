@@ -45,17 +45,19 @@ class ScenarioError(KingpostError):
 
 
 class RunError(KingpostError):
-    """A run that could not go on, most often because it diverged.
+    """A run that could not go on: most often because it diverged, or because its integrator cannot
+    make a step.
 
     Attributes
     ----------
     time_s
         Time of the step that failed, s.
     body
-        The body whose motion left its limits, or the closed loop that could not be kept closed.
+        The body whose motion left its limits, or the closed loop that could not be kept closed;
+        `None` where the integrator failed.
     coordinate, value, limit
         Its coordinate, the rate of that and `simulation.rate_limit`, m/s or rad/s. Of a loop: the
-        constraint, what it is off by (m or rad) or its pivot, and what is allowed.
+        constraint, what it is off by (m or rad) or its pivot, and what is allowed. Else `None`.
     results
         What was computed until then; `None` when nothing was recorded.
     """

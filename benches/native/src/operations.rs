@@ -126,7 +126,7 @@ impl Operation for Step {
             let start_s = state.steps as f64 * STEP_S;
             state.steps += 1;
             let interval = Interval { start_s, end_s: state.steps as f64 * STEP_S };
-            scheme.step(plant, interval, state);
+            scheme.step(plant, interval, f64::INFINITY, state)?;
         }
         Ok(())
     }

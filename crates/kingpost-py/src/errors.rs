@@ -26,16 +26,17 @@ pub fn scenario(error: EngineScenarioError) -> PyErr {
 }
 
 pub fn run(error: EngineRunError) -> PyErr {
-    let message = error.to_string();
+    let (message, time_s) = (error.to_string(), error.time_s());
     match error {
-        EngineRunError::Diverged { time_s, body, coordinate, value, limit, .. } => {
+        EngineRunError::Diverged { body, coordinate, value, limit, .. } => {
             RunError::new_err((message, time_s, body, coordinate, value, limit))
         }
-        EngineRunError::SingularLoop { time_s, name, constraint, pivot, allowed } => {
+        EngineRunError::SingularLoop { name, constraint, pivot, allowed, .. } => {
             RunError::new_err((message, time_s, name, constraint, pivot, allowed))
         }
-        EngineRunError::OpenLoop { time_s, name, constraint, gap, allowed, .. } => {
+        EngineRunError::OpenLoop { name, constraint, gap, allowed, .. } => {
             RunError::new_err((message, time_s, name, constraint, gap, allowed))
         }
+        EngineRunError::Step(_) => RunError::new_err((message, time_s)),
     }
 }

@@ -21,17 +21,14 @@ pub fn scenario(error: ScenarioError) -> JsValue {
 
 /// A run that cannot go on.
 pub fn run(error: RunError) -> JsValue {
-    let message = error.to_string();
-    let (kind, time_s, body, coordinate, value, limit) = match error {
-        RunError::Diverged { time_s, body, coordinate, value, limit, .. } => {
-            ("diverged", time_s, body, coordinate, value, limit)
+    let (message, time_s) = (error.to_string(), error.time_s());
+    let (kind, body, coordinate, value, limit) = match error {
+        RunError::Diverged { body, coordinate, value, limit, .. } => ("diverged", body, coordinate, value, limit),
+        RunError::SingularLoop { name, constraint, pivot, allowed, .. } => {
+            ("singular_loop", name, constraint, pivot, allowed)
         }
-        RunError::SingularLoop { time_s, name, constraint, pivot, allowed } => {
-            ("singular_loop", time_s, name, constraint, pivot, allowed)
-        }
-        RunError::OpenLoop { time_s, name, constraint, gap, allowed, .. } => {
-            ("open_loop", time_s, name, constraint, gap, allowed)
-        }
+        RunError::OpenLoop { name, constraint, gap, allowed, .. } => ("open_loop", name, constraint, gap, allowed),
+        RunError::Step(_) => return object(&json!({ "kind": "step", "message": message, "time_s": time_s })),
     };
     object(&json!({
         "kind": kind,

@@ -66,6 +66,23 @@ fn midpoint_rate_euler_has_order_one() {
 }
 
 #[test]
+fn semi_implicit_euler_has_order_one() {
+    for (order, what) in measured_orders("semi_implicit_euler", 0.001).into_iter().zip(["angles", "rotation", "energy"])
+    {
+        assert!((order - 1.0).abs() < 0.1, "{what}: order {order}");
+    }
+}
+
+#[test]
+fn the_implicit_schemes_have_order_two() {
+    for integrator in ["newmark", "generalized_alpha", "implicit_midpoint"] {
+        for (order, what) in measured_orders(integrator, 0.005).into_iter().zip(["angles", "rotation", "energy"]) {
+            assert!((order - 2.0).abs() < 0.1, "{integrator}, {what}: order {order}");
+        }
+    }
+}
+
+#[test]
 fn midpoint_rate_changes_the_rotation_update_and_nothing_else() {
     // Without gravity the accelerations do not depend on the ship's rotation, so the rates of both
     // Euler forms are the same numbers; the rotation update alone differs.

@@ -184,7 +184,8 @@ fn an_unknown_kind_is_refused_with_the_known_ones() {
         "integrator: rk4",
         "integrator: rk5",
         "rk5",
-        "simulation.integrator: found the text \"rk5\", allowed: one of forward_euler, midpoint_euler, rk4",
+        "simulation.integrator: found the text \"rk5\", allowed: one of forward_euler, midpoint_euler, \
+         semi_implicit_euler, rk4, dormand_prince, newmark, generalized_alpha, implicit_midpoint",
     );
 }
 
@@ -335,6 +336,22 @@ fn every_bad_body_of_the_model_is_refused_with_a_place() {
         let error = read(&text, "paper.yaml", &[]).unwrap_err();
         assert!(error.field.starts_with(field), "{error}");
         assert!(error.line.is_some(), "{error}");
+    }
+}
+
+#[test]
+fn settings_of_integrators_outside_their_range_are_refused() {
+    let cases = [
+        ("generalized_alpha: {rho_infinity: 1.5}", "rho_infinity: found 1.5, allowed: a number from 0 to 1"),
+        ("dormand_prince: {absolute_tolerance: 0}", "absolute_tolerance: found 0, allowed: a number greater than 0"),
+        ("dormand_prince: {largest_step_s: -1}", "largest_step_s: found -1, allowed: a number greater than 0"),
+        ("newmark: {beta: 0.6}", "beta: found 0.6, allowed: a number from 0 to 0.5"),
+        ("newmark: {gamma: 0.4}", "gamma: found 0.4, allowed: a number from 0.5 to 1"),
+    ];
+    for (settings, message) in cases {
+        let (name, _) = settings.split_once(':').unwrap();
+        let error = error_of(&changed("integrator: rk4", &format!("integrator: {name}\n  {settings}")));
+        assert!(error.ends_with(&format!("simulation.{name}.{message}")), "{error}");
     }
 }
 

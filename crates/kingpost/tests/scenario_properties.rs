@@ -144,6 +144,8 @@ fn sign(path: &str) -> Option<bool> {
         "gear_ratio_rad_per_m",
         "smoothing_rad_s",
         "smoothing_m_s",
+        "absolute_tolerance",
+        "largest_step_s",
     ];
     let non_negative = [
         "damping",
@@ -161,6 +163,7 @@ fn sign(path: &str) -> Option<bool> {
         "seed",
         "dissipation",
         "rotor_inertia",
+        "relative_tolerance",
     ];
     let is_stop = path.contains(".limits.stiffness");
     let is_friction =

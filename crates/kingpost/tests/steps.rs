@@ -33,7 +33,7 @@ static COUNTING: Counting = Counting;
 
 #[test]
 fn a_step_allocates_nothing() {
-    for integrator in ["forward_euler", "midpoint_euler", "rk4"] {
+    for integrator in common::INTEGRATORS {
         let mut simulation = paper(&[
             ("hold_centre", json!(false)),
             ("load", json!(true)),
@@ -69,7 +69,7 @@ fn a_step_allocates_nothing_with_a_closed_loop() {
 
 #[test]
 fn a_snapshot_taken_anywhere_resumes_to_the_same_bits() {
-    for integrator in ["forward_euler", "midpoint_euler", "rk4"] {
+    for integrator in common::INTEGRATORS {
         let build = || {
             paper(&[
                 ("torque_history", json!("pulse")),
@@ -92,11 +92,14 @@ fn a_snapshot_taken_anywhere_resumes_to_the_same_bits() {
 
 #[test]
 fn reset_gives_the_same_run_again() {
-    let mut simulation = paper(&[]);
-    let first = simulation.clone().run(|_| true);
-    simulation.step(17).unwrap();
-    simulation.reset();
-    assert_eq!(simulation.run(|_| true).rows, first.rows);
+    for integrator in common::INTEGRATORS {
+        let mut simulation =
+            paper(&[("simulation.integrator", json!(integrator)), ("simulation.duration_s", json!(0.5))]);
+        let first = simulation.clone().run(|_| true);
+        simulation.step(17).unwrap();
+        simulation.reset();
+        assert_eq!(simulation.run(|_| true).rows, first.rows, "{integrator}");
+    }
 }
 
 #[test]

@@ -39,7 +39,12 @@ export function length(metres: number): string {
 const INTEGRATORS: Record<Integrator, string> = {
   forward_euler: "Forward Euler",
   midpoint_euler: "Midpoint Euler",
+  semi_implicit_euler: "Semi-implicit Euler",
   rk4: "RK4 (Munthe-Kaas)",
+  dormand_prince: "Dormand-Prince 5(4)",
+  newmark: "Newmark",
+  generalized_alpha: "Generalized-alpha",
+  implicit_midpoint: "Implicit midpoint",
 };
 
 export function integratorName(name: string): string {

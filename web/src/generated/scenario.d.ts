@@ -1782,13 +1782,21 @@ export interface SimulationSettings {
   /**
    * The scheme that steps the state.
    */
-  integrator?: "forward_euler" | "midpoint_euler" | "rk4";
+  integrator?:
+    | "forward_euler"
+    | "midpoint_euler"
+    | "semi_implicit_euler"
+    | "rk4"
+    | "dormand_prince"
+    | "newmark"
+    | "generalized_alpha"
+    | "implicit_midpoint";
   /**
    * The form in which the equations of motion are solved.
    */
   form?: "recursive" | "moving_frame" | "moving_frame_without_d";
   /**
-   * Fixed time step, s.
+   * Time step, s.
    */
   step_s?: number;
   /**
@@ -1807,6 +1815,49 @@ export interface SimulationSettings {
    * Seed of every random number in the run.
    */
   seed?: number;
+  dormand_prince?: DormandPrinceSettings;
+  newmark?: NewmarkSettings;
+  generalized_alpha?: GeneralizedAlphaSettings;
+}
+/**
+ * Settings of the dormand_prince integrator.
+ */
+export interface DormandPrinceSettings {
+  /**
+   * Error that a step may make on each coordinate, rad or m, and on each rate, rad/s or m/s.
+   */
+  absolute_tolerance?: number;
+  /**
+   * Beside it: as a part of the coordinate's motion in the step, and of the rate.
+   */
+  relative_tolerance?: number;
+  /**
+   * Largest step of its own, s.
+   */
+  largest_step_s?: number;
+}
+/**
+ * Settings of the newmark integrator.
+ */
+export interface NewmarkSettings {
+  /**
+   * Weight of the acceleration at the end of the step in the position, from 0 to 0.5.
+   */
+  beta?: number;
+  /**
+   * Weight of the acceleration at the end of the step in the velocity, from 0.5 to 1: above 0.5 it damps, and the order
+   * is 1.
+   */
+  gamma?: number;
+}
+/**
+ * Settings of the generalized_alpha integrator.
+ */
+export interface GeneralizedAlphaSettings {
+  /**
+   * What a step leaves of oscillations far faster than it, from 0, all is gone, to 1, nothing is damped.
+   */
+  rho_infinity?: number;
 }
 /**
  * A solid box, its edges along the body's axes.

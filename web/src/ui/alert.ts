@@ -20,6 +20,7 @@ const HEADINGS: Record<string, string> = {
   diverged: "The run diverged",
   singular_loop: "A closed loop is at a dead centre",
   open_loop: "A closed loop does not close",
+  step: "The integrator cannot go on",
   input: "That value is not allowed",
 };
 

@@ -161,5 +161,6 @@ fn run_group(group: &[usize], members: &[Member], go_on: &dyn Fn() -> bool) -> O
 
 /// Whether a scheme takes the same steps in every run: an explicit one of a fixed step.
 fn steps_lanes(scheme: SchemeName) -> bool {
-    matches!(scheme, SchemeName::ForwardEuler | SchemeName::MidpointEuler | SchemeName::RungeKutta4)
+    use SchemeName::{ForwardEuler, MidpointEuler, RungeKutta4, SemiImplicitEuler};
+    matches!(scheme, ForwardEuler | MidpointEuler | SemiImplicitEuler | RungeKutta4)
 }

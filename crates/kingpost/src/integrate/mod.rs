@@ -2,19 +2,39 @@
 //!
 //! A scheme sees a [`System`] through vector-space local coordinates: positions move by `retract`,
 //! and `dexp_inverse` turns a velocity into the rate of the local coordinates (Munthe-Kaas 1998).
-//! So every scheme is written once and keeps its order on the rotation too. A new scheme is one
-//! new file and one arm in each `match` of [`Scheme`].
+//! So every scheme is written once and keeps its order on the rotation too. The implicit schemes
+//! share one Newton iteration, whose derivatives the system gives ([`System::jacobian`]). A new
+//! scheme is one new file and one arm in each `match` of [`Scheme`].
 
+mod dormand_prince;
+mod error;
 mod forward_euler;
+mod generalized_alpha;
+mod implicit_midpoint;
+mod jacobian;
+mod linear;
 mod midpoint_euler;
+mod newmark;
+mod newton;
 mod runge_kutta;
+mod scheme;
+mod semi_implicit_euler;
 
+pub use dormand_prince::{DormandPrince, Tolerances};
+pub use error::StepError;
+pub(crate) use error::shown;
 pub use forward_euler::FORWARD_EULER;
+pub use generalized_alpha::GeneralizedAlpha;
+pub use implicit_midpoint::ImplicitMidpoint;
+pub use jacobian::Jacobian;
 pub use midpoint_euler::MidpointEuler;
+pub use newmark::Newmark;
 pub use runge_kutta::{ExplicitRungeKutta, RUNGE_KUTTA_4, Tableau};
+pub use scheme::Scheme;
+pub use semi_implicit_euler::SemiImplicitEuler;
 
 use crate::scalar::Scalar;
-use crate::state::State;
+use core::cell::Cell;
 
 /// An interval of time over which no law changes its form, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,8 +72,27 @@ pub trait System<S: Scalar = f64> {
     /// `out = xi'` that the velocity `v` gives at `xi`.
     fn dexp_inverse(&self, xi: &[S], v: &[S], out: &mut [S]);
 
-    /// Whether a coordinate of v is a body rate of a rotation in space.
+    /// Whether a coordinate of v is a body rate of a rotation in space. Such coordinates come in
+    /// threes: x, y, z of one rotation, one after another.
     fn is_rotation_rate(&self, coordinate: usize) -> bool;
+
+    /// Whether the acceleration of a coordinate follows from the state. It does not where the
+    /// coordinate is held, or moves as it is given over time.
+    fn is_free(&self, _coordinate: usize) -> bool {
+        true
+    }
+
+    /// Writes d(v')/d(xi) and d(v')/d(v) at a stage that stands at `q = retract(base, xi)`, with
+    /// time, v, s and d held. The columns of coordinates that are not free may stay zero.
+    ///
+    /// This default takes differences, which cost an evaluation a column; a system that can carry
+    /// derivatives through its equations gives exact columns instead.
+    fn jacobian(&mut self, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>)
+    where
+        Self: Sized,
+    {
+        out.by_differences(self, base, xi, at);
+    }
 }
 
 /// Where the right-hand side is evaluated.
@@ -73,44 +112,25 @@ pub struct Stage<'a, S = f64> {
     pub d: &'a [S],
 }
 
-/// The schemes.
-#[derive(Clone, Debug)]
-pub enum Scheme<S = f64> {
-    /// Explicit Runge-Kutta in Munthe-Kaas' form: forward Euler and RK4.
-    RungeKutta(ExplicitRungeKutta<S>),
-    /// Forward Euler with the mean rate in the rotation.
-    MidpointEuler(MidpointEuler<S>),
-}
-
-impl<S: Scalar> Scheme<S> {
-    /// The paper's scheme: start-of-step rates everywhere, Rodrigues' formula for the rotation.
-    pub fn forward_euler(sizes: Sizes) -> Self {
-        Self::RungeKutta(ExplicitRungeKutta::new(&FORWARD_EULER, sizes))
-    }
-
-    /// Forward Euler whose rotation takes the mean of the old and the new angular velocity.
-    pub fn midpoint_euler(sizes: Sizes) -> Self {
-        Self::MidpointEuler(MidpointEuler::new(sizes))
-    }
-
-    /// The classical scheme of order 4.
-    pub fn runge_kutta_4(sizes: Sizes) -> Self {
-        Self::RungeKutta(ExplicitRungeKutta::new(&RUNGE_KUTTA_4, sizes))
-    }
-
-    /// Moves q, v and s of the state over an interval. Allocates nothing.
-    pub fn step<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &mut State<S>) {
-        match self {
-            Self::RungeKutta(scheme) => scheme.step(system, interval, state),
-            Self::MidpointEuler(scheme) => scheme.step(system, interval, state),
-        }
-    }
-}
-
 /// `sum += k b`, entry by entry.
 fn accumulate<S: Scalar>(sum: &mut [S], k: f64, b: &[S]) {
     let k = S::constant(k);
     for (sum, b) in sum.iter_mut().zip(b) {
         *sum += k * *b;
     }
+}
+
+/// The largest size of an entry, of all lanes; not a number where an entry is not.
+fn largest<S: Scalar>(values: &[S]) -> f64 {
+    let largest = Cell::new(0.0_f64);
+    let keep = |x: f64| {
+        if x.is_nan() || x.abs() > largest.get() {
+            largest.set(x.abs());
+        }
+        true
+    };
+    values.iter().for_each(|x| {
+        x.all(keep);
+    });
+    largest.get()
 }

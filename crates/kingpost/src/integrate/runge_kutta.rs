@@ -4,102 +4,118 @@ use super::{Interval, Sizes, Stage, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
 
-/// Butcher's tableau of an explicit scheme with at most four stages.
+/// Butcher's tableau of an explicit scheme.
 #[derive(Debug)]
 pub struct Tableau {
-    /// Number of stages.
-    pub stages: usize,
-    /// Weights of earlier stages in stages 2, 3, 4.
-    pub a: [[f64; 3]; 3],
-    /// Weights of the step.
-    pub b: [f64; 4],
+    /// Weights of earlier stages in stages 2, 3 and so on.
+    pub a: &'static [&'static [f64]],
+    /// Weights of the step, one a stage.
+    pub b: &'static [f64],
     /// Places of the stages in the step.
-    pub c: [f64; 4],
+    pub c: &'static [f64],
 }
 
 /// The classical scheme of order 4 (Kutta 1901; on the group: Munthe-Kaas 1998).
 pub static RUNGE_KUTTA_4: Tableau = Tableau {
-    stages: 4,
-    a: [[0.5, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 1.0]],
-    b: [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
-    c: [0.0, 0.5, 0.5, 1.0],
+    a: &[&[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],
+    b: &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
+    c: &[0.0, 0.5, 0.5, 1.0],
 };
 
 /// Rates of one stage.
 #[derive(Clone, Debug)]
-struct Rates<S> {
-    xi: Vec<S>,
-    v: Vec<S>,
-    s: Vec<S>,
+pub(super) struct Rates<S> {
+    pub(super) xi: Vec<S>,
+    pub(super) v: Vec<S>,
+    pub(super) s: Vec<S>,
 }
 
-/// An explicit scheme with its working memory.
+/// The stages of a step: their rates, and the place that weighted rates lead to.
 #[derive(Clone, Debug)]
-pub struct ExplicitRungeKutta<S = f64> {
-    tableau: &'static Tableau,
-    rates: Vec<Rates<S>>,
-    /// Local coordinates, and q, v, s of a stage.
-    xi: Vec<S>,
-    q: Vec<S>,
-    v: Vec<S>,
-    s: Vec<S>,
+pub(super) struct Stages<S> {
+    pub(super) tableau: &'static Tableau,
+    pub(super) rates: Vec<Rates<S>>,
+    /// Local coordinates about the step's base, and q, v, s there.
+    pub(super) xi: Vec<S>,
+    pub(super) q: Vec<S>,
+    pub(super) v: Vec<S>,
+    pub(super) s: Vec<S>,
 }
 
-impl<S: Scalar> ExplicitRungeKutta<S> {
-    /// A scheme for arrays of these sizes.
-    pub fn new(tableau: &'static Tableau, sizes: Sizes) -> Self {
+impl<S: Scalar> Stages<S> {
+    pub(super) fn new(tableau: &'static Tableau, sizes: Sizes) -> Self {
         let Sizes { positions, velocities, extras } = sizes;
-        let rates = || Rates { xi: vec![S::ZERO; velocities], v: vec![S::ZERO; velocities], s: vec![S::ZERO; extras] };
+        let zeros = |n| vec![S::ZERO; n];
+        let rates = || Rates { xi: zeros(velocities), v: zeros(velocities), s: zeros(extras) };
         Self {
             tableau,
-            rates: (0..tableau.stages).map(|_| rates()).collect(),
-            xi: vec![S::ZERO; velocities],
-            q: vec![S::ZERO; positions],
-            v: vec![S::ZERO; velocities],
-            s: vec![S::ZERO; extras],
+            rates: tableau.b.iter().map(|_| rates()).collect(),
+            xi: zeros(velocities),
+            q: zeros(positions),
+            v: zeros(velocities),
+            s: zeros(extras),
         }
     }
 
-    /// Moves the state over the interval.
-    pub fn step<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &mut State<S>) {
-        let (tableau, h) = (self.tableau, interval.end_s - interval.start_s);
-        self.evaluate(0, system, interval, state);
-        for stage in 1..tableau.stages {
-            self.combine(&tableau.a[stage - 1][..stage], h, system, state);
-            self.evaluate(stage, system, interval, state);
-        }
-        self.combine(&tableau.b[..tableau.stages], h, system, state);
-        state.q.copy_from_slice(&self.q);
-        state.v.copy_from_slice(&self.v);
-        state.s.copy_from_slice(&self.s);
+    /// Rates of the first stage, which stands at the base of the step itself.
+    pub(super) fn begin<Y: System<S>>(&mut self, system: &mut Y, base: Stage<'_, S>) {
+        let rates = &mut self.rates[0];
+        system.rates(base, &mut rates.v, &mut rates.s);
+        rates.xi.copy_from_slice(base.v);
     }
 
-    /// q, v, s at `state` plus h times the weighted rates.
-    fn combine<Y: System<S>>(&mut self, weights: &[f64], h: f64, system: &Y, state: &State<S>) {
+    /// Rates of the later stages of a step from `base` over its interval.
+    pub(super) fn go_on<Y: System<S>>(&mut self, system: &mut Y, base: Stage<'_, S>) {
+        let Interval { start_s, end_s } = base.interval;
+        for (stage, weights) in (1..).zip(self.tableau.a) {
+            self.combine(weights, end_s - start_s, system, base);
+            let time_s = match self.tableau.c[stage] {
+                1.0 => end_s,
+                c => start_s + c * (end_s - start_s),
+            };
+            let Self { rates, xi, q, v, s, .. } = self;
+            let rates = &mut rates[stage];
+            system.rates(Stage { time_s, q, v, s, ..base }, &mut rates.v, &mut rates.s);
+            system.dexp_inverse(xi, v, &mut rates.xi);
+        }
+    }
+
+    /// q, v, s at `base` plus h times the weighted rates.
+    pub(super) fn combine<Y: System<S>>(&mut self, weights: &[f64], h: f64, system: &Y, base: Stage<'_, S>) {
         self.xi.fill(S::ZERO);
-        self.v.copy_from_slice(&state.v);
-        self.s.copy_from_slice(&state.s);
+        self.v.copy_from_slice(base.v);
+        self.s.copy_from_slice(base.s);
         for (weight, rates) in weights.iter().zip(&self.rates).filter(|(weight, _)| **weight != 0.0) {
             accumulate(&mut self.xi, h * weight, &rates.xi);
             accumulate(&mut self.v, h * weight, &rates.v);
             accumulate(&mut self.s, h * weight, &rates.s);
         }
-        system.retract(&state.q, &self.xi, &mut self.q);
+        system.retract(base.q, &self.xi, &mut self.q);
+    }
+}
+
+/// An explicit scheme with its working memory.
+#[derive(Clone, Debug)]
+pub struct ExplicitRungeKutta<S = f64> {
+    stages: Stages<S>,
+}
+
+impl<S: Scalar> ExplicitRungeKutta<S> {
+    /// A scheme for arrays of these sizes.
+    pub fn new(tableau: &'static Tableau, sizes: Sizes) -> Self {
+        Self { stages: Stages::new(tableau, sizes) }
     }
 
-    /// Rates of a stage; the first stage stands at the state itself.
-    fn evaluate<Y: System<S>>(&mut self, stage: usize, system: &mut Y, interval: Interval, state: &State<S>) {
-        let time_s = match self.tableau.c[stage] {
-            1.0 => interval.end_s,
-            c => interval.start_s + c * (interval.end_s - interval.start_s),
-        };
-        let rates = &mut self.rates[stage];
-        let (q, v, s) = if stage == 0 { (&state.q, &state.v, &state.s) } else { (&self.q, &self.v, &self.s) };
-        system.rates(Stage { time_s, interval, q, v, s, d: &state.d }, &mut rates.v, &mut rates.s);
-        if stage == 0 {
-            rates.xi.copy_from_slice(v);
-        } else {
-            system.dexp_inverse(&self.xi, v, &mut rates.xi);
-        }
+    /// Moves the state over the interval. Extra states take the weights of v.
+    pub fn step<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &mut State<S>) {
+        let stages = &mut self.stages;
+        let State { q, v, s, d, .. } = &*state;
+        let base = Stage { time_s: interval.start_s, interval, q, v, s, d };
+        stages.begin(system, base);
+        stages.go_on(system, base);
+        stages.combine(stages.tableau.b, interval.end_s - interval.start_s, system, base);
+        state.q.copy_from_slice(&stages.q);
+        state.v.copy_from_slice(&stages.v);
+        state.s.copy_from_slice(&stages.s);
     }
 }

@@ -47,6 +47,8 @@ pub struct Plant<S = f64> {
     loops: LoopSolver<S>,
     cylinders: Vec<CylinderReading<S>>,
     rotation_rates: Vec<bool>,
+    /// Evaluations of the right-hand side so far.
+    pub evaluations: u64,
 }
 
 /// Solves for the accelerations `v_dot` at q, v under the loads evaluated last.
@@ -69,6 +71,7 @@ impl<S: Scalar> Plant<S> {
             loops: LoopSolver::new(&model),
             cylinders: Vec::with_capacity(drives.len()),
             rotation_rates,
+            evaluations: 0,
             model,
             forces,
             drives,
@@ -298,6 +301,7 @@ impl<S: Scalar> System<S> for Plant<S> {
     }
 
     fn rates(&mut self, at: Stage<'_, S>, v_dot: &mut [S], s_dot: &mut [S]) {
+        self.evaluations += 1;
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
         let (s_dot, drives_dot) = s_dot.split_at_mut(self.ledger_entries());
@@ -336,5 +340,9 @@ impl<S: Scalar> System<S> for Plant<S> {
 
     fn is_rotation_rate(&self, coordinate: usize) -> bool {
         self.rotation_rates[coordinate]
+    }
+
+    fn is_free(&self, coordinate: usize) -> bool {
+        self.model.modes[coordinate] == Mode::Free
     }
 }

@@ -13,6 +13,7 @@ use crate::dynamics::LinkKinematics;
 use crate::dynamics::moving_frame::Variation;
 use crate::dynamics::pivots::massless_coordinate;
 use crate::forces::{Force, Gravity, ViscousDamping};
+use crate::integrate::Tolerances;
 use crate::model::Model;
 use crate::plant::Form;
 use crate::results::channels;
@@ -70,11 +71,7 @@ fn settings(scenario: &Scenario) -> Result<Settings, FieldError> {
         let allowed = format!("at least {:e} s, for {MOST_STEPS:e} steps", duration_s / MOST_STEPS);
         return Err(FieldError::new("simulation.step_s", step_s, allowed));
     }
-    let scheme = match given.integrator {
-        Integrator::ForwardEuler => SchemeName::ForwardEuler,
-        Integrator::MidpointEuler => SchemeName::MidpointEuler,
-        Integrator::Rk4 => SchemeName::RungeKutta4,
-    };
+    let scheme = scheme(given)?;
     let form = match given.form {
         EquationForm::Recursive => Form::Recursive,
         EquationForm::MovingFrame => Form::MovingFrame(Variation::Restricted),
@@ -82,6 +79,39 @@ fn settings(scenario: &Scenario) -> Result<Settings, FieldError> {
     };
     let rate_limit = given.rate_limit.get();
     Ok(Settings { scheme, step_s, duration_s, record_every_s, rate_limit, form })
+}
+
+/// The integrator with its settings.
+fn scheme(given: &schema::SimulationSettings) -> Result<SchemeName, FieldError> {
+    Ok(match given.integrator {
+        Integrator::ForwardEuler => SchemeName::ForwardEuler,
+        Integrator::MidpointEuler => SchemeName::MidpointEuler,
+        Integrator::SemiImplicitEuler => SchemeName::SemiImplicitEuler,
+        Integrator::Rk4 => SchemeName::RungeKutta4,
+        Integrator::DormandPrince => {
+            let schema::DormandPrinceSettings { absolute_tolerance, relative_tolerance, largest_step_s } =
+                given.dormand_prince;
+            SchemeName::DormandPrince(Tolerances {
+                absolute: absolute_tolerance.get(),
+                relative: relative_tolerance.get(),
+                largest_step_s: largest_step_s.get(),
+            })
+        }
+        Integrator::Newmark => {
+            let (beta, gamma) = (given.newmark.beta.get(), given.newmark.gamma.get());
+            if beta > 0.5 {
+                return Err(FieldError::new("simulation.newmark.beta", beta, "a number from 0 to 0.5"));
+            }
+            if gamma < 0.5 {
+                return Err(FieldError::new("simulation.newmark.gamma", gamma, "a number from 0.5 to 1"));
+            }
+            SchemeName::Newmark { beta, gamma }
+        }
+        Integrator::GeneralizedAlpha => {
+            SchemeName::GeneralizedAlpha { rho_infinity: given.generalized_alpha.rho_infinity.get() }
+        }
+        Integrator::ImplicitMidpoint => SchemeName::ImplicitMidpoint,
+    })
 }
 
 /// What a run records must fit in memory.

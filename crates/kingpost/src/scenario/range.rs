@@ -6,10 +6,10 @@ use std::ops::Deref;
 use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::wording::{DIRECTION, NON_NEGATIVE, POSITIVE};
+use super::wording::{DIRECTION, FRACTION, NON_NEGATIVE, POSITIVE};
 
 macro_rules! ranged_number {
-    ($(#[$doc:meta])* $name:ident, $allowed:expr, $test:expr, $bound:literal) => {
+    ($(#[$doc:meta])* $name:ident, $allowed:expr, $test:expr, $schema:tt) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Serialize)]
         #[serde(transparent)]
@@ -57,7 +57,7 @@ macro_rules! ranged_number {
                 stringify!($name).into()
             }
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                schemars::json_schema!({"type": "number", $bound: 0})
+                schemars::json_schema!($schema)
             }
         }
     };
@@ -65,11 +65,15 @@ macro_rules! ranged_number {
 
 ranged_number!(
     /// A finite number greater than 0.
-    Positive, POSITIVE, |x| x > 0.0, "exclusiveMinimum"
+    Positive, POSITIVE, |x| x > 0.0, {"type": "number", "exclusiveMinimum": 0}
 );
 ranged_number!(
     /// A finite number not less than 0.
-    NonNegative, NON_NEGATIVE, |x| x >= 0.0, "minimum"
+    NonNegative, NON_NEGATIVE, |x| x >= 0.0, {"type": "number", "minimum": 0}
+);
+ranged_number!(
+    /// A number from 0 to 1.
+    Fraction, FRACTION, |x| (0.0..=1.0).contains(&x), {"type": "number", "minimum": 0, "maximum": 1}
 );
 
 impl NonNegative {
@@ -95,6 +99,14 @@ impl NonNegative {
     /// For default values: a literal that stands in the source.
     pub(crate) const fn literal(value: f64) -> Self {
         assert!(value >= 0.0 && value.is_finite());
+        Self(value)
+    }
+}
+
+impl Fraction {
+    /// For default values: a literal that stands in the source.
+    pub(crate) const fn literal(value: f64) -> Self {
+        assert!(value >= 0.0 && value <= 1.0);
         Self(value)
     }
 }
@@ -146,6 +158,12 @@ impl schemars::JsonSchema for Direction {
 }
 
 impl fmt::Display for Positive {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl fmt::Display for Fraction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
     }

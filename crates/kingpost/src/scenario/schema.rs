@@ -7,6 +7,7 @@ mod bodies;
 mod cylinder;
 mod drives;
 mod forces;
+mod integrators;
 mod joints;
 mod joints_of_several_axes;
 mod loops;
@@ -15,7 +16,7 @@ mod parameter;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-pub use super::range::{Direction, NonNegative, Positive};
+pub use super::range::{Direction, Fraction, NonNegative, Positive};
 pub use super::text::{Colour, CoordinateName, Name, Version, WORLD};
 pub use axes::{
     AngleAxis, AngleFriction, AngleLimits, AngleSpring, LengthAxis, LengthFriction, LengthLimits, LengthSpring,
@@ -28,6 +29,7 @@ pub use bodies::{
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
 pub use drives::{Brake, BrakeState, Drive, History, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use forces::{Force, Gravity, ViscousDamping};
+pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
 pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
 pub use loops::{Attachment, Constraint, Distance, Loop};
@@ -73,7 +75,7 @@ pub struct SimulationSettings {
     pub integrator: Integrator,
     /// The form in which the equations of motion are solved.
     pub form: EquationForm,
-    /// Fixed time step, s.
+    /// Time step, s.
     pub step_s: Positive,
     /// Length of the run, s.
     pub duration_s: Positive,
@@ -83,6 +85,12 @@ pub struct SimulationSettings {
     pub rate_limit: Positive,
     /// Seed of every random number in the run.
     pub seed: u64,
+    /// Settings of the dormand_prince integrator.
+    pub dormand_prince: DormandPrinceSettings,
+    /// Settings of the newmark integrator.
+    pub newmark: NewmarkSettings,
+    /// Settings of the generalized_alpha integrator.
+    pub generalized_alpha: GeneralizedAlphaSettings,
 }
 
 impl Default for SimulationSettings {
@@ -95,22 +103,11 @@ impl Default for SimulationSettings {
             record_every_s: Positive::literal(0.01),
             rate_limit: Positive::literal(1.0e4),
             seed: 0,
+            dormand_prince: DormandPrinceSettings::default(),
+            newmark: NewmarkSettings::default(),
+            generalized_alpha: GeneralizedAlphaSettings::default(),
         }
     }
-}
-
-/// The scheme that steps the state.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Integrator {
-    /// Explicit Euler with the start-of-step angular velocity in Rodrigues' formula, as in the paper; order 1.
-    ForwardEuler,
-    /// Explicit Euler with the mean of the start-of-step and end-of-step angular velocity in Rodrigues' formula; order 1.
-    MidpointEuler,
-    /// The classical Runge-Kutta scheme in Munthe-Kaas' form; order 4, on rotations too.
-    #[default]
-    Rk4,
 }
 
 /// The form in which the equations of motion are solved. The first two give the same motion.

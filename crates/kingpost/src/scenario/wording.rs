@@ -8,6 +8,8 @@ use super::units;
 pub const POSITIVE: &str = "a number greater than 0";
 /// What a [`NonNegative`](super::range::NonNegative) allows.
 pub const NON_NEGATIVE: &str = "a number not less than 0";
+/// What a [`Fraction`](super::range::Fraction) allows.
+pub const FRACTION: &str = "a number from 0 to 1";
 /// What a [`Direction`](super::range::Direction) allows.
 pub const DIRECTION: &str = "three numbers, not all 0";
 /// What a [`Name`](super::text::Name) allows.

@@ -26,9 +26,18 @@ impl Edges {
 
     /// From a time to the next edge, or to `end_s` where there is none before.
     pub(super) fn interval(&self, start_s: f64, end_s: f64) -> Interval {
+        Interval { start_s, end_s: self.next(start_s, end_s).min(end_s) }
+    }
+
+    /// The next edge after a time, s; infinite where there is none. One that is close to `end_s`
+    /// falls on it.
+    pub(super) fn next(&self, start_s: f64, end_s: f64) -> f64 {
         let first = self.times_s.partition_point(|&edge| edge <= start_s + self.slack_s);
-        let edge = self.times_s.get(first).copied().filter(|&edge| edge < end_s - self.slack_s);
-        Interval { start_s, end_s: edge.unwrap_or(end_s) }
+        match self.times_s.get(first) {
+            Some(&edge) if (edge - end_s).abs() <= self.slack_s => end_s,
+            Some(&edge) => edge,
+            None => f64::INFINITY,
+        }
     }
 }
 
@@ -46,5 +55,8 @@ mod tests {
         assert_eq!(edges.interval(0.1, 0.16), Interval { start_s: 0.1, end_s: 0.16 });
         assert_eq!(edges.interval(0.02, 0.1 + 1e-12).end_s, 0.1 + 1e-12);
         assert_eq!(edges.interval(5.0, 5.08).end_s, 5.08);
+        assert_eq!(edges.next(0.0, 0.08), 0.1);
+        assert_eq!(edges.next(0.02, 0.1 + 1e-12), 0.1 + 1e-12);
+        assert_eq!(edges.next(5.0, 5.08), f64::INFINITY);
     }
 }

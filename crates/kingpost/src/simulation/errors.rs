@@ -1,6 +1,7 @@
 //! Why a run stops early, and what it cannot take from outside.
 
 use crate::dynamics::loops::{LARGEST_GAP, LoopFault, SMALLEST_PIVOT};
+use crate::integrate::{StepError, shown};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use thiserror::Error;
@@ -65,6 +66,9 @@ pub enum RunError {
         /// What is allowed.
         allowed: f64,
     },
+    /// The scheme cannot make a step.
+    #[error(transparent)]
+    Step(#[from] StepError),
 }
 
 impl RunError {
@@ -86,11 +90,16 @@ impl RunError {
             }
         }
     }
-}
 
-/// A time without the last digits of its sum of steps, s.
-fn shown(time_s: f64) -> f64 {
-    libm::round(time_s * 1e9) / 1e9
+    /// When, s.
+    pub fn time_s(&self) -> f64 {
+        match self {
+            Self::Diverged { time_s, .. }
+            | Self::SingularLoop { time_s, .. }
+            | Self::OpenLoop { time_s, .. }
+            | Self::Step(StepError::NotConverged { time_s, .. } | StepError::Collapsed { time_s, .. }) => *time_s,
+        }
+    }
 }
 
 /// A value from outside that a simulation cannot take.

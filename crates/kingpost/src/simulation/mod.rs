@@ -74,8 +74,9 @@ impl<S: Scalar> Simulation<S> {
         let s = plant.open_ledger(&q, &v);
         plant.watch_loops(&q, &v);
         let v_dot = vec![S::ZERO; v.len()];
-        let state = State { steps: 0, q, v, s, d, memory: Vec::new() };
-        let scheme = settings.scheme.scheme(plant.sizes());
+        let scheme: Scheme<S> = settings.scheme.scheme(plant.sizes(), settings.step_s);
+        let memory = vec![S::ZERO; scheme.memory_len(inputs.len())];
+        let state = State { steps: 0, q, v, s, d, memory };
         let (initial, last_good) = (state.clone(), state.clone());
         Self { plant, scheme, settings, inputs, channels, state, initial, last_good, v_dot, edges, fingerprint }
     }
@@ -117,6 +118,12 @@ impl<S: Scalar> Simulation<S> {
         &mut self.state
     }
 
+    /// Evaluations of the right-hand side by the integrator since the simulation was made: what its
+    /// steps cost.
+    pub fn evaluations(&self) -> u64 {
+        self.plant.evaluations
+    }
+
     /// The complete state.
     pub fn state(&self) -> &State<S> {
         &self.state
@@ -149,7 +156,8 @@ impl<S: Scalar> Simulation<S> {
         while from < end_s {
             let interval = self.edges.interval(from, end_s);
             self.plant.prescribe(interval, &mut self.state.v);
-            self.scheme.step(&mut self.plant, interval, &mut self.state);
+            let edge_s = self.edges.next(from, end_s);
+            self.scheme.step(&mut self.plant, interval, edge_s, &mut self.state)?;
             let State { q, v, .. } = &mut self.state;
             let closed = self.plant.close_loops(q, v);
             closed.map_err(|fault| RunError::of_loop(end_s, &self.plant.model, fault))?;
@@ -276,6 +284,7 @@ impl Simulation {
             None => self.plant.open_ledger(&next.q, v),
         };
         check_array("s", &next.s, self.state.s.len())?;
+        next.memory.fill(0.0);
         self.state = next;
         Ok(())
     }

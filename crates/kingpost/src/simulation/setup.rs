@@ -2,21 +2,39 @@
 
 use crate::drives::Drive;
 use crate::forces::Force;
-use crate::integrate::{Scheme, Sizes};
+use crate::integrate::{Scheme, Sizes, Tolerances};
 use crate::model::Model;
 use crate::plant::Form;
 use crate::scalar::Scalar;
 use serde::Serialize;
 
-/// The integration schemes by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The integration schemes by name, with their settings.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SchemeName {
     /// See [`Scheme::forward_euler`].
     ForwardEuler,
     /// See [`Scheme::midpoint_euler`].
     MidpointEuler,
+    /// See [`Scheme::semi_implicit_euler`].
+    SemiImplicitEuler,
     /// See [`Scheme::runge_kutta_4`].
     RungeKutta4,
+    /// See [`Scheme::dormand_prince`].
+    DormandPrince(Tolerances),
+    /// See [`Scheme::newmark`].
+    Newmark {
+        /// Weight of the acceleration at the end in the position.
+        beta: f64,
+        /// Weight of the acceleration at the end in the velocity.
+        gamma: f64,
+    },
+    /// See [`Scheme::generalized_alpha`].
+    GeneralizedAlpha {
+        /// What a step leaves of the fastest oscillations.
+        rho_infinity: f64,
+    },
+    /// See [`Scheme::implicit_midpoint`].
+    ImplicitMidpoint,
 }
 
 /// Time stepping and recording.
@@ -79,12 +97,17 @@ impl<S: Scalar> Setup<S> {
 }
 
 impl SchemeName {
-    /// The scheme with its working memory.
-    pub fn scheme<S: Scalar>(self, sizes: Sizes) -> Scheme<S> {
+    /// The scheme with its working memory, for steps of this size.
+    pub fn scheme<S: Scalar>(self, sizes: Sizes, step_s: f64) -> Scheme<S> {
         match self {
             Self::ForwardEuler => Scheme::forward_euler(sizes),
             Self::MidpointEuler => Scheme::midpoint_euler(sizes),
+            Self::SemiImplicitEuler => Scheme::semi_implicit_euler(sizes),
             Self::RungeKutta4 => Scheme::runge_kutta_4(sizes),
+            Self::DormandPrince(tolerances) => Scheme::dormand_prince(sizes, tolerances, step_s),
+            Self::Newmark { beta, gamma } => Scheme::newmark(sizes, beta, gamma),
+            Self::GeneralizedAlpha { rho_infinity } => Scheme::generalized_alpha(sizes, rho_infinity),
+            Self::ImplicitMidpoint => Scheme::implicit_midpoint(sizes),
         }
     }
 }

@@ -12,6 +12,18 @@ use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use serde_json::Value;
 
+/// Every integrator that a scenario may name.
+pub const INTEGRATORS: [&str; 8] = [
+    "forward_euler",
+    "midpoint_euler",
+    "semi_implicit_euler",
+    "rk4",
+    "dormand_prince",
+    "newmark",
+    "generalized_alpha",
+    "implicit_midpoint",
+];
+
 /// The gallery's scenario of the paper, with parameters or fields set.
 pub fn paper_setup(overrides: &[(&str, Value)]) -> Setup {
     let text = include_str!("../../../../scenarios/paper.yaml");

@@ -1,0 +1,222 @@
+//! Dormand and Prince's pair of order 5 and 4, with error control and dense output.
+
+mod control;
+
+use super::runge_kutta::{Stages, Tableau};
+use super::{Interval, Sizes, Stage, StepError, System};
+use crate::scalar::Scalar;
+use crate::state::State;
+use control::{Controller, error};
+
+pub use control::Tolerances;
+
+/// The pair's scheme of order 5 (Dormand & Prince 1980; Hairer, Norsett & Wanner, *Solving Ordinary
+/// Differential Equations I*, 2nd ed., 1993, table II.5.2). The last stage stands at the end of the
+/// step: it is the first of the next.
+static TABLEAU: Tableau = Tableau {
+    a: &[
+        &[1.0 / 5.0],
+        &[3.0 / 40.0, 9.0 / 40.0],
+        &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
+        &[19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0],
+        &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
+        &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
+    ],
+    b: &WEIGHTS,
+    c: &[0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0],
+};
+
+const STAGES: usize = 7;
+
+const WEIGHTS: [f64; STAGES] = [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0, 0.0];
+
+/// Weights of the term `theta^2 (1 - theta)^2` of the dense output (Shampine 1986; the book above,
+/// section II.6, and the program DOPRI5 in its appendix).
+const DENSE: [f64; STAGES] = [
+    -12715105075.0 / 11282082432.0,
+    0.0,
+    87487479700.0 / 32700410799.0,
+    -10690763975.0 / 1880347072.0,
+    701980252875.0 / 199316789632.0,
+    -1453857185.0 / 822651844.0,
+    69997945.0 / 29380423.0,
+];
+
+/// Numbers at the head of the memory: begin and end of the inner step, s, and the controller's.
+const HEAD: usize = 4;
+
+/// The scheme takes inner steps as long as its tolerances allow, and hands out the state at the end
+/// of each interval by dense output, of order 4. An inner step may reach beyond the interval, but
+/// never beyond the next edge; it goes on at the next interval where the state was left as it is
+/// and begins anew where it was changed: a lever, a projection, another state. The state's memory
+/// holds the inner step, so that a snapshot resumes to the same bits. Extra states take the same
+/// weights; they have no part in the error.
+#[derive(Clone, Debug)]
+pub struct DormandPrince<S = f64> {
+    controller: Controller,
+    /// The inner step that was made last; of no length where there is none.
+    inner: Interval,
+    q: Vec<S>,
+    v: Vec<S>,
+    s: Vec<S>,
+    stages: Stages<S>,
+}
+
+impl<S: Scalar> DormandPrince<S> {
+    /// A scheme for arrays of these sizes; `step_s` is tried first.
+    pub fn new(sizes: Sizes, tolerances: Tolerances, step_s: f64) -> Self {
+        let zeros = |n| vec![S::ZERO; n];
+        Self {
+            controller: Controller::new(tolerances, step_s),
+            inner: Interval { start_s: 0.0, end_s: 0.0 },
+            q: zeros(sizes.positions),
+            v: zeros(sizes.velocities),
+            s: zeros(sizes.extras),
+            stages: Stages::new(&TABLEAU, sizes),
+        }
+    }
+
+    /// Numbers that the state's memory holds beside `discrete` discrete states.
+    pub fn memory_len(&self, discrete: usize) -> usize {
+        let (velocities, extras) = (self.v.len(), self.s.len());
+        HEAD + self.q.len() + velocities + extras + STAGES * (2 * velocities + extras) + discrete
+    }
+
+    /// Moves the state over the interval; `edge_s` is where a law changes its form next, s.
+    pub fn step<Y: System<S>>(
+        &mut self,
+        system: &mut Y,
+        interval: Interval,
+        edge_s: f64,
+        state: &mut State<S>,
+    ) -> Result<(), StepError> {
+        self.load(state);
+        if !self.continues(system, interval.start_s, state) {
+            self.begin(system, interval, state);
+        }
+        while self.inner.end_s < interval.end_s {
+            self.inner_step(system, edge_s, state)?;
+        }
+        self.dense_output(system, interval.end_s, &state.d);
+        state.q.copy_from_slice(&self.stages.q);
+        state.v.copy_from_slice(&self.stages.v);
+        state.s.copy_from_slice(&self.stages.s);
+        if self.inner.end_s == edge_s {
+            // The rates at an edge are of the law that ends there.
+            self.inner.start_s = edge_s;
+        }
+        self.save(state);
+        Ok(())
+    }
+
+    /// Whether the state is where the last inner step has it.
+    fn continues<Y: System<S>>(&mut self, system: &Y, time_s: f64, state: &State<S>) -> bool {
+        let Interval { start_s, end_s } = self.inner;
+        let discrete = &state.memory[state.memory.len() - state.d.len()..];
+        if start_s == end_s || !(start_s..=end_s).contains(&time_s) || *discrete != *state.d {
+            return false;
+        }
+        self.dense_output(system, time_s, &state.d);
+        let Stages { q, v, s, .. } = &self.stages;
+        (q, v, s) == (&state.q, &state.v, &state.s)
+    }
+
+    /// An inner step of no length at the state, with its first stage.
+    fn begin<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &State<S>) {
+        self.inner = Interval { start_s: interval.start_s, end_s: interval.start_s };
+        self.q.copy_from_slice(&state.q);
+        self.v.copy_from_slice(&state.v);
+        self.s.copy_from_slice(&state.s);
+        let State { q, v, s, d, .. } = state;
+        self.stages.begin(system, Stage { time_s: interval.start_s, interval, q, v, s, d });
+    }
+
+    /// The next inner step: tried shorter and shorter until its error is within the tolerances.
+    fn inner_step<Y: System<S>>(&mut self, system: &mut Y, edge_s: f64, state: &State<S>) -> Result<(), StepError> {
+        self.move_to_end(system, &state.d);
+        let Self { controller, inner, q, v, s, stages } = self;
+        let start_s = inner.end_s;
+        loop {
+            let interval = controller.interval(start_s, edge_s);
+            let h = interval.end_s - start_s;
+            let base = Stage { time_s: start_s, interval, q, v, s, d: &state.d };
+            stages.go_on(system, base);
+            let error = error(stages, controller.tolerances, h, v);
+            if controller.accepts(interval, error)? {
+                *inner = interval;
+                return Ok(());
+            }
+        }
+    }
+
+    /// Makes the end of the last inner step the base of the next; its last stage the first.
+    fn move_to_end<Y: System<S>>(&mut self, system: &Y, d: &[S]) {
+        if self.inner.start_s == self.inner.end_s {
+            return;
+        }
+        self.dense_output(system, self.inner.end_s, d);
+        let Self { q, v, s, stages, .. } = self;
+        q.copy_from_slice(&stages.q);
+        v.copy_from_slice(&stages.v);
+        s.copy_from_slice(&stages.s);
+        let (first, last) = stages.rates.split_at_mut(STAGES - 1);
+        first[0].xi.copy_from_slice(v);
+        first[0].v.copy_from_slice(&last[0].v);
+        first[0].s.copy_from_slice(&last[0].s);
+    }
+
+    /// q, v, s of the stages at a time within the inner step.
+    fn dense_output<Y: System<S>>(&mut self, system: &Y, time_s: f64, d: &[S]) {
+        let Self { inner, q, v, s, stages, .. } = self;
+        let h = inner.end_s - inner.start_s;
+        let theta = if time_s == inner.end_s { 1.0 } else { (time_s - inner.start_s) / h };
+        let base = Stage { time_s: inner.start_s, interval: *inner, q, v, s, d };
+        stages.combine(&dense_weights(theta), h, system, base);
+    }
+
+    fn load(&mut self, state: &State<S>) {
+        let mut from = state.memory.as_slice();
+        let mut next = || {
+            let (first, rest) = from.split_at(1);
+            from = rest;
+            first[0].value()
+        };
+        self.inner = Interval { start_s: next(), end_s: next() };
+        self.controller.restore(next(), next());
+        for part in self.parts() {
+            let (numbers, rest) = from.split_at(part.len());
+            part.copy_from_slice(numbers);
+            from = rest;
+        }
+    }
+
+    fn save(&mut self, state: &mut State<S>) {
+        let (wanted_s, error) = self.controller.memory();
+        let head = [self.inner.start_s, self.inner.end_s, wanted_s, error].map(S::constant);
+        let (start, mut to) = state.memory.split_at_mut(HEAD);
+        start.copy_from_slice(&head);
+        for part in self.parts() {
+            let (numbers, rest) = to.split_at_mut(part.len());
+            numbers.copy_from_slice(part);
+            to = rest;
+        }
+        to.copy_from_slice(&state.d);
+    }
+
+    /// What the memory holds of the inner step: its base and the rates of its stages.
+    fn parts(&mut self) -> impl Iterator<Item = &mut Vec<S>> {
+        let rates = self.stages.rates.iter_mut().flat_map(|rates| [&mut rates.xi, &mut rates.v, &mut rates.s]);
+        [&mut self.q, &mut self.v, &mut self.s].into_iter().chain(rates)
+    }
+}
+
+/// Weights of the stages at a part `theta` of the step: the cubic Hermite interpolant and the term
+/// of [`DENSE`].
+fn dense_weights(theta: f64) -> [f64; STAGES] {
+    let rest = 1.0 - theta;
+    let mut weights =
+        core::array::from_fn(|i| theta * theta * ((3.0 - 2.0 * theta) * WEIGHTS[i] + rest * rest * DENSE[i]));
+    weights[0] += theta * rest * rest;
+    weights[STAGES - 1] -= theta * theta * rest;
+    weights
+}

@@ -1,0 +1,101 @@
+//! The schemes by name.
+
+use super::{
+    DormandPrince, ExplicitRungeKutta, FORWARD_EULER, GeneralizedAlpha, ImplicitMidpoint, Interval, MidpointEuler,
+    Newmark, RUNGE_KUTTA_4, SemiImplicitEuler, Sizes, StepError, System, Tolerances,
+};
+use crate::scalar::Scalar;
+use crate::state::State;
+
+/// The schemes.
+#[derive(Clone, Debug)]
+pub enum Scheme<S = f64> {
+    /// Explicit Runge-Kutta in Munthe-Kaas' form: forward Euler and RK4.
+    RungeKutta(ExplicitRungeKutta<S>),
+    /// Forward Euler with the mean rate in the rotation.
+    MidpointEuler(MidpointEuler<S>),
+    /// Velocities first, then positions.
+    SemiImplicitEuler(SemiImplicitEuler<S>),
+    /// Order 5 with error control.
+    DormandPrince(DormandPrince<S>),
+    /// Newmark's method.
+    Newmark(Newmark<S>),
+    /// Newmark's rule with numerical damping of what is fast.
+    GeneralizedAlpha(GeneralizedAlpha<S>),
+    /// The implicit midpoint rule.
+    ImplicitMidpoint(ImplicitMidpoint<S>),
+}
+
+impl<S: Scalar> Scheme<S> {
+    /// The paper's scheme: start-of-step rates everywhere, Rodrigues' formula for the rotation.
+    pub fn forward_euler(sizes: Sizes) -> Self {
+        Self::RungeKutta(ExplicitRungeKutta::new(&FORWARD_EULER, sizes))
+    }
+
+    /// Forward Euler whose rotation takes the mean of the old and the new angular velocity.
+    pub fn midpoint_euler(sizes: Sizes) -> Self {
+        Self::MidpointEuler(MidpointEuler::new(sizes))
+    }
+
+    /// Semi-implicit Euler: see [`SemiImplicitEuler`].
+    pub fn semi_implicit_euler(sizes: Sizes) -> Self {
+        Self::SemiImplicitEuler(SemiImplicitEuler::new(sizes))
+    }
+
+    /// The classical scheme of order 4.
+    pub fn runge_kutta_4(sizes: Sizes) -> Self {
+        Self::RungeKutta(ExplicitRungeKutta::new(&RUNGE_KUTTA_4, sizes))
+    }
+
+    /// Order 5 with error control: see [`DormandPrince`].
+    pub fn dormand_prince(sizes: Sizes, tolerances: Tolerances, step_s: f64) -> Self {
+        Self::DormandPrince(DormandPrince::new(sizes, tolerances, step_s))
+    }
+
+    /// See [`Newmark`].
+    pub fn newmark(sizes: Sizes, beta: f64, gamma: f64) -> Self {
+        Self::Newmark(Newmark::new(sizes, beta, gamma))
+    }
+
+    /// See [`GeneralizedAlpha`].
+    pub fn generalized_alpha(sizes: Sizes, rho_infinity: f64) -> Self {
+        Self::GeneralizedAlpha(GeneralizedAlpha::new(sizes, rho_infinity))
+    }
+
+    /// See [`ImplicitMidpoint`].
+    pub fn implicit_midpoint(sizes: Sizes) -> Self {
+        Self::ImplicitMidpoint(ImplicitMidpoint::new(sizes))
+    }
+
+    /// Numbers that the state's memory must hold for this scheme, all zero at first, beside
+    /// `discrete` discrete states.
+    pub fn memory_len(&self, discrete: usize) -> usize {
+        match self {
+            Self::DormandPrince(scheme) => scheme.memory_len(discrete),
+            Self::GeneralizedAlpha(scheme) => scheme.memory_len(),
+            _ => 0,
+        }
+    }
+
+    /// Moves q, v and s of the state over an interval. Allocates nothing. `edge_s` is the time, at
+    /// the end of the interval or later, at which a law changes its form next, s; infinite where
+    /// none does. On an error the state is undefined.
+    pub fn step<Y: System<S>>(
+        &mut self,
+        system: &mut Y,
+        interval: Interval,
+        edge_s: f64,
+        state: &mut State<S>,
+    ) -> Result<(), StepError> {
+        match self {
+            Self::RungeKutta(scheme) => scheme.step(system, interval, state),
+            Self::MidpointEuler(scheme) => scheme.step(system, interval, state),
+            Self::SemiImplicitEuler(scheme) => scheme.step(system, interval, state),
+            Self::DormandPrince(scheme) => return scheme.step(system, interval, edge_s, state),
+            Self::Newmark(scheme) => return scheme.step(system, interval, state),
+            Self::GeneralizedAlpha(scheme) => return scheme.step(system, interval, state),
+            Self::ImplicitMidpoint(scheme) => return scheme.step(system, interval, state),
+        }
+        Ok(())
+    }
+}
