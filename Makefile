@@ -94,6 +94,7 @@ $(DONE)/run: $(PYTHON_SIDE) | need-python need-rust
 # What the tests want besides.
 $(DONE)/develop: $(PYTHON_SIDE) | need-python need-rust
 	$(UV) sync --locked
+	$(PYTHON) tools/avx2.py
 	@mkdir -p $(DONE) && touch $@ $(DONE)/run
 
 $(NODE_MODULES): web/package.json web/package-lock.json | need-node

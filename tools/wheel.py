@@ -10,6 +10,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import avx2
+
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / "python" / "kingpost"
 CARRIED = {"app": "web/dist", "scenarios": "scenarios", "schema": "schema"}
@@ -17,6 +19,7 @@ CARRIED = {"app": "web/dist", "scenarios": "scenarios", "schema": "schema"}
 
 def main(build: list[str]) -> int:
     """Runs the build command, `uv build --wheel ...`, between copying and removing."""
+    avx2.main()
     copies = {PACKAGE / name: ROOT / source for name, source in CARRIED.items()}
     try:
         for copy, source in copies.items():

@@ -7,6 +7,7 @@
 """
 
 from ._engine import __version__
+from .batch import Batch
 from .errors import KingpostError, RunError, ScenarioError
 from .gradients import gradient
 from .linear import Equilibrium, Linearization
@@ -15,6 +16,7 @@ from .simulate import Input, Simulation, State, run
 from .vibration import equilibrium, modes
 
 __all__ = [
+    "Batch",
     "Equilibrium",
     "Input",
     "KingpostError",

@@ -40,14 +40,16 @@ def dataset(
     channels
         The channel table: variable, unit, frame, dimensions and their labels, offset, length.
     rows
-        One row per record, shape (records, values).
+        One row per record, shape (records, values); or of many runs, shape (runs, records, values),
+        where a run that ended early has NaN.
     status
         ``finished``, or why the run ended.
 
     Returns
     -------
     xarray.Dataset
-        Dimension ``time`` (s) and those of the channels; every variable carries ``units``,
+        Dimension ``time`` (s), before it ``run`` where there are many, and those of the channels;
+        every variable carries ``units``,
         ``long_name`` and ``frame``.
     """
     import xarray
@@ -57,18 +59,20 @@ def dataset(
     for channel in channels:
         start, length = channel["offset"], channel["len"]
         labels = dict(zip(channel["dims"], channel["labels"], strict=True))
-        shape = (len(rows), *(len(names) for names in labels.values()))
-        values = rows[:, start : start + length].reshape(shape)
+        shape = (*rows.shape[:-1], *(len(names) for names in labels.values()))
+        values = rows[..., start : start + length].reshape(shape)
         about = {
             "units": channel["unit"],
             "long_name": channel["long_name"],
             "frame": channel["frame"],
         }
         if channel["variable"] == "time":
-            coordinates["time"] = ("time", values.ravel(), about)
+            longest = values if rows.ndim == 2 else np.nanmax(values, axis=0)
+            coordinates["time"] = ("time", longest.ravel(), about)
         else:
             coordinates |= {dim: np.array(names, dtype=str) for dim, names in labels.items()}
-            variables[channel["variable"]] = (("time", *labels), values, about)
+            dims = ("time", *labels) if rows.ndim == 2 else ("run", "time", *labels)
+            variables[channel["variable"]] = (dims, values, about)
     return xarray.Dataset(variables, coordinates, attributes(scenario, status))
 
 

@@ -14,15 +14,13 @@ pub fn input(error: impl ToString) -> PyErr {
 }
 
 pub fn scenario(error: EngineScenarioError) -> PyErr {
-    ScenarioError::new_err((
-        error.to_string(),
-        error.file,
-        error.line,
-        error.column,
-        error.field,
-        error.found,
-        error.allowed,
-    ))
+    variant(&error.clone(), error)
+}
+
+/// An error of a scenario under another message: that of a batch says which run it is of.
+pub fn variant(message: &dyn ToString, error: EngineScenarioError) -> PyErr {
+    let EngineScenarioError { file, line, column, field, found, allowed } = error;
+    ScenarioError::new_err((message.to_string(), file, line, column, field, found, allowed))
 }
 
 pub fn run(error: EngineRunError) -> PyErr {

@@ -3,6 +3,7 @@
 //! Arrays cross as NumPy arrays, structured text as JSON. The labelled, documented face is the
 //! Python package in `python/kingpost`.
 
+mod batch;
 mod errors;
 mod gradient;
 mod simulation;
@@ -33,6 +34,9 @@ fn parse_assignment(text: &str) -> PyResult<(String, String)> {
 mod _engine {
     #[pymodule_export]
     use super::{parse_assignment, read};
+
+    #[pymodule_export]
+    use super::batch::{batch, has_avx2};
 
     #[pymodule_export]
     use super::gradient::gradient;

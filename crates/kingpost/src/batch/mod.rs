@@ -143,7 +143,9 @@ fn groups(members: &[Member]) -> Vec<Vec<usize>> {
 fn run_group(group: &[usize], members: &[Member], go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
     let alone: Vec<Simulation> = group.iter().map(|&run| Simulation::new(members[run].setup.clone())).collect();
     let settings = &members[group[0]].setup.settings;
-    let fits = settings.form == Form::Recursive && steps_lanes(settings.scheme);
+    // The loops' projection takes as many iterations as each run needs: not the same in all lanes.
+    let open = members[group[0]].setup.model.loops.is_empty();
+    let fits = open && settings.form == Form::Recursive && steps_lanes(settings.scheme);
     if group.len() > 1 && fits {
         let scenarios: Vec<&Scenario> = group.iter().map(|&run| &members[run].scenario).collect();
         return side_by_side::run(&scenarios, alone, go_on);

@@ -1,0 +1,59 @@
+//! The function `batch` of the module.
+
+use crate::errors;
+use crate::simulation::{Matrix, matrix, report};
+use kingpost::batch::{BatchError, Variant, run};
+use pyo3::prelude::*;
+use std::sync::Mutex;
+
+/// The rows of each run, the error that ended it or None, and the channels as JSON.
+type Runs<'py> = (Vec<Matrix<'py>>, Vec<Option<PyErr>>, String);
+
+/// Whether the processor has AVX2, which a build of this module may be made for.
+#[pyfunction]
+pub fn has_avx2() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    return std::is_x86_feature_detected!("avx2");
+    #[cfg(not(target_arch = "x86_64"))]
+    return false;
+}
+
+/// Runs every variant: a JSON list of lists of `[name, value]`.
+#[pyfunction]
+#[pyo3(signature = (text, file, variants_json, threads, progress=None))]
+pub fn batch<'py>(
+    py: Python<'py>,
+    text: &str,
+    file: &str,
+    variants_json: &str,
+    threads: usize,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Runs<'py>> {
+    let variants: Vec<Variant> =
+        serde_json::from_str(variants_json).map_err(|error| errors::input(format!("variants: {error}")))?;
+    let stopped = Mutex::new(None);
+    let found = py.detach(|| {
+        run(text, file, &variants, threads, |done| match report(done as f64, progress.as_ref()) {
+            Ok(()) => true,
+            Err(error) => {
+                *stopped.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = Some(error);
+                false
+            }
+        })
+    });
+    if let Some(error) = stopped.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner()) {
+        return Err(error);
+    }
+    let batch = found.map_err(|found| match found {
+        BatchError::Variant { ref error, .. } => errors::variant(&found, error.clone()),
+        found => errors::input(found),
+    })?;
+    let channels = serde_json::to_string(&batch.channels).map_err(errors::input)?;
+    let (mut rows, mut ends) = (Vec::new(), Vec::new());
+    for run in batch.runs {
+        let count = run.rows.len() / run.columns.max(1);
+        rows.push(matrix(py, run.rows, count, run.columns)?);
+        ends.push(run.status.err().map(errors::run));
+    }
+    Ok((rows, ends, channels))
+}

@@ -1,0 +1,73 @@
+"""Many runs at once are the runs that each variant has alone."""
+
+import numpy as np
+import pytest
+import xarray
+
+import kingpost
+from kingpost import batch as batches
+
+SHORT = {"simulation.duration_s": 0.2, "simulation.step_s": 0.002}
+
+
+def test_each_run_of_a_batch_is_the_run_alone_to_the_bit() -> None:
+    places = [-10, -5, 0.0, 2.5, 7, 10]
+    found = kingpost.Batch("paper", {"crane_x_m": places, "load": [False] * 6}, SHORT).run(threads=2)
+    assert found.sizes["run"] == 6
+    for run, place in enumerate(places):
+        alone = kingpost.run("paper", SHORT, crane_x_m=place)
+        for name, variable in alone.data_vars.items():
+            np.testing.assert_array_equal(found[name].isel(run=run).values, variable.values, err_msg=name)
+
+
+def test_the_build_for_avx2_gives_the_bits_of_the_plain_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    if batches._engine_for_this_processor() is batches._engine:
+        pytest.skip("no AVX2 on this processor, or no build for it")
+    batch = kingpost.Batch("paper", {"crane_y_m": np.linspace(-5, 5, 9)}, SHORT)
+    wide = batch.run()
+    monkeypatch.setattr(batches, "_engine_for_this_processor", lambda: batches._engine)
+    xarray.testing.assert_identical(wide, batch.run())
+
+
+def test_a_run_that_diverges_is_marked_and_ends_in_nan() -> None:
+    overrides = SHORT | {"simulation.duration_s": 0.8, "simulation.rate_limit": 9.0}
+    torques = {"drives.motor_1.motor.torque_N_m": [20_000, 100_000, 50_000]}
+    found = kingpost.Batch("paper", torques, overrides).run()
+    assert [status == "finished" for status in found.status.values] == [True, False, True]
+    assert "diverged" in str(found.status[1].values)
+    assert found.attrs["status"] == "2 of 3 runs finished"
+    rates = found.joint_velocity.sel(coordinate="slew")
+    assert not rates.isel(run=[0, 2]).isnull().any()
+    assert rates.isel(run=1).isnull()[-1] and not rates.isel(run=1).isnull()[10]
+    assert not found.time.isnull().any()
+
+
+@pytest.mark.parametrize(
+    ("parameters", "said"),
+    [
+        ({"crane_x_m": [1, 2], "crane_y_m": [1]}, "2 of crane_x_m, 1 of crane_y_m"),
+        ({}, "no parameters"),
+        ({"crane_x_m": [0, 70]}, "run 1: --set crane_x_m: found 70"),
+        ({"load": [False, True]}, "the same bodies"),
+        ({"simulation.record_every_s": [0.01, 0.013]}, "the same simulation.record_every_s"),
+        ({"nonsense": [1]}, "run 0: --set nonsense"),
+    ],
+)
+def test_a_batch_that_cannot_be_is_one_clear_error(parameters: dict[str, list[object]], said: str) -> None:
+    with pytest.raises(kingpost.KingpostError, match=said):
+        kingpost.Batch("paper", parameters, SHORT).run()
+
+
+def test_a_batch_is_written_and_read_back(tmp_path) -> None:
+    found = kingpost.Batch("paper", {"crane_x_m": [0, 5]}, SHORT).run()
+    found.to_netcdf(tmp_path / "batch.nc", engine="h5netcdf")
+    with xarray.open_dataset(tmp_path / "batch.nc", engine="h5netcdf") as again:
+        assert again.status.values.tolist() == ["finished", "finished"]
+        np.testing.assert_array_equal(again["roll"].values, found["roll"].values)
+
+
+def test_the_progress_of_a_batch_counts_runs() -> None:
+    seen: list[float] = []
+    kingpost.Batch("paper", {"crane_x_m": np.linspace(-9, 9, 12)}, SHORT).run(1, seen.append)
+    assert seen == sorted(seen)
+    assert seen[-1] == 12
