@@ -38,6 +38,21 @@ def test_accelerations_of_the_papers_model(
         assert cases.difference(simulation.acceleration(extra), expected) < cases.TOLERANCE
 
 
+def test_accelerations_with_every_joint(tmp_path: Path, make_peer: Callable[[Tree], Any]) -> None:
+    path = tmp_path / "every_joint.yaml"
+    path.write_text(json.dumps(cases.every_joint()))
+    scenario = kingpost.load(path)
+    simulation, tree = kingpost.Simulation(scenario), read(scenario.resolved)
+    np.testing.assert_allclose(simulation.state.q, states.at_rest(tree)[0], atol=1e-15)
+    peer, random = make_peer(tree), np.random.default_rng(33)
+    for _ in range(50):
+        q, v = states.random_state(tree, random)
+        extra = random.uniform(-1e3, 1e3, int(tree.free().sum()))
+        simulation.set_state(q, v)
+        expected = peer.acceleration(q, v, extra)
+        assert cases.difference(simulation.acceleration(extra), expected) < cases.TOLERANCE
+
+
 def test_the_states_are_many() -> None:
     assert len(cases.CASES) * cases.STATES_PER_CASE >= 50
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -33,6 +35,25 @@ def test_translators_agree_on_every_feature(hold_translation: bool, hold_rotatio
         extra = random.uniform(-1e4, 1e4, int(tree.free().sum()))
         expected = second.acceleration(q, v, extra)
         assert cases.difference(first.acceleration(q, v, extra), expected) < 1e-11
+
+
+def test_translators_agree_on_every_joint() -> None:
+    tree = read(cases.every_joint())
+    first, second = MujocoPeer(tree), PinocchioPeer(tree)
+    random = np.random.default_rng(65)
+    for _ in range(50):
+        q, v = states.random_state(tree, random)
+        extra = random.uniform(-1e3, 1e3, int(tree.free().sum()))
+        expected = second.acceleration(q, v, extra)
+        assert cases.difference(first.acceleration(q, v, extra), expected) < 1e-11
+
+
+@pytest.mark.parametrize("more", [{"mode": "held"}, {"friction": {"torque_N_m": 1.0}}])
+def test_what_the_peers_lack_in_an_axis_is_refused_by_name(more: dict[str, Any]) -> None:
+    shape = {"sphere": {"radius_m": 1.0}}
+    hook = {"universal": {"first_axis": [1, 0, 0], "second_axis": [0, 1, 0], "second": more}}
+    with pytest.raises(UnsupportedByPeersError, match=f"joint bob: .*({next(iter(more))}|held)"):
+        read({"bodies": {"bob": {"mass_kg": 1.0, "shape": shape, "joint": hook}}})
 
 
 def test_a_lone_moving_point_is_refused_with_its_name() -> None:

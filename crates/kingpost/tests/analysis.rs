@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{everything, paper_setup};
+use common::{every_joint, everything, paper_setup};
 use kingpost::analysis::{Linearizer, NoEquilibrium, gradient, settle};
 use kingpost::scenario::{Scenario, read};
 use kingpost::simulation::Simulation;
@@ -43,10 +43,19 @@ fn accelerations(simulation: &Simulation, xi: &[f64], dv: &[f64]) -> Vec<f64> {
     moved.acceleration(None).expect("no forces beside its own")
 }
 
-/// Central differences with step h err by h squared times a third derivative, and by rounding over h.
 #[test]
 fn the_linearised_system_is_what_central_differences_say() {
-    let scenario = scenario(&everything("recursive"));
+    linearised_as_differences_say(&everything("recursive"));
+}
+
+#[test]
+fn so_it_is_with_every_kind_of_joint() {
+    linearised_as_differences_say(&every_joint());
+}
+
+/// Central differences with step h err by h squared times a third derivative, and by rounding over h.
+fn linearised_as_differences_say(text: &str) {
+    let scenario = scenario(text);
     let mut simulation = simulation(&scenario);
     simulation.step(200).expect("a second of motion");
     let mut linearizer = Linearizer::new(&scenario).expect("the scenario builds");

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{simulation, values};
+use common::{EVERY_JOINT, EVERY_MASS, EVERY_MOMENTS, every_joint, simulation, values};
 use kingpost::Simulation;
 use kingpost::spatial::{Matrix3, Quaternion, Vector3, exp};
 
@@ -66,47 +66,6 @@ drives: {motor: {motor: {joint: drum, torque_N_m: 20}}}
     assert!((force[0] - (20.0 - 4.0 * 3.0)).abs() < 1e-12, "{force:?}");
 }
 
-const MASS: f64 = 2.0;
-const MOMENTS: [[f64; 3]; 3] = [[0.4, 0.05, -0.1], [0.05, 0.6, 0.02], [-0.1, 0.02, 0.9]];
-
-/// Parent, and place of the joint in its own axes, of each body of `every_joint`.
-const BODIES: [(Option<usize>, [f64; 3]); 8] = [
-    (None, [0.0, 0.0, 0.0]),
-    (Some(0), [0.1, 0.0, -1.0]),
-    (Some(1), [0.0, 0.2, 1.0]),
-    (Some(2), [0.3, 0.0, 0.8]),
-    (Some(0), [0.0, 0.1, -0.3]),
-    (Some(4), [0.5, 0.0, 0.0]),
-    (Some(5), [-0.4, 0.1, 0.0]),
-    (Some(6), [0.0, 0.0, 0.5]),
-];
-
-/// A hull with a mechanism of every kind of joint on it, all in motion.
-fn every_joint() -> Simulation {
-    let mut text = "version: 1\ntitle: Every joint\nsimulation: {step_s: 0.0001}\nbodies:\n".to_owned();
-    let kinds = [
-        "floating: {initial: {orientation_rad: [0.2, 0.1, 0.3], angular_velocity_rad_s: [0.3, -0.2, 0.1]}}",
-        "cylindrical: {axis: [0, 0, 1], rotation: {initial_rate_rad_s: 2}, translation: {spring: {stiffness_N_per_m: 900}}, PLACE}",
-        "universal: {first_axis: [1, 0, 0], second_axis: [0, 1, 0], first: {initial_angle_rad: 0.5}, second: {initial_rate_rad_s: -1}, PLACE}",
-        "spherical: {initial_angular_velocity_rad_s: [1, 2, -1], damping_N_m_s: 0.3, PLACE}",
-        "planar: {normal: [0, 0, 1], x_axis: [1, 1, 0], x: {initial_speed_m_s: 1}, rotation: {initial_rate_rad_s: 3}, PLACE}",
-        "revolute: {axis: [0, 1, 1], initial_rate_rad_s: 1, friction: {torque_N_m: 0.5}, PLACE}",
-        "prismatic: {axis: [1, 0, 0], mode: {prescribed: {speed_m_s: 0.5}}, PLACE}",
-        "fixed: {orientation_rad: [0.4, 0, 0], PLACE}",
-    ];
-    for (i, ((parent, [x, y, z]), kind)) in BODIES.into_iter().zip(kinds).enumerate() {
-        let parent = parent.map_or("world".to_owned(), |p| format!("b{p}"));
-        let kind = kind.replace("PLACE", &format!("position_m: [0.5, 0.3, 0.2], child_position_m: [{x}, {y}, {z}]"));
-        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = MOMENTS;
-        text += &format!(
-            "  b{i}: {{parent: {parent}, mass_kg: {MASS}, inertia: {{tensor: {{moments_kg_m2: [{xx}, {yy}, {zz}], \
-             products_kg_m2: [{xy}, {xz}, {yz}]}}}}, joint: {{{kind}}}}}\n"
-        );
-    }
-    text += "forces: {weight: {gravity: {}}}\ndrives: {turn: {motor: {joint: b2.first, torque_N_m: 1.5}}}\n";
-    simulation(&text)
-}
-
 fn vectors(simulation: &mut Simulation, variable: &str) -> Vec<Vector3> {
     values(simulation, variable).chunks(3).map(Vector3::from_slice).collect()
 }
@@ -118,12 +77,12 @@ fn rotations(simulation: &mut Simulation) -> Vec<Matrix3> {
 /// Angular momentum of each body about its centre, world.
 fn angular_momenta(simulation: &mut Simulation) -> Vec<Vector3> {
     let (rotations, rates) = (rotations(simulation), vectors(simulation, "angular_velocity"));
-    rotations.iter().zip(rates).map(|(r, rate)| *r * (Matrix3(MOMENTS) * rate)).collect()
+    rotations.iter().zip(rates).map(|(r, rate)| *r * (Matrix3(EVERY_MOMENTS) * rate)).collect()
 }
 
 #[test]
 fn reactions_and_weight_account_for_the_motion_of_every_body_on_every_joint() {
-    let mut simulation = every_joint();
+    let mut simulation = simulation(&every_joint());
     simulation.step(2000).unwrap();
     let before = angular_momenta(&mut simulation);
     simulation.step(1).unwrap();
@@ -131,10 +90,10 @@ fn reactions_and_weight_account_for_the_motion_of_every_body_on_every_joint() {
     let (rotations, reactions) = (rotations(&mut simulation), vectors(&mut simulation, "joint_reaction"));
     simulation.step(1).unwrap();
     let after = angular_momenta(&mut simulation);
-    let weight = Vector3::new(0.0, 0.0, -MASS * GRAVITY);
-    for body in 0..BODIES.len() {
+    let weight = Vector3::new(0.0, 0.0, -EVERY_MASS * GRAVITY);
+    for body in 0..EVERY_JOINT.len() {
         let (mut force, mut moment) = (weight, Vector3::zero());
-        for (joint, (parent, place)) in BODIES.iter().enumerate() {
+        for (joint, (parent, place)) in EVERY_JOINT.iter().enumerate() {
             let sign = if joint == body { 1.0 } else { -1.0 };
             if joint == body || *parent == Some(body) {
                 let r = rotations[joint];
@@ -144,7 +103,7 @@ fn reactions_and_weight_account_for_the_motion_of_every_body_on_every_joint() {
                 moment += m + lever.cross(f);
             }
         }
-        assert!((force - accelerations[body] * MASS).norm() < 1e-10, "body {body}: {force:?}");
+        assert!((force - accelerations[body] * EVERY_MASS).norm() < 1e-10, "body {body}: {force:?}");
         // Central differences: |L'''| h^2 / 6, with rates of some rad/s.
         let rate = (after[body] - before[body]) * (0.5 / 1e-4);
         assert!((moment - rate).norm() < 1e-6, "body {body}: {moment:?} {rate:?}");
@@ -153,7 +112,7 @@ fn reactions_and_weight_account_for_the_motion_of_every_body_on_every_joint() {
 
 #[test]
 fn a_joint_carries_along_its_own_axes_what_acts_in_them_and_nothing_else() {
-    let mut simulation = every_joint();
+    let mut simulation = simulation(&every_joint());
     simulation.step(2000).unwrap();
     let reactions = vectors(&mut simulation, "joint_reaction");
     let (force, moment) = (|joint: usize| reactions[2 * joint], |joint: usize| reactions[2 * joint + 1]);

@@ -134,6 +134,87 @@ def every_feature(*, hold_translation: bool, hold_rotation: bool) -> dict[str, A
     }
 
 
+def every_joint() -> dict[str, Any]:
+    """A scenario with a joint of every kind that moves, springs, rotors and drives on their axes."""
+    box = {"box": {"length_m": 2.0, "width_m": 1.0, "height_m": 0.5}}
+    spring = {"stiffness_N_m_per_rad": 700.0, "rest_rad": 0.3}
+    geared = {"damping_N_m_s": 40.0, "rotor_inertia_kg_m2": 0.05, "gear_ratio": 30.0}
+    bodies = {
+        "deck": {
+            "mass_kg": 5e3,
+            "shape": {"box": {"length_m": 20.0, "width_m": 8.0, "height_m": 3.0}},
+            "joint": {"floating": {}},
+        },
+        "post": _body(
+            "deck",
+            box,
+            300.0,
+            "revolute",
+            position=[1, 2, 1],
+            child=[0, 0, -1],
+            axis=[0, 0, 1],
+            spring=spring,
+            **geared,
+        ),
+        "rod": _body(
+            "post",
+            box,
+            80.0,
+            "cylindrical",
+            position=[0, 0.5, 1],
+            child=[-1, 0.2, 0],
+            turn=[0.2, 0.4, -0.1],
+            axis=[1, 1, 0],
+            rotation={"damping_N_m_s": 30.0},
+            translation={
+                "spring": {"stiffness_N_per_m": 2e3, "rest_m": 0.5},
+                "rotor_inertia_kg_m2": 0.02,
+                "gear_ratio_rad_per_m": 40.0,
+            },
+        ),
+        "block": _body(
+            "rod",
+            box,
+            60.0,
+            "universal",
+            position=[1, 0, 0],
+            child=[0.1, 0, 0.6],
+            first_axis=[1, 0, 0],
+            second_axis=[0, 1, 2],
+            first={"spring": spring},
+            second=geared,
+        ),
+        "load": _body(
+            "block", box, 200.0, "spherical", position=[0, 0, -0.6], child=[0, 0.1, 1.5], damping_N_m_s=15.0
+        ),
+        "sledge": _body(
+            "deck",
+            box,
+            90.0,
+            "planar",
+            position=[-5, 1, 1.5],
+            child=[0.3, 0, -0.25],
+            turn=[0.1, 0, 0.7],
+            normal=[0, 0, 1],
+            x_axis=[1, -1, 0],
+            x={"damping_N_s_m": 20.0},
+            rotation=geared,
+        ),
+        "flap": _body("sledge", box, 40.0, "prismatic", position=[1, 0, 0], child=[-1, 0, 0], axis=[0, 1, 1]),
+    }
+    return {
+        "version": 1,
+        "title": "Every joint",
+        "bodies": bodies,
+        "forces": {"gravity": {"gravity": {"acceleration_m_s2": 9.80665}}, "load": _damping("load")},
+        "drives": {
+            "luff": {"motor": {"joint": "block.first", "torque_N_m": 900.0}},
+            "push": {"linear_motor": {"joint": "rod.translation", "force_N": -700.0}},
+            "slide": {"linear_motor": {"joint": "sledge.y", "force_N": 300.0}},
+        },
+    }
+
+
 def _body(
     parent: str,
     shape: dict[str, Any] | None,

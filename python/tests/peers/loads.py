@@ -25,13 +25,17 @@ def gravity(tree: Tree) -> float:
 def drive_forces(tree: Tree, q: Array, v: Array) -> Array:
     """Force of the drives per entry of v, in N m or N, at time zero."""
     force = np.zeros(tree.v_size)
-    places = {body.joint.name: (at_q, at_v) for body, at_q, at_v in tree.slots()}
+    places = {
+        body.joint.axis_name(axis): (at_q.start + k, at_v.start + k)
+        for body, at_q, at_v in tree.slots()
+        for k, axis in enumerate(body.joint.axes)
+    }
     for name, entry in tree.drives.items():
         kind, value = next(iter(entry.items()))
         if not value.get("enabled", True):
             continue
         at_q, at_v = places[value["joint"]]
-        force[at_v] += _drive_force(name, kind, value, float(q[at_q][0]), float(v[at_v][0]))
+        force[at_v] += _drive_force(name, kind, value, float(q[at_q]), float(v[at_v]))
     return force
 
 
@@ -48,6 +52,19 @@ def _drive_force(name: str, kind: str, value: dict[str, Any], position: float, r
         raise UnsupportedByPeersError(f"drive {name}: kind {kind!r}")
     target, stiffness, damping, limit = (float(value[key]) for key in keys)
     return float(np.clip(stiffness * (target - position) - damping * rate, -limit, limit))
+
+
+def axis_forces(tree: Tree, q: Array, v: Array) -> Array:
+    """Force of damping and springs per entry of v, in N m or N."""
+    force = np.zeros(tree.v_size)
+    for body, at_q, at_v in tree.slots():
+        joint = body.joint
+        if joint.kind == "spherical":
+            force[at_v] = -joint.damping * v[at_v]
+        for k, axis in enumerate(joint.axes):
+            stretch = q[at_q.start + k] - axis.rest
+            force[at_v.start + k] = -axis.damping * v[at_v.start + k] - axis.stiffness * stretch
+    return force
 
 
 def viscous_damping(tree: Tree) -> list[tuple[str, Array, Array]]:

@@ -82,10 +82,21 @@ def _add_body(tree: Tree, body: Body, elements: dict[str | None, Any], origins: 
 def _add_joints(element: Any, body: Body) -> None:
     """The MuJoCo joints of one body."""
     joint = body.joint
-    if joint.kind != "floating":
-        kind = {"revolute": "hinge", "prismatic": "slide"}[joint.kind]
-        attributes = {"name": joint.name, "type": kind, "axis": _numbers(joint.axis)}
-        ElementTree.SubElement(element, "joint", {**attributes, "damping": repr(joint.damping)})
+    if joint.kind == "spherical":
+        ElementTree.SubElement(element, "joint", name=joint.name, type="ball", damping=repr(joint.damping))
+    elif joint.kind != "floating":
+        # a body's joints act one after another, each axis in the frame that those before it have turned
+        for axis in joint.axes:
+            attributes = {
+                "name": joint.axis_name(axis),
+                "type": "hinge" if axis.turns else "slide",
+                "axis": _numbers(axis.direction),
+                "damping": repr(axis.damping),
+                "stiffness": repr(axis.stiffness),
+                "springref": repr(axis.rest),
+                "armature": repr(axis.rotor_inertia),
+            }
+            ElementTree.SubElement(element, "joint", attributes)
     elif joint.free_translation and joint.free_rotation:
         ElementTree.SubElement(element, "freejoint", name=joint.name)
     elif joint.free_rotation:

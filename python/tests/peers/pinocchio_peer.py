@@ -15,7 +15,7 @@ import pinocchio
 
 from peers import loads
 from peers.states import rotation_of_quaternion
-from peers.tree import Array, Joint, Tree, UnsupportedByPeersError
+from peers.tree import Array, Axis, Joint, Tree, UnsupportedByPeersError
 
 
 def build(tree: Tree) -> tuple[Any, dict[str, int]]:
@@ -57,8 +57,11 @@ def _add_joint(
         if joint.free_rotation:
             rotation = np.eye(3)
     placement = pinocchio.SE3(rotation, position)
-    index = model.addJoint(joints[carrier], joint_model(joint), placement, joint.name)
-    return int(index)
+    index = int(model.addJoint(joints[carrier], joint_model(joint), placement, joint.name))
+    start = model.joints[index].idx_v
+    for k, axis in enumerate(joint.axes):
+        model.armature[start + k] = axis.rotor_inertia
+    return index
 
 
 def joint_model(joint: Joint) -> Any:
@@ -70,12 +73,23 @@ def joint_model(joint: Joint) -> Any:
         if joint.free_translation:
             return pinocchio.JointModelTranslation()
         raise UnsupportedByPeersError(f"joint {joint.name}: a floating joint with nothing free")
-    aligned = np.flatnonzero(joint.axis == 1.0)
-    name = "Revolute" if joint.kind == "revolute" else "Prismatic"
+    if joint.kind == "spherical":
+        return pinocchio.JointModelSpherical()
+    if len(joint.axes) == 1:
+        return _axis_model(joint.axes[0])
+    composite = pinocchio.JointModelComposite()
+    for axis in joint.axes:
+        composite.addJoint(_axis_model(axis))
+    return composite
+
+
+def _axis_model(axis: Axis) -> Any:
+    """The Pinocchio joint of one axis; aligned forms where it is a coordinate axis."""
+    aligned = np.flatnonzero(axis.direction == 1.0)
     if aligned.size:
-        short = {"Revolute": "R", "Prismatic": "P"}[name]
-        return getattr(pinocchio, f"JointModel{short}{'XYZ'[aligned[0]]}")()
-    return getattr(pinocchio, f"JointModel{name}Unaligned")(joint.axis)
+        return getattr(pinocchio, f"JointModel{'R' if axis.turns else 'P'}{'XYZ'[aligned[0]]}")()
+    name = "Revolute" if axis.turns else "Prismatic"
+    return getattr(pinocchio, f"JointModel{name}Unaligned")(axis.direction)
 
 
 class PinocchioPeer:
@@ -98,6 +112,8 @@ class PinocchioPeer:
                 own = np.concatenate(
                     [place if joint.free_translation else [], turn if joint.free_rotation else []]
                 )
+            elif joint.kind == "spherical":
+                own = own[[1, 2, 3, 0]]
             start = self.model.joints[self.joints[body.name]].idx_q
             result[start : start + own.size] = own
         return result
@@ -120,9 +136,7 @@ class PinocchioPeer:
         force = loads.drive_forces(self.tree, q, v)
         if extra is not None:
             force[self.tree.free()] += extra
-        for body, _, at_v in self.tree.slots():
-            if body.joint.kind != "floating":
-                force[at_v] -= body.joint.damping * v[at_v]
+        force += loads.axis_forces(self.tree, q, v)
         # power is the same in both coordinates, so forces turn as velocities do
         total = self.velocity(q, force)
         pinocchio.computeJointJacobians(self.model, self.data, own_q)

@@ -48,8 +48,10 @@ def at_rest(tree: Tree) -> tuple[Array, Array]:
         joint = body.joint
         if joint.kind == "floating":
             q[at_q] = np.concatenate([joint.position, quaternion_of_rotation(joint.rotation)])
+        elif joint.kind == "spherical":
+            q[at_q] = quaternion_of_rotation(joint.initial_rotation)
         else:
-            q[at_q] = joint.initial
+            q[at_q] = [axis.initial for axis in joint.axes]
     return q, v
 
 
@@ -61,9 +63,14 @@ def random_state(tree: Tree, random: Generator) -> tuple[Array, Array]:
     q, v = at_rest(tree)
     for body, at_q, at_v in tree.slots():
         joint = body.joint
+        if joint.kind == "spherical":
+            quaternion = random.standard_normal(4)
+            q[at_q] = quaternion / np.linalg.norm(quaternion)
+            v[at_v] = random.uniform(-JOINT_RATE_RAD_S, JOINT_RATE_RAD_S, 3)
+            continue
         if joint.kind != "floating":
-            q[at_q] = random.uniform(-np.pi, np.pi)
-            v[at_v] = random.uniform(-JOINT_RATE_RAD_S, JOINT_RATE_RAD_S)
+            q[at_q] = random.uniform(-np.pi, np.pi, joint.q_size)
+            v[at_v] = random.uniform(-JOINT_RATE_RAD_S, JOINT_RATE_RAD_S, joint.v_size)
             continue
         if joint.free_translation:
             q[at_q.start : at_q.start + 3] = random.uniform(-POSITION_M, POSITION_M, 3)

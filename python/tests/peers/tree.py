@@ -3,7 +3,8 @@
 Frames: every body's frame sits at its centre of mass with the axes of its drawing frame. Positions are in
 metres, inertia in kg m^2 about the centre of mass in body axes. The state has Kingpost's layout: for a
 floating joint the world position of the centre of mass (3) and a unit quaternion w x y z in q, the world
-velocity (3) and the angular velocity in body axes (3) in v; for other joints one entry each.
+velocity (3) and the angular velocity in body axes (3) in v; for a spherical joint a unit quaternion in q and
+the angular velocity against the parent in body axes (3) in v; for other joints one entry an axis.
 """
 
 from __future__ import annotations
@@ -24,11 +25,30 @@ class UnsupportedByPeersError(ValueError):
 
 
 @dataclass(frozen=True)
+class Axis:
+    """One axis of a joint: turning or sliding, in the frame after the axes before it, and what acts in it.
+
+    Torques in N m and angles in rad, or forces in N and lengths in m; ``rotor_inertia`` has the gear ratio
+    squared in it.
+    """
+
+    label: str
+    turns: bool
+    direction: Array
+    initial: float = 0.0
+    damping: float = 0.0
+    stiffness: float = 0.0
+    rest: float = 0.0
+    rotor_inertia: float = 0.0
+
+
+@dataclass(frozen=True)
 class Joint:
     """How a body hangs on its parent.
 
     ``rotation`` (child's axes in the parent's at zero) and ``position`` (from the parent's centre of mass)
     place the joint in the parent; ``child_position`` places it in the child, from its centre of mass.
+    ``initial_rotation`` and ``damping`` are those of a spherical joint; other joints have axes.
     """
 
     name: str
@@ -36,21 +56,25 @@ class Joint:
     rotation: Array = field(default_factory=lambda: np.eye(3))
     position: Array = field(default_factory=lambda: np.zeros(3))
     child_position: Array = field(default_factory=lambda: np.zeros(3))
-    axis: Array = field(default_factory=lambda: np.zeros(3))
+    axes: tuple[Axis, ...] = ()
+    initial_rotation: Array = field(default_factory=lambda: np.eye(3))
     damping: float = 0.0
     free_translation: bool = True
     free_rotation: bool = True
-    initial: float = 0.0
 
     @property
     def q_size(self) -> int:
         """Entries of this joint in q."""
-        return {"floating": 7, "fixed": 0}.get(self.kind, 1)
+        return {"floating": 7, "spherical": 4}.get(self.kind, len(self.axes))
 
     @property
     def v_size(self) -> int:
         """Entries of this joint in v."""
-        return {"floating": 6, "fixed": 0}.get(self.kind, 1)
+        return {"floating": 6, "spherical": 3}.get(self.kind, len(self.axes))
+
+    def axis_name(self, axis: Axis) -> str:
+        """The name of an axis' coordinate: the joint's where it is the only one."""
+        return f"{self.name}.{axis.label}" if axis.label else self.name
 
     def free(self) -> list[bool]:
         """Which of the joint's entries of v are free."""
@@ -189,20 +213,53 @@ def _joint(name: str, entry: Mapping[str, Any], parent_centre: Array, child_cent
             free_translation=not value.get("hold_translation", False),
             free_rotation=not value.get("hold_rotation", False),
         )
-    mode = value.get("mode") or "free"
-    if kind != "fixed" and mode != "free":
-        raise UnsupportedByPeersError(f"joint {label}: the peer models have free joints, found {mode!r}")
-    axis = _vector(value.get("axis"))
-    length = float(np.linalg.norm(axis))
+    if value.get("held"):
+        raise UnsupportedByPeersError(f"joint {label}: the peer models have free joints, found held")
     return Joint(
         label,
         kind,
         rotation=rotation_of_angles(value.get("orientation_rad")),
         position=_vector(value.get("position_m")) - parent_centre,
         child_position=_vector(value.get("child_position_m")) - child_centre,
-        axis=axis / length if length > 0.0 else axis,
-        damping=float(value.get("damping_N_m_s", value.get("damping_N_s_m", 0.0)) or 0.0),
-        initial=float(value.get("initial_angle_rad", value.get("initial_extension_m", 0.0)) or 0.0),
+        axes=tuple(_axes(label, kind, value)),
+        initial_rotation=rotation_of_angles(value.get("initial_orientation_rad")),
+        damping=float(value.get("damping_N_m_s") or 0.0) if kind == "spherical" else 0.0,
+    )
+
+
+def _axes(joint: str, kind: str, value: Mapping[str, Any]) -> Iterator[Axis]:
+    """The axes of a joint, from the parent to the child."""
+    if kind in ("revolute", "prismatic"):
+        yield _axis(joint, "", kind == "revolute", value["axis"], value)
+    elif kind == "cylindrical":
+        yield _axis(joint, "rotation", True, value["axis"], value.get("rotation") or {})
+        yield _axis(joint, "translation", False, value["axis"], value.get("translation") or {})
+    elif kind == "universal":
+        for label in ("first", "second"):
+            yield _axis(joint, label, True, value[f"{label}_axis"], value.get(label) or {})
+    elif kind == "planar":
+        x, normal = _vector(value["x_axis"]), _vector(value["normal"])
+        for label, direction in (("x", x), ("y", np.cross(normal, x)), ("rotation", normal)):
+            yield _axis(joint, label, label == "rotation", direction, value.get(label) or {})
+
+
+def _axis(joint: str, label: str, turns: bool, direction: Any, value: Mapping[str, Any]) -> Axis:
+    """One axis of a joint from its entry, or from that of a joint of one axis."""
+    found = [key for key in ("friction", "limits") if value.get(key)]
+    if (value.get("mode") or "free") != "free" or found:
+        what = found[0] if found else value["mode"]
+        raise UnsupportedByPeersError(f"joint {joint}: the peer models have free joints, found {what!r}")
+    spring = value.get("spring") or {}
+    gear = float(value.get("gear_ratio" if turns else "gear_ratio_rad_per_m") or 1.0)
+    return Axis(
+        label,
+        turns,
+        _vector(direction) / float(np.linalg.norm(_vector(direction))),
+        initial=float(value.get("initial_angle_rad" if turns else "initial_extension_m") or 0.0),
+        damping=float(value.get("damping_N_m_s" if turns else "damping_N_s_m") or 0.0),
+        stiffness=float(spring.get("stiffness_N_m_per_rad" if turns else "stiffness_N_per_m") or 0.0),
+        rest=float(spring.get("rest_rad" if turns else "rest_m") or 0.0),
+        rotor_inertia=float(value.get("rotor_inertia_kg_m2") or 0.0) * gear**2,
     )
 
 

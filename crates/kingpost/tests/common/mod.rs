@@ -64,6 +64,49 @@ pub fn tied_ships(form: &str) -> String {
     include_str!("tied_ships.yaml").replace("form: recursive", &format!("form: {form}"))
 }
 
+/// Mass of each body of [`every_joint`], kg.
+pub const EVERY_MASS: f64 = 2.0;
+/// Its inertia about its centre of mass, kg m^2.
+pub const EVERY_MOMENTS: [[f64; 3]; 3] = [[0.4, 0.05, -0.1], [0.05, 0.6, 0.02], [-0.1, 0.02, 0.9]];
+
+/// Parent, and place of the joint in its own axes, of each body of [`every_joint`].
+pub const EVERY_JOINT: [(Option<usize>, [f64; 3]); 8] = [
+    (None, [0.0, 0.0, 0.0]),
+    (Some(0), [0.1, 0.0, -1.0]),
+    (Some(1), [0.0, 0.2, 1.0]),
+    (Some(2), [0.3, 0.0, 0.8]),
+    (Some(0), [0.0, 0.1, -0.3]),
+    (Some(4), [0.5, 0.0, 0.0]),
+    (Some(5), [-0.4, 0.1, 0.0]),
+    (Some(6), [0.0, 0.0, 0.5]),
+];
+
+/// A hull with a mechanism of every kind of joint on it, all in motion.
+pub fn every_joint() -> String {
+    let mut text = "version: 1\ntitle: Every joint\nsimulation: {step_s: 0.0001}\nbodies:\n".to_owned();
+    let kinds = [
+        "floating: {initial: {orientation_rad: [0.2, 0.1, 0.3], angular_velocity_rad_s: [0.3, -0.2, 0.1]}}",
+        "cylindrical: {axis: [0, 0, 1], rotation: {initial_rate_rad_s: 2}, translation: {spring: {stiffness_N_per_m: 900}}, PLACE}",
+        "universal: {first_axis: [1, 0, 0], second_axis: [0, 1, 0], first: {initial_angle_rad: 0.5}, second: {initial_rate_rad_s: -1}, PLACE}",
+        "spherical: {initial_angular_velocity_rad_s: [1, 2, -1], damping_N_m_s: 0.3, PLACE}",
+        "planar: {normal: [0, 0, 1], x_axis: [1, 1, 0], x: {initial_speed_m_s: 1}, rotation: {initial_rate_rad_s: 3}, PLACE}",
+        "revolute: {axis: [0, 1, 1], initial_rate_rad_s: 1, friction: {torque_N_m: 0.5}, PLACE}",
+        "prismatic: {axis: [1, 0, 0], mode: {prescribed: {speed_m_s: 0.5}}, PLACE}",
+        "fixed: {orientation_rad: [0.4, 0, 0], PLACE}",
+    ];
+    for (i, ((parent, [x, y, z]), kind)) in EVERY_JOINT.into_iter().zip(kinds).enumerate() {
+        let parent = parent.map_or("world".to_owned(), |p| format!("b{p}"));
+        let kind = kind.replace("PLACE", &format!("position_m: [0.5, 0.3, 0.2], child_position_m: [{x}, {y}, {z}]"));
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = EVERY_MOMENTS;
+        text += &format!(
+            "  b{i}: {{parent: {parent}, mass_kg: {EVERY_MASS}, inertia: {{tensor: {{moments_kg_m2: [{xx}, {yy}, {zz}], \
+             products_kg_m2: [{xy}, {xz}, {yz}]}}}}, joint: {{{kind}}}}}\n"
+        );
+    }
+    text += "forces: {weight: {gravity: {}}}\ndrives: {turn: {motor: {joint: b2.first, torque_N_m: 1.5}}}\n";
+    text
+}
+
 /// A source of random models; the seed makes a failure repeatable.
 pub struct Random(StdRng);
 
