@@ -54,7 +54,9 @@ class Mode:
     shape: NDArray[np.complex128]
 
 
-def eigenmodes(linear: Linearization, mass: NDArray[np.float64]) -> list[Mode]:
+def eigenmodes(
+    linear: Linearization, mass: NDArray[np.float64], constraints: NDArray[np.float64]
+) -> list[Mode]:
     """Modes of a linearised system, zero modes first, then by modulus of the eigenvalue.
 
     Parameters
@@ -63,10 +65,13 @@ def eigenmodes(linear: Linearization, mass: NDArray[np.float64]) -> list[Mode]:
         The system; its modes mean what one expects where its rates are zero.
     mass
         Reduced mass matrix M* of its free coordinates.
+    constraints
+        J of the closed loops over its free coordinates, a row for each constraint. Modes move so
+        that J xi = 0; at rest A takes such motions to such again.
     """
-    if not linear.states:
+    system = Scaled.of(linear, mass, constraints)
+    if not system.a.size:
         return []
-    system = Scaled.of(linear, mass)
     levels, rest = zero_levels(system.a, system.smallest)
     modes = zero_modes(system, levels)
     modes += other_modes(system, np.hstack([*levels, rest[:, :0]]), rest)
@@ -75,36 +80,40 @@ def eigenmodes(linear: Linearization, mass: NDArray[np.float64]) -> list[Mode]:
 
 @dataclass(frozen=True)
 class Scaled:
-    """A system in states whose squares are energies: ``L^T xi w``, ``L^T v``, the rest; M* = L L^T.
+    """A system in states whose squares are energies: ``w y``, ``y'``, the rest.
 
-    With w the largest frequency, A then has entries near w in the blocks that store energy.
+    With M* = L L^T and columns N, orthonormal, of what J L^-T takes to nothing, the coordinates are
+    xi = L^-T N y: independent, and y'^2 / 2 is the kinetic energy. With w the largest frequency, A
+    then has entries near w in the blocks that store energy.
     """
 
     names: list[str]
     mass: NDArray[np.float64]
-    to_scaled: NDArray[np.float64]
+    from_scaled: NDArray[np.float64]
     a: NDArray[np.float64]
     smallest: float
 
     @classmethod
-    def of(cls, linear: Linearization, mass: NDArray[np.float64]) -> Scaled:
-        a, names, n = linear.A.values, linear.coordinates, len(mass)
-        extras = len(a) - 2 * n
+    def of(cls, linear: Linearization, mass: NDArray[np.float64], constraints: NDArray[np.float64]) -> Scaled:
+        a, n = linear.A.values, len(mass)
         root = np.linalg.cholesky(mass).T
-        stiffness = root @ np.linalg.solve(root.T, a[n : 2 * n, :n].T).T
+        inverse = np.linalg.solve(root, np.eye(n))
+        independent = null_space(constraints @ inverse)
+        inward, outward = independent.T @ root, inverse @ independent
+        stiffness = inward @ a[n : 2 * n, :n] @ outward
         # Where nothing is stiff, 1 rad/s is as good as any other.
-        square = max(np.linalg.norm(stiffness, 2) if n else 0.0, 1.0)
+        square = max(np.linalg.norm(stiffness, 2) if stiffness.size else 0.0, 1.0)
         frequency = np.sqrt(square)
-        to_scaled = np.zeros_like(a)
-        to_scaled[:n, :n], to_scaled[n : 2 * n, n : 2 * n] = root * frequency, root
-        to_scaled[2 * n :, 2 * n :] = np.eye(extras)
-        scaled = np.linalg.solve(to_scaled.T, (to_scaled @ a).T).T
+        further = np.eye(len(a) - 2 * n)
+        to_scaled = block_diagonal(inward * frequency, inward, further)
+        from_scaled = block_diagonal(outward / frequency, outward, further)
         smallest = max(SMALLEST_SHARE * square, SMALLEST_SQUARE) / frequency
-        return cls(names + linear.states[2 * n :], mass, to_scaled, scaled, smallest)
+        names = linear.coordinates + linear.states[2 * n :]
+        return cls(names, mass, from_scaled, to_scaled @ a @ from_scaled, smallest)
 
     def shapes(self, scaled: NDArray, rates: bool = False) -> NDArray:
         """Amplitudes by coordinate and further state of scaled states in columns; or their rates."""
-        states, n = np.linalg.solve(self.to_scaled, scaled), len(self.mass)
+        states, n = self.from_scaled @ scaled, len(self.mass)
         start = n if rates else 0
         return np.concatenate([states[start : start + n], states[2 * n :]])
 
@@ -113,6 +122,22 @@ class Scaled:
         weights = np.ones(len(shape))
         weights[: len(self.mass)] = np.diag(self.mass)
         return weights[:, None] * np.abs(shape) ** 2 if shape.ndim > 1 else weights * np.abs(shape) ** 2
+
+
+def null_space(matrix: NDArray) -> NDArray[np.float64]:
+    """Orthonormal columns that a matrix of independent rows takes to nothing."""
+    return np.linalg.qr(matrix.T, mode="complete")[0][:, len(matrix) :]
+
+
+def block_diagonal(*blocks: NDArray) -> NDArray[np.float64]:
+    """Blocks down the diagonal, zeros beside them."""
+    out = np.zeros(np.sum([block.shape for block in blocks], axis=0))
+    row = column = 0
+    for block in blocks:
+        rows, columns = block.shape
+        out[row : row + rows, column : column + columns] = block
+        row, column = row + rows, column + columns
+    return out
 
 
 def zero_levels(a: NDArray, smallest: float) -> tuple[list[NDArray], NDArray]:

@@ -56,6 +56,9 @@ def gradient(
         or changes the structure, the times at which laws change their form, or the stepping.
     RunError
         When the motion diverges; `.results` holds what was computed.
+    KeyboardInterrupt
+        On Ctrl-C; `.results` holds what was computed, for the names that were reached. So it is
+        with whatever `progress` raises.
 
     >>> found = gradient("paper", "crane_x_m", {"simulation.duration_s": 0.1})
     >>> found.roll_derivative.dims
@@ -64,7 +67,8 @@ def gradient(
     scenario = as_scenario(scenario_or_path, overrides, parameters)
     names = [names] if isinstance(names, str) else [str(name) for name in names]
     rows, derivatives, channels, error = scenario._gradient(names, progress)
-    status = "finished" if error is None else str(error)
+    status = "finished" if error is None else str(error) or "interrupted"
+    names = names[: len(derivatives)]
     run = results.dataset(scenario, channels, rows, status)
     found = _with_derivatives(run, scenario, channels, names, derivatives)
     if error is not None:

@@ -27,8 +27,9 @@ class Linearization:
     3. further states of forces and drives.
 
     The inputs u are changes of `Simulation.inputs`. Held and prescribed coordinates are not among
-    the states; prescribed ones keep the motion that they have. Equations without D are linearised
-    with it.
+    the states; prescribed ones keep the motion that they have. Where there are closed loops all
+    coordinates of the open tree are, and motions are such that `Simulation.constraint_matrix` times
+    x vanishes, for the coordinates and for their rates. Equations without D are linearised with it.
 
     Attributes
     ----------

@@ -195,6 +195,10 @@ class Simulation:
         """Reduced mass matrix M* = B^T M B of the free coordinates (kg, kg m, kg m2)."""
         return self._engine.mass_matrix()
 
+    def constraint_matrix(self) -> NDArray[np.float64]:
+        """J of the closed loops over the free coordinates: J v = 0. Shape (constraints, coordinates)."""
+        return self._engine.constraint_matrix()
+
     def bias_force(self) -> NDArray[np.float64]:
         """Bias force N* v of the free coordinates (N or N m)."""
         return self._engine.bias_force()

@@ -180,7 +180,7 @@ def _point(scenario: Scenario, state: State | None) -> tuple[list[Mode], np.ndar
         status = "about a given state"
     linear, mass = simulation.linearize(), simulation.mass_matrix()
     names = linear.coordinates + linear.states[2 * len(linear.coordinates) :]
-    return eigenmodes(linear, mass), mass, names, status
+    return eigenmodes(linear, mass, simulation.constraint_matrix()), mass, names, status
 
 
 def _dataset(

@@ -135,3 +135,24 @@ def test_progress_is_heard_for_every_four_names():
     kingpost.gradient("paper", names, {"simulation.duration_s": 2}, progress=heard.append)
     restarts = sum(later < earlier for earlier, later in itertools.pairwise(heard))
     assert restarts == 1
+
+
+def test_what_stops_a_gradient_keeps_what_was_computed():
+    """Source: the public contract: the results until then, for the names that were reached."""
+    heard: list[float] = []
+
+    def stop_in_the_second_round(time_s: float) -> None:
+        heard.append(time_s)
+        if any(later < earlier for earlier, later in itertools.pairwise(heard)) and time_s > 0.5:
+            raise KeyboardInterrupt
+
+    names = ["crane_x_m", "crane_y_m", "crane_z_m", "bodies.arm.mass_kg", "bodies.tower.mass_kg",
+             "bodies.ship.mass_kg", "bodies.arm.joint.revolute.initial_rate_rad_s",
+             "bodies.tower.joint.revolute.initial_rate_rad_s", "drives.motor_1.motor.torque_N_m"]  # fmt: skip
+    with pytest.raises(KeyboardInterrupt) as caught:
+        kingpost.gradient("paper", names, {"simulation.duration_s": 2}, progress=stop_in_the_second_round)
+    found = caught.value.results
+    assert found.parameter.values.tolist() == names[:8]
+    assert 0.5 < found.time.values[-1] < 2
+    assert found.attrs["status"] == "interrupted"
+    assert np.isfinite(found.roll_derivative).all()

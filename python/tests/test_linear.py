@@ -151,6 +151,84 @@ def test_a_free_motion_that_is_damped_is_a_zero_mode_and_a_decay():
     )
 
 
+PARALLELOGRAM = """\
+version: 1
+title: a swing
+bodies:
+  left:
+    mass_kg: 2
+    inertia: {tensor: {moments_kg_m2: [0.375, 0.375, 0]}}
+    joint: {revolute: {axis: [0, 1, 0], child_position_m: [0, 0, 0.75], initial_angle_rad: 0.4, damping_N_m_s: 1}}
+  plank:
+    parent: left
+    mass_kg: 10
+    shape: {box: {length_m: 3, width_m: 0.3, height_m: 0.1}}
+    joint: {revolute: {axis: [0, 1, 0], position_m: [0, 0, -0.75], child_position_m: [-1.5, 0, 0],
+                       initial_angle_rad: -0.4}}
+  right:
+    mass_kg: 2
+    inertia: {tensor: {moments_kg_m2: [0.375, 0.375, 0]}}
+    joint: {revolute: {axis: [0, 1, 0], position_m: [3, 0, 0], child_position_m: [0, 0, 0.75],
+                       initial_angle_rad: 0.4}}
+loops:
+  pin:
+    first: {body: plank, position_m: [1.5, 0, 0]}
+    second: {body: right, position_m: [0, 0, -0.75]}
+    constraints: [x, z]
+forces:
+  gravity: {gravity: {}}
+"""
+
+
+def test_a_closed_loop_has_the_modes_of_its_independent_coordinates(tmp_path):
+    """Source: a plank on two equal rods stays level, so that with the angle a of the rods the kinetic
+    energy is (2 m L^2/3 + M L^2) a'^2 / 2, the potential -(m + M) g L cos a, and heat c a'^2."""
+    path = tmp_path / "swing.yaml"
+    path.write_text(PARALLELOGRAM, encoding="utf-8")
+    rest = kingpost.equilibrium(path)
+    assert np.abs(rest.joint_position).max() < 1e-10
+    assert rest.position.sel(body="plank").values == pytest.approx([1.5, 0, -1.5], abs=1e-10)
+    found = kingpost.modes(path)
+    inertia, stiffness = (2 * 2 / 3 + 10) * 1.5**2, (2 + 10) * G * 1.5
+    assert found.sizes["mode"] == 1
+    assert found.angular_frequency.item() == pytest.approx(np.sqrt(stiffness / inertia), rel=1e-10)
+    assert found.damping_ratio.item() == pytest.approx(0.5 / np.sqrt(inertia * stiffness), rel=1e-10)
+    assert found["shape"].values[0] == pytest.approx([1, -1, 1], abs=1e-10)
+
+
+def test_two_tied_ships_share_their_zero_modes(tmp_path):
+    """Source: counting: thirteen coordinates and four constraints leave nine that nothing moves."""
+    text = """\
+version: 1
+title: two ships
+bodies:
+  one: {mass_kg: 3000, shape: {box: {length_m: 10, width_m: 4, height_m: 2}}, joint: {floating: {}}}
+  arm:
+    parent: one
+    mass_kg: 200
+    shape: {cylinder: {radius_m: 0.2, length_m: 4, axis: y}}
+    joint: {revolute: {axis: [1, 0, 0], position_m: [1, 2, 1], child_position_m: [0, -2, 0]}}
+  two:
+    mass_kg: 5000
+    shape: {box: {length_m: 12, width_m: 5, height_m: 3}}
+    joint: {floating: {initial: {position_m: [0, 8, 0]}}}
+loops:
+  hook: {first: {body: arm, position_m: [0, 2, 0]}, second: {body: two, position_m: [1, -2, 1]},
+         constraints: [x, y, z, yaw]}
+"""
+    path = tmp_path / "ships.yaml"
+    path.write_text(text, encoding="utf-8")
+    found = kingpost.modes(path)
+    assert found.kind.values.tolist() == ["zero"] * 9
+    assert set(found.multiplicity.values) == {2}
+    shapes = found["shape"].values
+    constraints = kingpost.Simulation(path).constraint_matrix()
+    assert constraints.shape == (4, 13)
+    assert np.abs(constraints @ shapes.T).max() < 1e-10
+    assert np.linalg.matrix_rank(shapes) == 9
+    assert len(set(found.named_after.values)) == 9
+
+
 def test_the_heading_of_a_ship_is_the_only_zero_mode_under_gravity():
     """Source: symmetry about the vertical; the base hangs by its centre with the chain below it."""
     found = kingpost.modes("chain")

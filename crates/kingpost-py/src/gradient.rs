@@ -28,13 +28,11 @@ pub fn gradient<'py>(
             report(time_s, progress.as_ref()).map_err(|error| stopped = Some(error)).is_ok()
         })
     });
-    if let Some(error) = stopped {
-        return Err(error);
-    }
     let found = found.map_err(errors::scenario)?;
     let (columns, count) = (found.columns, found.rows.len() / found.columns.max(1));
     let derivatives = found.derivatives.into_iter().map(|rows| matrix(py, rows, count, columns));
     let channels = serde_json::to_string(&found.channels).map_err(errors::input)?;
     let rows = matrix(py, found.rows, count, columns)?;
-    Ok((rows, derivatives.collect::<PyResult<_>>()?, channels, found.status.err().map(errors::run)))
+    let error = stopped.or_else(|| found.status.err().map(errors::run));
+    Ok((rows, derivatives.collect::<PyResult<_>>()?, channels, error))
 }

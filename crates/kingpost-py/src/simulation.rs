@@ -155,6 +155,12 @@ impl Simulation {
         matrix(py, self.inner.mass_matrix(), n, n)
     }
 
+    /// J of the closed loops over the free coordinates, by rows.
+    fn constraint_matrix<'py>(&mut self, py: Python<'py>) -> PyResult<Matrix<'py>> {
+        let j = self.inner.moving_frame().j;
+        matrix(py, j.transpose().as_slice().to_vec(), j.nrows(), j.ncols())
+    }
+
     fn bias_force<'py>(&mut self, py: Python<'py>) -> Vector<'py> {
         self.inner.bias_force().into_pyarray(py)
     }

@@ -120,6 +120,46 @@ fn a_pendulum_settles_downwards_from_anywhere_but_the_top() {
     }
 }
 
+/// A plank on two equal rods, out of the vertical, cut open at one of its ends.
+const SWING: &str = "
+version: 1
+title: a swing
+bodies:
+  left:
+    mass_kg: 2
+    inertia: {tensor: {moments_kg_m2: [0.375, 0.375, 0]}}
+    joint: {revolute: {axis: [0, 1, 0], child_position_m: [0, 0, 0.75], initial_angle_rad: 1.2}}
+  plank:
+    parent: left
+    mass_kg: 10
+    shape: {box: {length_m: 3, width_m: 0.3, height_m: 0.1}}
+    joint: {revolute: {axis: [0, 1, 0], position_m: [0, 0, -0.75], child_position_m: [-1.5, 0, 0], initial_angle_rad: -1.2}}
+  right:
+    mass_kg: 2
+    inertia: {tensor: {moments_kg_m2: [0.375, 0.375, 0]}}
+    joint: {revolute: {axis: [0, 1, 0], position_m: [3, 0, 0], child_position_m: [0, 0, 0.75], initial_angle_rad: 1.2}}
+loops:
+  pin: {first: {body: plank, position_m: [1.5, 0, 0]}, second: {body: right, position_m: [0, 0, -0.75]}, constraints: [x, z]}
+forces:
+  gravity: {gravity: {}}
+";
+
+/// It hangs straight, with its loop closed. About it A takes (1, -1, 1), the only motion that the
+/// loop lets pass, to itself times -(m + M) g L / (2 m L^2 / 3 + M L^2).
+#[test]
+fn a_closed_loop_settles_closed_and_a_keeps_to_its_tangents() {
+    let scenario = scenario(SWING);
+    let mut simulation = simulation(&scenario);
+    let found = settle(&scenario, &mut simulation).expect("a swing rests");
+    assert!(simulation.state().q.iter().all(|q| q.abs() < 1e-9), "{found:?}: {:?}", simulation.state().q);
+    let j = simulation.moving_frame().j;
+    let motion = nalgebra::DVector::from_column_slice(&[1.0, -1.0, 1.0]);
+    assert!((&j * &motion).amax() < 1e-9);
+    let linear = Linearizer::new(&scenario).expect("it builds").at(&simulation);
+    let square = 12.0 * 9.80665 / ((4.0 / 3.0 + 10.0) * 1.5);
+    assert!((linear.stiffness() * &motion + &motion * square).amax() < 1e-8 * square);
+}
+
 #[test]
 fn what_falls_has_no_equilibrium_and_stays_where_it_was() {
     let setup = |gravity: bool| {

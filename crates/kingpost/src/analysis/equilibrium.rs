@@ -1,7 +1,6 @@
 //! Where a model rests: free coordinates, rates zero, at which nothing accelerates.
 
 use super::{Linearization, Linearizer};
-use crate::integrate::Stage;
 use crate::scenario::{Scenario, ScenarioError};
 use crate::simulation::{InputError, Simulation};
 use nalgebra::{DMatrix, DVector};
@@ -13,6 +12,8 @@ const AT_REST: f64 = 1e-10;
 const MOST_ITERATIONS: usize = 400;
 /// The longest move of a coordinate in one iteration, m or rad.
 const LONGEST_MOVE: f64 = 0.5;
+/// How often a move is halved where the loops cannot be closed at its end.
+const MOST_HALVINGS: i32 = 12;
 /// The smallest share of the largest entry of A that is kept against drift along zero modes.
 const SMALLEST_SHARE: f64 = 1e-9;
 
@@ -57,34 +58,40 @@ pub enum NoEquilibrium {
 /// Newton's iteration with exact Jacobian, led by pseudo-transient continuation (Kelley & Keyes,
 /// SIAM J. Numer. Anal. 35, 1998): `(1/delta - A) dx = v'`, where delta grows as the accelerations
 /// vanish. So it begins downhill, towards a stable equilibrium, and ends with Newton's own
-/// convergence; along zero modes, such as the heading of a free ship, nothing moves.
+/// convergence; along zero modes, such as the heading of a free ship, nothing moves. Where there are
+/// closed loops the moves are tangent to them, `J dx = 0` by multipliers, and each ends with the
+/// loops closed.
 ///
 /// # Errors
 /// Nothing at which all accelerations vanish was found; the simulation stands where it stood.
 pub fn settle(scenario: &Scenario, simulation: &mut Simulation) -> Result<Equilibrium, NoEquilibrium> {
     let mut linearizer = Linearizer::new(scenario)?;
-    let (mut q, still) = (simulation.state().q.clone(), vec![0.0; simulation.state().v.len()]);
+    let still = vec![0.0; simulation.state().v.len()];
+    let mut there = simulation.clone();
+    there.set_state(&simulation.state().q, &still, None)?;
     let mut last: Option<LastMove> = None;
     let mut iterations = 0;
     loop {
-        let linear = linearizer.about(Stage { q: &q, v: &still, ..simulation.stage() });
+        let linear = linearizer.at(&there);
         let acceleration = linear.accelerations();
-        let residual = acceleration.amax();
+        let residual = if acceleration.is_empty() { 0.0 } else { acceleration.amax() };
         if residual < AT_REST {
-            simulation.set_state(&q, &still, None)?;
+            simulation.set_state(&there.state().q, &still, None)?;
             return Ok(Equilibrium { iterations, residual });
         }
         iterations += 1;
-        let next = if iterations < MOST_ITERATIONS { next_move(&linear, last) } else { None };
-        let Some((xi, made)) = next else {
+        let next = if iterations < MOST_ITERATIONS { next_move(&linear, &there.moving_frame().j, last) } else { None };
+        let moved = next.is_some_and(|(xi, made)| {
+            last = Some(made);
+            let mut everywhere = still.clone();
+            linearizer.positions().zip(&xi).for_each(|(i, xi)| everywhere[i] = *xi);
+            go(&mut there, &everywhere)
+        });
+        if !moved {
             let worst = acceleration.iamax();
             let (coordinate, residual) = (linear.states[worst].clone(), acceleration[worst].abs());
             return Err(NoEquilibrium::NotFound { iterations, coordinate, residual, allowed: AT_REST });
-        };
-        let mut everywhere = still.clone();
-        linearizer.positions().zip(&xi).for_each(|(i, xi)| everywhere[i] = *xi);
-        q = simulation.moved(&q, &everywhere);
-        last = Some(made);
+        }
     }
 }
 
@@ -95,16 +102,33 @@ struct LastMove {
     acceleration: f64,
 }
 
-/// The next move of the free coordinates; `None` where the numbers give none.
-fn next_move(linear: &Linearization, last: Option<LastMove>) -> Option<(DVector<f64>, LastMove)> {
+/// The next move of the free coordinates, tangent to the loops' J; `None` where the numbers give none.
+fn next_move(linear: &Linearization, j: &DMatrix<f64>, last: Option<LastMove>) -> Option<(DVector<f64>, LastMove)> {
     let (acceleration, stiffness) = (linear.accelerations(), linear.stiffness());
     let (size, norm) = (stiffness.norm().max(AT_REST), acceleration.norm());
     // Beyond the largest stiffness, so that an unstable direction leads downhill too.
     let grown = last.map_or(0.5 / size, |last| last.delta * last.acceleration / norm);
     let delta = grown.min(1.0 / (SMALLEST_SHARE * size));
-    let n = acceleration.len();
-    let xi = (DMatrix::identity(n, n) / delta - stiffness).lu().solve(&acceleration)?;
+    let (n, constraints) = (acceleration.len(), j.nrows());
+    let mut bordered = DMatrix::zeros(n + constraints, n + constraints);
+    bordered.view_mut((0, 0), (n, n)).copy_from(&(DMatrix::identity(n, n) / delta - stiffness));
+    bordered.view_mut((0, n), (n, constraints)).copy_from(&j.transpose());
+    bordered.view_mut((n, 0), (constraints, n)).copy_from(j);
+    let right = acceleration.resize_vertically(n + constraints, 0.0);
+    let xi = bordered.lu().solve(&right)?.rows(0, n).into_owned();
     let longest = xi.amax();
     let xi = if longest > LONGEST_MOVE { xi * (LONGEST_MOVE / longest) } else { xi };
     longest.is_finite().then_some((xi, LastMove { delta, acceleration: norm }))
+}
+
+/// Moves a simulation along `xi` with its loops closed, or a half, a quarter of the way where they
+/// cannot be. Returns whether it moved.
+fn go(simulation: &mut Simulation, xi: &[f64]) -> bool {
+    let (from, still) = (simulation.state().q.clone(), vec![0.0; xi.len()]);
+    (0..MOST_HALVINGS).any(|halvings| {
+        let share = 0.5_f64.powi(halvings);
+        let part: Vec<f64> = xi.iter().map(|xi| share * xi).collect();
+        let q = simulation.moved(&from, &part);
+        simulation.set_state(&q, &still, None).is_ok() && simulation.close_loops().is_ok()
+    })
 }

@@ -21,10 +21,19 @@ pub struct Gradient {
     pub status: Result<(), RunError>,
 }
 
+impl Gradient {
+    /// Forgets what came after the first `entries` of the rows.
+    fn keep(&mut self, entries: usize) {
+        self.rows.truncate(entries);
+        self.derivatives.iter_mut().for_each(|rows| rows.truncate(entries));
+    }
+}
+
 /// Runs a scenario from start to end with the derivative of every result along every parameter (or
 /// path of a number) in `names`, exact for the scheme and step: they are the derivatives of the
 /// numbers that a run gives, not of the motion that it approximates. `progress` hears the time and
-/// may stop the run by returning false.
+/// may stop the run by returning false: what is left are the rows until then, and the names that
+/// were reached.
 ///
 /// # Errors
 /// A name that no derivative follows: see [`Scenario::setup_along`]. Equations without D.
@@ -57,6 +66,7 @@ pub fn gradient(
             all.derivatives.push(run.rows.iter().map(|x| x.derivative[k]).collect());
         }
         if stopped {
+            all.keep(run.rows.len());
             break;
         }
     }

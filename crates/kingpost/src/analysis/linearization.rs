@@ -13,7 +13,10 @@ use nalgebra::{DMatrix, DVector};
 /// The states x are small motions from the state: first the local coordinates of the free
 /// coordinates (m; rad, for a rotation in space the rotation vector in body axes), then their rates
 /// as in v, then the extra states of forces and drives. Held and prescribed coordinates are not
-/// among them; prescribed ones keep the motion that they have.
+/// among them; prescribed ones keep the motion that they have. Where there are closed loops all
+/// coordinates of the tree are, and motions mean something where J x vanishes, with J of
+/// [`MovingFrame::j`](crate::dynamics::moving_frame::MovingFrame::j): A takes them to such again
+/// where nothing moves or accelerates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Linearization {
     /// Names of the states: `slew`, ..., `slew.rate`, ..., `state_0`.
@@ -89,6 +92,7 @@ impl Linearizer {
         let mut derivatives = DMatrix::zeros(n, n + m);
         let mut rates = vec![0.0; n];
         let still = vec![0.0; at.v.len()];
+        self.tangent.watch_loops(at.q);
         let all: Vec<Along> = self.along.iter().copied().chain((0..m).map(Along::Input)).collect();
         for (chunk, directions) in all.chunks(DIRECTIONS).enumerate() {
             self.tangent.evaluate(at.q, &still, at, directions);

@@ -60,6 +60,13 @@ impl Tangent {
         }
     }
 
+    /// Begins to watch the closed loops at q, as [`Plant::watch_loops`].
+    pub fn watch_loops(&mut self, q: &[f64]) {
+        self.q.iter_mut().zip(q).for_each(|(to, from)| *to = Number::constant(*from));
+        self.v.fill(Number::ZERO);
+        self.plant.watch_loops(&self.q, &self.v);
+    }
+
     /// Evaluates the rates at `q = retract(base, xi)` and `at`'s v, s, d, with derivatives along at
     /// most [`DIRECTIONS`] directions; `at.q` is not read. Allocates nothing.
     pub fn evaluate(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, along: &[Along]) {

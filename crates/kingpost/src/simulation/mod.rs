@@ -124,6 +124,15 @@ impl<S: Scalar> Simulation<S> {
         self.plant.evaluations
     }
 
+    /// Closes the loops from here by the least change of q and v, as after each step.
+    ///
+    /// # Errors
+    /// A loop that cannot be closed from here; q and v are then no motion of the model.
+    pub fn close_loops(&mut self) -> Result<(), RunError> {
+        let (time_s, State { q, v, .. }) = (self.state.steps as f64 * self.settings.step_s, &mut self.state);
+        self.plant.close_loops(q, v).map_err(|fault| RunError::of_loop(time_s, &self.plant.model, fault))
+    }
+
     /// The complete state.
     pub fn state(&self) -> &State<S> {
         &self.state
