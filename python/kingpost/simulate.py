@@ -208,7 +208,8 @@ class Simulation:
 
         Frame connection matrices ``E_ship`` and ``E_tower/ship``, their rates ``Omega_..``,
         rotations ``R_..``, then ``B``, ``B_dot``, ``X_dot``, ``M``, ``D``, ``F``, ``q_dot``,
-        ``M_star``, ``N_star`` and ``F_star``, with labels and units by row and column; their LaTeX,
+        ``M_star``, ``N_star`` and ``F_star``, and where there are any ``q_ddot_given`` of prescribed
+        motions and ``J`` of closed loops, with labels and units by row and column; their LaTeX,
         their formulas and their CSV files (`MovingFrame`).
 
         >>> matrices = Simulation(load("paper")).moving_frame()

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
-from kingpost import KingpostError, Simulation, load, teach
+from kingpost import KingpostError, Scenario, Simulation, load, teach
+
+RUST_TESTS = Path(__file__).parents[2] / "crates/kingpost/tests/common"
 
 
 @pytest.fixture(scope="module")
@@ -131,6 +135,46 @@ def test_the_pull_on_a_body_is_its_weight_and_what_the_joints_hold_it_with():
     assert work.force.sel(body="tower", axis="z").item() == pytest.approx(-500 * 9.80665)
     total = (work.force + work.reaction_force).sel(body="ship")
     assert total.values == pytest.approx(np.zeros(3), abs=1e-6)
+
+
+def test_reactions_do_none_where_motions_are_prescribed_and_rotors_turn():
+    """Source: d'Alembert's principle; F* differs by what the prescribed motions take (paper eq. 60c)."""
+    text = (RUST_TESTS / "everything.yaml").read_text(encoding="utf-8")
+    rotor = {
+        "bodies.boom.joint.revolute.rotor_inertia_kg_m2": 2.0,
+        "bodies.boom.joint.revolute.gear_ratio": 3,
+    }
+    simulation = Simulation(Scenario(text, "everything.yaml").with_overrides(rotor))
+    simulation.step(100)
+    frame = simulation.moving_frame()
+    assert np.abs(frame["q_ddot_given"]).max() > 0
+    formulas = frame.formulas()
+    assert r"\mathrm{diag}(J_r)" in formulas["M_star"].latex()
+    assert r"\ddot{q}_g" in formulas["F_star"].latex()
+    random = np.random.default_rng(5)
+    dq = dict(zip(simulation.coordinates, random.normal(size=len(simulation.coordinates)), strict=True))
+    work = teach.virtual_work(simulation, dq)
+    assert abs(work.reactions.item()) < 1e-10 * float(np.abs(work.work_of_reactions).max())
+    assert work.work_in_q.item() != pytest.approx(work.work_in_x.item(), rel=1e-3)
+
+
+def test_a_closed_loop_does_none_where_the_displacement_keeps_it_closed():
+    """Source: phi' = J q', so J dq = 0 keeps the loops; any other displacement makes them work."""
+    text = (RUST_TESTS / "tied_ships.yaml").read_text(encoding="utf-8")
+    simulation = Simulation(Scenario(text, "tied_ships.yaml"))
+    simulation.step(50)
+    j = simulation.moving_frame()["J"]
+    assert list(j["row"].values) == ["hook.x", "hook.y", "hook.z", "hook.yaw"]
+    assert list(j["row_unit"].values) == ["m/s", "m/s", "m/s", "rad/s"]
+    assert j.values @ simulation.state.v == pytest.approx(np.zeros(4), abs=1e-9)
+    any_dq = np.random.default_rng(7).normal(size=j.shape[1])
+    keeps = any_dq - np.linalg.lstsq(j.values, j.values @ any_dq, rcond=None)[0]
+    totals = []
+    for dq in (keeps, any_dq):
+        work = teach.virtual_work(simulation, dict(zip(simulation.coordinates, dq, strict=True)))
+        totals.append(abs(work.reactions.item()) / float(np.abs(work.work_of_reactions).max()))
+    assert totals[0] < 1e-9
+    assert totals[1] > 1e-3
 
 
 def test_without_d_energy_closes_and_momentum_does_not():

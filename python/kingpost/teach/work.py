@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -34,11 +34,12 @@ def virtual_work(simulation: Simulation, displacement: Mapping[str, float]) -> x
         mass, m): ``displacement`` (m) and ``rotation`` (rad) from dX = B dq, ``force`` (N) and
         ``moment`` (N m) of the loads {F}, and ``reaction_force`` and ``reaction_moment``, what the
         joints hold each body with. By ``body``: ``work`` of the loads and ``work_of_reactions`` (J).
-        In all: ``work_in_x`` = {F}^T B dq, ``work_in_q`` = {F*}^T dq, ``reactions``, the sum of
+        In all: ``work_in_x`` = {F}^T B dq, ``work_in_q`` = {F*}^T dq, and ``reactions``, the sum of
         their work, which is zero, though on one body it is not (J).
 
-    Where a joint follows a prescribed motion, F* also holds what that motion takes, and the two differ
-    by it.
+    Where a joint follows a prescribed motion, F* also holds what that motion takes from the others, and
+    the two differ by it. Where loops are closed, a displacement that opens one makes its reaction work:
+    only one with J dq = 0 does not. The torque that turns a rotor is counted with its drive.
 
     >>> from kingpost import Simulation, load
     >>> ship = Simulation(load("paper"))
@@ -50,54 +51,71 @@ def virtual_work(simulation: Simulation, displacement: Mapping[str, float]) -> x
 
     frame = simulation.moving_frame()
     matrices = {name: matrix.values for name, matrix in frame.items()}
-    free = simulation.coordinates
+    dq = _given(displacement, simulation.coordinates)
+    columns = [str(name) for name in frame["B"]["column"].values]
+    at = [columns.index(name) for name in simulation.coordinates]
+    accelerations = np.zeros(len(columns))
+    accelerations[at] = simulation.acceleration()
+    if "q_ddot_given" in matrices:
+        accelerations += matrices["q_ddot_given"].ravel()
+    b = matrices["B"][:, at]
+    dx, loads, f_star = b @ dq, matrices["F"].ravel(), matrices["F_star"].ravel()
+    reactions = _reactions(simulation, matrices, accelerations)
+    # M* has the inertia of rotors besides B^T M B; what turns them acts within the joint.
+    rotors = (matrices["M_star"] - b.T @ matrices["M"] @ b) @ accelerations[at]
+    by_body = [(values * dx).reshape(-1, 6).sum(axis=1) for values in (loads, reactions)]
+    bodies = [str(row).rpartition(".")[0] for row in frame["B"]["row"].values[::6]]
+    joules = {"units": "J"}
+    return xarray.Dataset(
+        {
+            **_arrows(bodies, matrices, dx, loads, reactions),
+            "work": ("body", by_body[0], joules),
+            "work_of_reactions": ("body", by_body[1], joules),
+            "virtual_displacement": ("coordinate", dq, {"units": "m or rad"}),
+            "work_in_x": ((), float(loads @ dx), joules),
+            "work_in_q": ((), float(f_star @ dq), joules),
+            "reactions": ((), float(reactions @ dx + rotors @ dq), joules),
+        },
+        {"body": bodies, "axis": list("xyz"), "coordinate": simulation.coordinates},
+        {"time_s": simulation.time_s},
+    )
+
+
+def _given(displacement: Mapping[str, float], free: list[str]) -> NDArray[np.float64]:
     unknown = [name for name in displacement if name not in free]
     if unknown:
         raise KingpostError(f"displacement: found {unknown[0]}, allowed: {', '.join(free)}")
     dq = np.array([float(displacement.get(name, 0.0)) for name in free])
     if not np.isfinite(dq).all():
         raise KingpostError("displacement: found a number that is not finite, allowed: finite numbers")
-    columns = [str(name) for name in frame["B"]["column"].values]
-    dx = matrices["B"][:, [columns.index(name) for name in free]] @ dq
-    loads = matrices["F"].ravel()
-    reactions = _reactions(simulation, matrices, columns)
+    return dq
 
-    bodies = [str(row).rpartition(".")[0] for row in frame["B"]["row"].values[::6]]
+
+def _arrows(
+    bodies: list[str],
+    matrices: Mapping[str, NDArray[np.float64]],
+    dx: NDArray[np.float64],
+    loads: NDArray[np.float64],
+    reactions: NDArray[np.float64],
+) -> dict[str, Any]:
+    """Lists by body, such as dX, as vectors in world axes at the centres of mass."""
+    points = np.array([matrices[f"E_{body}"][:3, 3] for body in bodies])
     rotations = np.array([matrices[f"R_{body}"] for body in bodies])
-
-    def in_world(values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        linear, angular = values.reshape(-1, 2, 3).swapaxes(0, 1)
-        return linear, np.einsum("bij,bj->bi", rotations, angular)
-
-    arrows = {}
+    arrows = {"point": (("body", "axis"), points, {"units": "m", "frame": "world"})}
     for names, units, values in (
         (("displacement", "rotation"), ("m", "rad"), dx),
         (("force", "moment"), ("N", "N m"), loads),
         (("reaction_force", "reaction_moment"), ("N", "N m"), reactions),
     ):
-        for name, unit, vectors in zip(names, units, in_world(values), strict=True):
+        linear, angular = values.reshape(-1, 2, 3).swapaxes(0, 1)
+        in_world = (linear, np.einsum("bij,bj->bi", rotations, angular))
+        for name, unit, vectors in zip(names, units, in_world, strict=True):
             arrows[name] = (("body", "axis"), vectors, {"units": unit, "frame": "world"})
-    points = np.array([matrices[f"E_{body}"][:3, 3] for body in bodies])
-    by_body = [(values * dx).reshape(-1, 6).sum(axis=1) for values in (loads, reactions)]
-    joules = {"units": "J"}
-    return xarray.Dataset(
-        {
-            "point": (("body", "axis"), points, {"units": "m", "frame": "world"}),
-            **arrows,
-            "work": ("body", by_body[0], joules),
-            "work_of_reactions": ("body", by_body[1], joules),
-            "virtual_displacement": ("coordinate", dq, {"units": "m or rad"}),
-            "work_in_x": ((), float(loads @ dx), joules),
-            "work_in_q": ((), float(matrices["F_star"].ravel() @ dq), joules),
-            "reactions": ((), float(reactions @ dx), joules),
-        },
-        {"body": bodies, "axis": list("xyz"), "coordinate": free},
-        {"time_s": simulation.time_s},
-    )
+    return arrows
 
 
 def _reactions(
-    simulation: Simulation, matrices: Mapping[str, NDArray[np.float64]], columns: list[str]
+    simulation: Simulation, matrices: Mapping[str, NDArray[np.float64]], accelerations: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """What the joints hold the bodies with, by d'Alembert: M X'' + D M X' less the loads.
 
@@ -105,8 +123,6 @@ def _reactions(
     where the two forms of the equations of motion agree.
     """
     rates = matrices["X_dot"].ravel()
-    accelerations = np.zeros(len(columns))
-    accelerations[[columns.index(name) for name in simulation.coordinates]] = simulation.acceleration()
     second = matrices["B"] @ accelerations + matrices["B_dot"] @ simulation.state.v
     inertia = matrices["M"]
     return inertia @ second + matrices["D"] @ inertia @ rates - matrices["F"].ravel()

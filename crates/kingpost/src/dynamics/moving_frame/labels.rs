@@ -1,7 +1,7 @@
 //! The matrices by name, with labels and units, for printing and for other languages.
 
 use super::MovingFrame;
-use crate::model::{AxisMotion, JointKind, Model};
+use crate::model::{AxisMotion, Constraint, JointKind, Mode, Model};
 use crate::spatial::{Frame, hat};
 use nalgebra::{DMatrix, DVector};
 
@@ -64,6 +64,13 @@ impl MovingFrame {
         all.push(named("M_star", &free(LOADS), &free(ACCELERATIONS), &self.m_star));
         all.push(named("N_star", &free(LOADS), &free(RATES), &self.n_star));
         all.push(list("F_star", &free(LOADS), "load", &self.f_star));
+        if model.modes.contains(&Mode::Prescribed) {
+            let every = coordinates(ACCELERATIONS, &every);
+            all.push(list("q_ddot_given", &every, "acceleration", &self.given_acceleration));
+        }
+        if !model.loops.is_empty() {
+            all.push(named("J", &constraint_rates(model), &free(RATES), &self.j));
+        }
         all
     }
 
@@ -105,6 +112,16 @@ fn turning_coordinates(model: &Model) -> Vec<bool> {
         kind => (0..kind.velocity_count()).map(|k| kind.axis_motion(k) != Some(AxisMotion::Translation)).collect(),
     };
     model.tree.nodes.iter().flat_map(|node| of(&node.kind)).collect()
+}
+
+/// `hook.x`, ...: what the constraints of the closed loops change by.
+fn constraint_rates(model: &Model) -> Side {
+    let constraints = || model.loops.iter().flat_map(|tie| tie.constraints.iter().map(move |each| (tie, each)));
+    let unit = |turns: bool| RATES[usize::from(turns)];
+    Side {
+        labels: constraints().map(|(tie, (name, _))| format!("{}.{name}", tie.name)).collect(),
+        units: constraints().map(|(_, (_, of))| unit(matches!(of, Constraint::Perpendicular { .. }))).collect(),
+    }
 }
 
 fn body_units(model: &Model, [linear, angular]: Units) -> Vec<&'static str> {

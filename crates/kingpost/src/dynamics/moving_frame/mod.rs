@@ -72,6 +72,8 @@ pub struct MovingFrame {
     pub free_velocity: DVector<f64>,
     /// Their indices in v.
     pub free: Vec<usize>,
+    /// q'' of the prescribed coordinates, over all of them; zero elsewhere.
+    pub given_acceleration: DVector<f64>,
     /// J of the closed loops over the free coordinates, one row a constraint.
     pub j: DMatrix<f64>,
     /// What phi'' of the loops has besides J q'': J' q', and what prescribed motions add.
@@ -131,6 +133,7 @@ impl MovingFrame {
             f_star,
             free_velocity,
             free,
+            given_acceleration,
             j,
             j_drift,
         }

@@ -3,7 +3,7 @@
 
 use super::formula::{Factor, Formula, Instant, Symbol};
 use super::symbols::Symbols;
-use crate::model::{AxisMotion, JointKind};
+use crate::model::{AxisMotion, JointKind, Mode};
 use nalgebra::DMatrix;
 use serde::Serialize;
 
@@ -132,7 +132,8 @@ impl Symbols<'_> {
         format!(r"\dot{{x}}_C^{{({})}}", self.body(body))
     }
 
-    /// Every matrix, in the order of the theory.
+    /// Every matrix, in the order of the theory. B of M*, N* and F* has the columns of the free
+    /// coordinates; J_r are the inertias of rotors, and q_g the prescribed coordinates.
     pub fn matrices(&self) -> Vec<SymbolicMatrix> {
         let bodies = 0..self.model.bodies.len();
         let omega = |a: usize| self.vector(Symbol::Omega(a, None));
@@ -163,9 +164,17 @@ impl Symbols<'_> {
         all.push(diagonal("D", "[D]", "57", &|a| ["0".to_owned(), format!("S({})", omega(a))]));
         let loads: Vec<String> = bodies.clone().flat_map(|a| self.loads_on(a)).collect();
         all.push(list("F", r"\{F\}", "59", rows.clone(), &loads));
-        all.push(one("M_star", "[M^*]", "60a", "[B]^T [M] [B]"));
+        let rotors = self.model.rotor_inertia.iter().any(|inertia| *inertia != 0.0);
+        let rotors = if rotors { r" + \mathrm{diag}(J_r)" } else { "" };
+        all.push(one("M_star", "[M^*]", "60a", &format!("[B]^T [M] [B]{rotors}")));
         all.push(one("N_star", "[N^*]", "60b", r"[B]^T \left( [M] [\dot{B}] + [D] [M] [B] \right)"));
-        all.push(one("F_star", r"\{F^*\}", "60c", r"[B]^T \{F\}"));
+        let given = match self.model.modes.contains(&Mode::Prescribed) {
+            true => {
+                r"\left( \{F\} - [M] ([B] \{\ddot{q}_g\} + [\dot{B}] \{\dot{q}_g\}) - [D] [M] [B] \{\dot{q}_g\} \right)"
+            }
+            false => r"\{F\}",
+        };
+        all.push(one("F_star", r"\{F^*\}", "60c", &format!("[B]^T {given}")));
         all
     }
 
