@@ -35,8 +35,7 @@ impl Simulation {
     fn new(text: &str, file: &str, overrides_json: &str) -> PyResult<Self> {
         let pairs = overrides(overrides_json)?;
         let scenario = scenario::read(text, file, &pairs).map_err(errors::scenario)?;
-        let setup = scenario.setup().map_err(errors::scenario)?;
-        Ok(Self { inner: kingpost::Simulation::new(setup), scenario })
+        Ok(Self { inner: scenario.simulation().map_err(errors::scenario)?, scenario })
     }
 
     fn step(&mut self, py: Python<'_>, n: usize) -> PyResult<()> {

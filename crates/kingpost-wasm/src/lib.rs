@@ -25,7 +25,7 @@ impl Simulation {
         let overrides: Map<String, Value> = serde_json::from_str(overrides_json).map_err(thrown::input)?;
         let overrides: Vec<(String, Value)> = overrides.into_iter().collect();
         let scenario = scenario::read(text, file, &overrides).map_err(thrown::scenario)?;
-        let inner = kingpost::Simulation::new(scenario.setup().map_err(thrown::scenario)?);
+        let inner = scenario.simulation().map_err(thrown::scenario)?;
         Ok(Self { scenario, inner })
     }
 

@@ -240,3 +240,23 @@ fn a_gradient_without_d_or_without_names_is_refused() {
     assert!(gradient(&naive, &["crane_x_m"], |_| true).is_err());
     assert!(gradient(&read_paper(&[]), &[], |_| true).is_err());
 }
+
+/// Newton's iteration ends where it does whatever the derivatives, within its own tolerance.
+#[test]
+fn an_implicit_scheme_makes_the_same_steps_with_exact_derivatives_as_with_differences() {
+    for integrator in ["newmark", "generalized_alpha", "implicit_midpoint"] {
+        let scenario = read_paper(&[
+            ("simulation.integrator", json!(integrator)),
+            ("simulation.step_s", json!(0.005)),
+            ("simulation.duration_s", json!(0.5)),
+            ("motor_2", json!(true)),
+            ("hold_centre", json!(false)),
+        ]);
+        let mut by_differences = simulation(&scenario);
+        let mut exact = scenario.simulation().expect("it builds");
+        let (a, b) = (by_differences.run(|_| true), exact.run(|_| true));
+        assert!(a.status.is_ok() && b.status.is_ok(), "{integrator}");
+        assert!(common::relative_difference(&a.rows, &b.rows) < 1e-9, "{integrator}");
+        assert!(exact.evaluations() < by_differences.evaluations(), "{integrator}");
+    }
+}

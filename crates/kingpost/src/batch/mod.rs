@@ -107,6 +107,13 @@ struct Member {
     structure: Structure,
 }
 
+impl Member {
+    /// The run by itself.
+    fn simulation(&self) -> Simulation {
+        self.scenario.simulation().unwrap_or_else(|_| Simulation::new(self.setup.clone()))
+    }
+}
+
 fn members(text: &str, file: &str, variants: &[Variant]) -> Result<Vec<Member>, BatchError> {
     let member = |(run, variant): (usize, &Variant)| {
         let wrong = |error| BatchError::Variant { run, error };
@@ -141,7 +148,7 @@ fn groups(members: &[Member]) -> Vec<Vec<usize>> {
 
 /// The runs of a group; `None` where `go_on` said no.
 fn run_group(group: &[usize], members: &[Member], go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
-    let alone: Vec<Simulation> = group.iter().map(|&run| Simulation::new(members[run].setup.clone())).collect();
+    let alone: Vec<Simulation> = group.iter().map(|&run| members[run].simulation()).collect();
     let settings = &members[group[0]].setup.settings;
     // The loops' projection takes as many iterations as each run needs: not the same in all lanes.
     let open = members[group[0]].setup.model.loops.is_empty();

@@ -9,7 +9,7 @@ use crate::dynamics::loops::{LoopFault, LoopSolver, Projection};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
 use crate::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
 use crate::forces::Force;
-use crate::integrate::{Interval, Sizes, Stage, System};
+use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{Mode, Model, Node};
 use crate::scalar::Scalar;
@@ -49,6 +49,14 @@ pub struct Plant<S = f64> {
     rotation_rates: Vec<bool>,
     /// Evaluations of the right-hand side so far.
     pub evaluations: u64,
+    exact: Option<Exact<S>>,
+}
+
+/// Exact derivatives, which are there for plain numbers only.
+#[derive(Clone, Debug)]
+struct Exact<S> {
+    tangent: Box<Tangent>,
+    jacobian: fn(&mut Tangent, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>),
 }
 
 /// Solves for the accelerations `v_dot` at q, v under the loads evaluated last.
@@ -77,6 +85,7 @@ impl<S: Scalar> Plant<S> {
             drives,
             form: Form::default(),
             solve_matrices: None,
+            exact: None,
             keeps_ledger: true,
         }
     }
@@ -221,6 +230,11 @@ fn moment<'a, S>(model: &'a Model<S>, links: &'a LinkKinematics<S>, at: Stage<'a
 }
 
 impl Plant {
+    /// Takes derivatives from the same plant over dual numbers, instead of from differences.
+    pub fn differentiate_with(&mut self, tangent: Tangent) {
+        self.exact = Some(Exact { tangent: Box::new(tangent), jacobian: Tangent::jacobian });
+    }
+
     /// Chooses the form of the equations of motion.
     pub fn set_form(&mut self, form: Form) {
         self.form = form;
@@ -344,5 +358,12 @@ impl<S: Scalar> System<S> for Plant<S> {
 
     fn is_free(&self, coordinate: usize) -> bool {
         self.model.modes[coordinate] == Mode::Free
+    }
+
+    fn jacobian(&mut self, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>) {
+        match &mut self.exact {
+            Some(exact) => (exact.jacobian)(&mut exact.tangent, base, xi, at, out),
+            None => out.by_differences(self, base, xi, at),
+        }
     }
 }

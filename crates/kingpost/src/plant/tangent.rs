@@ -1,7 +1,8 @@
 //! Exact derivatives of the right-hand side, by dual numbers.
 
 use super::Plant;
-use crate::integrate::{Sizes, Stage, System};
+use crate::integrate::{Jacobian, Sizes, Stage, System};
+use crate::model::Mode;
 use crate::scalar::{Dual, Scalar};
 
 /// Directions that one evaluation carries.
@@ -92,5 +93,34 @@ impl Tangent {
         let (q, v, s, d) = (&self.q, &self.v, &self.s, &self.d);
         let stage = Stage { time_s: at.time_s, interval: at.interval, q, v, s, d };
         self.plant.rates(stage, &mut self.v_dot, &mut self.s_dot);
+    }
+
+    /// Writes d(v')/d(xi) and d(v')/d(v) at `q = retract(base, xi)`; see [`System::jacobian`].
+    pub(super) fn jacobian(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, out: &mut Jacobian) {
+        let n = xi.len();
+        let mut column = 0;
+        loop {
+            let mut along = [Along::Extra(0); DIRECTIONS];
+            let mut count = 0;
+            while count < DIRECTIONS && column < 2 * n {
+                if self.plant.model.modes[column % n] == Mode::Free {
+                    along[count] = if column < n { Along::Position(column) } else { Along::Velocity(column - n) };
+                    count += 1;
+                }
+                column += 1;
+            }
+            if count == 0 {
+                return;
+            }
+            self.evaluate(base, xi, at, &along[..count]);
+            for (k, along) in along[..count].iter().enumerate() {
+                let column = match *along {
+                    Along::Position(i) => &mut out.by_xi[i * n..][..n],
+                    Along::Velocity(i) => &mut out.by_v[i * n..][..n],
+                    Along::Extra(_) | Along::Input(_) => return,
+                };
+                column.iter_mut().zip(&self.v_dot).for_each(|(entry, rate)| *entry = rate.derivative[k]);
+            }
+        }
     }
 }

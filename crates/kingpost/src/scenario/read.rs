@@ -8,7 +8,8 @@ use super::error::{Fault, FieldError, ScenarioError};
 use super::parameters::{self, Target};
 use super::schema::Scenario;
 use super::tree::{Node, segments, value_at};
-use crate::simulation::Setup;
+use crate::plant::Form;
+use crate::simulation::{Setup, Simulation};
 
 use super::{parse, units, wording};
 
@@ -192,7 +193,28 @@ impl Scenario {
         Ok(super::build::build(self)?)
     }
 
-    /// The same over another scalar, all numbers constants.
+    /// A simulation at time 0; where the scheme is implicit, with exact derivatives.
+    ///
+    /// ```
+    /// let text = include_str!("../../../../scenarios/paper.yaml");
+    /// let scenario = kingpost::scenario::read(text, "paper.yaml", &[])?;
+    /// assert_eq!(scenario.simulation()?.time_s(), 0.0);
+    /// # Ok::<(), kingpost::scenario::ScenarioError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`setup`](Self::setup).
+    pub fn simulation(&self) -> Result<Simulation, ScenarioError> {
+        let setup = self.setup()?;
+        let wants_derivatives = setup.settings.scheme.is_implicit() && setup.settings.form == Form::Recursive;
+        let mut simulation = Simulation::new(setup);
+        if wants_derivatives {
+            simulation.differentiate_with(self.setup_over()?);
+        }
+        Ok(simulation)
+    }
+
+    /// What a simulation is made of over another scalar, all numbers constants.
     ///
     /// # Errors
     /// As [`setup`](Self::setup), but for the checks that take plain numbers.

@@ -11,7 +11,7 @@ pub use setup::{Input, SchemeName, Settings, Setup};
 use crate::dynamics::moving_frame::MovingFrame;
 use crate::integrate::{Scheme, Stage, System};
 use crate::model::{Mode, Model};
-use crate::plant::Plant;
+use crate::plant::{Number, Plant, Tangent};
 use crate::results::{self, Channel, Sample};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Quaternion};
@@ -257,6 +257,14 @@ impl<S: Scalar> Simulation<S> {
 }
 
 impl Simulation {
+    /// Gives an implicit scheme exact derivatives, from the same setup over dual numbers; without,
+    /// it takes differences.
+    pub fn differentiate_with(&mut self, setup: Setup<Number>) {
+        let Setup { model, forces, drives, inputs, .. } = setup;
+        let plant = Plant::new(model, forces, drives);
+        self.plant.differentiate_with(Tangent::new(plant, inputs.len()));
+    }
+
     /// Puts a simulation together at time 0.
     pub fn new(setup: Setup) -> Self {
         let form = setup.settings.form;

@@ -97,6 +97,11 @@ impl<S: Scalar> Setup<S> {
 }
 
 impl SchemeName {
+    /// Whether the scheme solves for the end of a step, and so wants derivatives.
+    pub fn is_implicit(self) -> bool {
+        matches!(self, Self::Newmark { .. } | Self::GeneralizedAlpha { .. } | Self::ImplicitMidpoint)
+    }
+
     /// The scheme with its working memory, for steps of this size.
     pub fn scheme<S: Scalar>(self, sizes: Sizes, step_s: f64) -> Scheme<S> {
         match self {

@@ -41,7 +41,7 @@ pub fn paper(overrides: &[(&str, Value)]) -> Simulation {
 /// A simulation of a scenario's text.
 pub fn simulation(text: &str) -> Simulation {
     let scenario = kingpost::scenario::read(text, "test.yaml", &[]).expect("the scenario reads");
-    Simulation::new(scenario.setup().expect("the scenario builds"))
+    scenario.simulation().expect("the scenario builds")
 }
 
 /// The value of a channel now.
