@@ -60,6 +60,32 @@ fn a_step_allocates_nothing_with_every_joint_force_and_drive() {
 }
 
 #[test]
+fn a_step_allocates_nothing_with_every_kind_of_joint() {
+    for integrator in common::INTEGRATORS {
+        let text = common::every_joint().replace("step_s: 0.0001", &format!("step_s: 0.001, integrator: {integrator}"));
+        let mut simulation = common::simulation(&text);
+        let before = ALLOCATIONS.with(Cell::get);
+        simulation.step(100).unwrap();
+        assert_eq!(ALLOCATIONS.with(Cell::get), before, "{integrator}");
+    }
+}
+
+#[test]
+fn a_state_of_a_ball_joint_needs_a_unit_quaternion() {
+    let mut simulation = common::simulation(&common::every_joint());
+    let (q, v) = (simulation.state().q.clone(), simulation.state().v.clone());
+    // Seven entries of the floating hull, two of the cylindrical and two of the universal joint.
+    let mut broken = q.clone();
+    broken[11] *= 1.1;
+    assert!(matches!(simulation.set_state(&broken, &v, None), Err(InputError::Entry { index: 11, .. })));
+    let mut nearly = q.clone();
+    nearly[11] += 1e-9;
+    simulation.set_state(&nearly, &v, None).unwrap();
+    let length: f64 = simulation.state().q[11..15].iter().map(|x| x * x).sum();
+    assert!((length - 1.0).abs() < 1e-15);
+}
+
+#[test]
 fn a_step_allocates_nothing_with_a_closed_loop() {
     let mut simulation = common::simulation(&common::tied_ships("recursive"));
     let before = ALLOCATIONS.with(Cell::get);

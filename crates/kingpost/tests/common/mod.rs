@@ -90,7 +90,7 @@ pub fn every_joint() -> String {
         "universal: {first_axis: [1, 0, 0], second_axis: [0, 1, 0], first: {initial_angle_rad: 0.5}, second: {initial_rate_rad_s: -1}, PLACE}",
         "spherical: {initial_angular_velocity_rad_s: [1, 2, -1], damping_N_m_s: 0.3, PLACE}",
         "planar: {normal: [0, 0, 1], x_axis: [1, 1, 0], x: {initial_speed_m_s: 1}, rotation: {initial_rate_rad_s: 3}, PLACE}",
-        "revolute: {axis: [0, 1, 1], initial_rate_rad_s: 1, friction: {torque_N_m: 0.5}, PLACE}",
+        "revolute: {axis: [0, 1, 1], initial_rate_rad_s: 1, friction: {torque_N_m: 0.5}, limits: {upper_rad: 50, stiffness_N_m_per_rad: 1e4}, PLACE}",
         "prismatic: {axis: [1, 0, 0], mode: {prescribed: {speed_m_s: 0.5}}, PLACE}",
         "fixed: {orientation_rad: [0.4, 0, 0], PLACE}",
     ];
@@ -103,7 +103,7 @@ pub fn every_joint() -> String {
              products_kg_m2: [{xy}, {xz}, {yz}]}}}}, joint: {{{kind}}}}}\n"
         );
     }
-    text += "forces: {weight: {gravity: {}}}\ndrives: {turn: {motor: {joint: b2.first, torque_N_m: 1.5}}}\n";
+    text += "forces: {weight: {gravity: {}}}\ndrives: {turn: {motor: {joint: b2.first, torque_N_m: 1.5}}, grip: {brake: {joint: b4.rotation, torque_N_m: 0.4, state: lever}}}\n";
     text
 }
 
