@@ -23,6 +23,8 @@ SMALLEST_SHARE = 1e-13
 """Squared frequencies below this share of the largest count as zero: rounding hides them."""
 SMALLEST_SQUARE = 1e-10
 """Squared frequencies below this count as zero, (rad/s)^2: a period of a week."""
+FIRST = 1e6
+"""Weight of what a drive keeps, beside the largest of a coordinate, in naming zero modes."""
 ALIKE = 1e-9
 """Shares that differ by less are equal, and the first is taken."""
 
@@ -179,9 +181,11 @@ def zero_modes(system: Scaled, levels: Sequence[NDArray]) -> list[Mode]:
 def named_directions(system: Scaled, basis: NDArray, without: Sequence[int]) -> tuple[NDArray, list[int]]:
     """Directions in the span of `basis` that are zero at `without`, each 1 at its own coordinate.
 
-    A coordinate is taken for its share in the span, the first where shares are alike.
+    A coordinate is taken for its share in the span, the first where shares are alike. What a drive
+    keeps comes before all coordinates: where it is free, they follow it.
     """
     weights = np.sqrt(system.share(np.ones(len(basis))))
+    weights[len(system.mass) :] = FIRST * weights.max(initial=1.0)
     span = np.linalg.qr(weights[:, None] * basis)[0]
     pivots: list[int] = []
     kept = cleared(span, without)

@@ -24,7 +24,7 @@ class Linearization:
     1. the free coordinates, as ``slew`` (m or rad). A floating body moves along the world's axes
        and turns by a rotation vector in its own axes;
     2. their rates, as ``slew.rate`` (m/s or rad/s), in the same axes;
-    3. further states of forces and drives.
+    3. what drives keep, as ``luffing.wanted_length`` of a cylinder with a lever (m).
 
     The inputs u are changes of `Simulation.inputs`. Held and prescribed coordinates are not among
     the states; prescribed ones keep the motion that they have. Where there are closed loops all

@@ -158,7 +158,8 @@ bodies:
   left:
     mass_kg: 2
     inertia: {tensor: {moments_kg_m2: [0.375, 0.375, 0]}}
-    joint: {revolute: {axis: [0, 1, 0], child_position_m: [0, 0, 0.75], initial_angle_rad: 0.4, damping_N_m_s: 1}}
+    joint: {revolute: {axis: [0, 1, 0], child_position_m: [0, 0, 0.75], initial_angle_rad: 0.4,
+                       damping_N_m_s: 1}}
   plank:
     parent: left
     mass_kg: 10

@@ -160,6 +160,53 @@ fn a_closed_loop_settles_closed_and_a_keeps_to_its_tangents() {
     assert!((linear.stiffness() * &motion + &motion * square).amax() < 1e-8 * square);
 }
 
+/// A level boom of 4 m and 100 kg, held from below by a cylinder between pins 5 m apart.
+const CYLINDER: &str = "
+version: 1
+title: a boom on a cylinder
+bodies:
+  boom: {mass_kg: 100, shape: {box: {length_m: 4, width_m: 0.5, height_m: 0.5}}, joint: {revolute: {axis: [0, -1, 0], child_position_m: [-2, 0, 0]}}}
+drives:
+  luffing:
+    cylinder:
+      first: {body: world, position_m: [0, 0, -3]}
+      second: {body: boom, position_m: [2, 0, 0]}
+      shortest_m: 4.5
+      longest_m: 5.6
+      stiffness_N_per_m: 200000
+      damping_N_s_per_m: 8000
+      push_limit_N: 3000
+      pull_limit_N: 3000
+      speed_limit_m_s: 0.1
+      target: lever
+forces: {gravity: {gravity: {}}}
+";
+
+/// What a lever has set is kept, and is a state: with the lever r of the force about the hinge the
+/// boom's acceleration follows the length wanted by k r / J, and that follows the input by the speed.
+#[test]
+fn the_length_that_a_cylinder_wants_is_a_state_that_settling_keeps() {
+    let scenario = scenario(CYLINDER);
+    let mut simulation = simulation(&scenario);
+    simulation.set_input("luffing", 0.5).expect("a lever");
+    simulation.step(1000).expect("a second of motion");
+    simulation.set_input("luffing", 0.0).expect("a lever");
+    let wanted = *simulation.state().s.last().expect("the length wanted");
+    settle(&scenario, &mut simulation).expect("it rests on its cylinder");
+    assert_eq!(simulation.state().s.last(), Some(&wanted));
+    let cos = simulation.state().q[0].cos();
+    let length = (25.0 + 24.0 * simulation.state().q[0].sin()).sqrt();
+    let lever = 12.0 * cos / length;
+    let force = 2e5 * (wanted - length);
+    assert!((force * lever - 100.0 * 9.80665 * 2.0 * cos).abs() < 1e-6, "{force} N");
+    let linear = Linearizer::new(&scenario).expect("it builds").at(&simulation);
+    assert_eq!(linear.states, ["boom", "boom.rate", "luffing.wanted_length"]);
+    let inertia = 100.0 * (16.0 + 0.25) / 12.0 + 400.0;
+    let expected = 2e5 * lever / inertia;
+    assert!((linear.a[(1, 2)] - expected).abs() < 1e-10 * expected, "{}", linear.a[(1, 2)]);
+    assert_eq!(linear.b.as_slice(), [0.0, 0.0, 0.1]);
+}
+
 #[test]
 fn what_falls_has_no_equilibrium_and_stays_where_it_was() {
     let setup = |gravity: bool| {

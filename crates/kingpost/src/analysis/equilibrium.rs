@@ -1,6 +1,7 @@
 //! Where a model rests: free coordinates, rates zero, at which nothing accelerates.
 
 use super::{Linearization, Linearizer};
+use crate::ledger;
 use crate::scenario::{Scenario, ScenarioError};
 use crate::simulation::{InputError, Simulation};
 use nalgebra::{DMatrix, DVector};
@@ -67,8 +68,10 @@ pub enum NoEquilibrium {
 pub fn settle(scenario: &Scenario, simulation: &mut Simulation) -> Result<Equilibrium, NoEquilibrium> {
     let mut linearizer = Linearizer::new(scenario)?;
     let still = vec![0.0; simulation.state().v.len()];
+    // Of the extra states those of the drives stay: they say where a lever has led them.
+    let kept = simulation.state().s.clone();
     let mut there = simulation.clone();
-    there.set_state(&simulation.state().q, &still, None)?;
+    there.set_state(&simulation.state().q, &still, Some(&kept))?;
     let mut last: Option<LastMove> = None;
     let mut iterations = 0;
     loop {
@@ -77,6 +80,9 @@ pub fn settle(scenario: &Scenario, simulation: &mut Simulation) -> Result<Equili
         let residual = if acceleration.is_empty() { 0.0 } else { acceleration.amax() };
         if residual < AT_REST {
             simulation.set_state(&there.state().q, &still, None)?;
+            let mut s = simulation.state().s.clone();
+            s[ledger::COUNT..].copy_from_slice(&kept[ledger::COUNT..]);
+            simulation.set_state(&there.state().q, &still, Some(&s))?;
             return Ok(Equilibrium { iterations, residual });
         }
         iterations += 1;
@@ -124,11 +130,11 @@ fn next_move(linear: &Linearization, j: &DMatrix<f64>, last: Option<LastMove>) -
 /// Moves a simulation along `xi` with its loops closed, or a half, a quarter of the way where they
 /// cannot be. Returns whether it moved.
 fn go(simulation: &mut Simulation, xi: &[f64]) -> bool {
-    let (from, still) = (simulation.state().q.clone(), vec![0.0; xi.len()]);
+    let (from, still) = (simulation.state().clone(), vec![0.0; xi.len()]);
     (0..MOST_HALVINGS).any(|halvings| {
         let share = 0.5_f64.powi(halvings);
         let part: Vec<f64> = xi.iter().map(|xi| share * xi).collect();
-        let q = simulation.moved(&from, &part);
-        simulation.set_state(&q, &still, None).is_ok() && simulation.close_loops().is_ok()
+        let q = simulation.moved(&from.q, &part);
+        simulation.set_state(&q, &still, Some(&from.s)).is_ok() && simulation.close_loops().is_ok()
     })
 }

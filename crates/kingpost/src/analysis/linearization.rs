@@ -1,8 +1,9 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::integrate::{Stage, System};
+use crate::drives::{Cylinder, Drive};
+use crate::integrate::Stage;
 use crate::ledger;
-use crate::model::{Mode, Model};
+use crate::model::Mode;
 use crate::plant::{Along, DIRECTIONS, Number, Plant, Tangent};
 use crate::scenario::{Scenario, ScenarioError};
 use crate::simulation::Simulation;
@@ -19,7 +20,7 @@ use nalgebra::{DMatrix, DVector};
 /// where nothing moves or accelerates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Linearization {
-    /// Names of the states: `slew`, ..., `slew.rate`, ..., `state_0`.
+    /// Names of the states: `slew`, ..., `slew.rate`, ..., and what drives keep, as `luffing.wanted_length`.
     pub states: Vec<String>,
     /// Names of the inputs.
     pub inputs: Vec<String>,
@@ -72,7 +73,7 @@ impl Linearizer {
         let setup = scenario.setup_over::<Number>()?;
         let inputs: Vec<String> = setup.inputs.iter().map(|input| input.name.clone()).collect();
         let plant = Plant::new(setup.model, setup.forces, setup.drives);
-        let (states, along) = states(&plant.model, ledger::COUNT..plant.sizes().extras);
+        let (states, along) = states(&plant);
         Ok(Self { tangent: Tangent::new(plant, inputs.len()), states, inputs, along })
     }
 
@@ -119,13 +120,16 @@ impl Linearizer {
     }
 }
 
-/// Names and meaning of the states of a model whose extra states stand at `extras` of s.
-fn states(model: &Model<Number>, extras: core::ops::Range<usize>) -> (Vec<String>, Vec<Along>) {
-    let names = model.coordinate_names();
+/// Names and meaning of the states of a plant: what the drives keep stands behind the ledger's
+/// entries in s.
+fn states(plant: &Plant<Number>) -> (Vec<String>, Vec<Along>) {
+    let (model, names) = (&plant.model, plant.model.coordinate_names());
     let free: Vec<usize> = (0..names.len()).filter(|&i| model.modes[i] == Mode::Free).collect();
     let positions = free.iter().map(|&i| (names[i].clone(), Along::Position(i)));
     let rates = free.iter().map(|&i| (format!("{}{RATE}", names[i]), Along::Velocity(i)));
-    let first = extras.start;
-    let extras = extras.map(|i| (format!("state_{}", i - first), Along::Extra(i)));
-    positions.chain(rates).chain(extras).unzip()
+    let kept = plant.drives.iter().filter(|drive| drive.has_state()).filter_map(Drive::cylinder);
+    let wanted = |(i, cylinder): (usize, &Cylinder<Number>)| {
+        (format!("{}.wanted_length", cylinder.name), Along::Extra(ledger::COUNT + i))
+    };
+    positions.chain(rates).chain(kept.enumerate().map(wanted)).unzip()
 }
