@@ -49,7 +49,7 @@ fn a_missing_field_is_named_with_what_it_should_hold() {
 
 #[test]
 fn an_unknown_field_is_refused_at_its_name_and_the_nearest_one_suggested() {
-    let fields = "one of enabled, parent, mass_kg, colour, shape, inertia, centre_of_mass_m, joint, points";
+    let fields = "one of enabled, parent, mass_kg, colour, shape, inertia, flexible, centre_of_mass_m, joint, points";
     let error = format!("bodies.ship.mas_kg: found an unknown field, allowed: {fields}; did you mean mass_kg?");
     refuses(MASS, "mas_kg: 10000", "mas_kg", &error);
     let text = "{\"version\": 1, \"title\": \"x\", \"bodies\": {}, \"\": 2}";
@@ -58,7 +58,7 @@ fn an_unknown_field_is_refused_at_its_name_and_the_nearest_one_suggested() {
 
 #[test]
 fn a_misspelt_unit_alias_gets_the_nearest_one() {
-    let fields = "one of enabled, parent, mass_kg, colour, shape, inertia, centre_of_mass_m, joint, points";
+    let fields = "one of enabled, parent, mass_kg, colour, shape, inertia, flexible, centre_of_mass_m, joint, points";
     let error = format!("bodies.ship.mas_t: found an unknown field, allowed: {fields}; did you mean mass_t?");
     refuses(MASS, "mas_t: 10", "mas_t", &error);
     let fields = "one of enabled, joint, torque_N_m, history, pulse";

@@ -38,6 +38,10 @@ export type Body = {
    */
   inertia?: Inertia | null;
   /**
+   * Makes this body a beam that bends, twists and shears.
+   */
+  flexible?: Flexible | null;
+  /**
    * The centre of mass in the drawing frame, m.
    *
    * @minItems 3
@@ -140,6 +144,65 @@ export type InertiaTensor = {
    */
   products_t_m2?: [number, number, number];
 };
+/**
+ * Makes a body a uniform beam along its x axis, centred on its centre of mass. Its mass is the body's, its length
+ * that of the shape unless it is given.
+ *
+ * The beam is cut into pieces with an elastic joint in the middle of each. The body keeps its name for the first
+ * half piece, with the body's joint; the segments after it are `boom.1`, `boom.2`, and so on. What hangs on the body
+ * hangs on the segment at its `position_m`.
+ */
+export type Flexible = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Number of elastic joints along the beam, from 1 to 64.
+   */
+  segments: number;
+  /**
+   * Young's modulus, Pa.
+   */
+  youngs_modulus_Pa?: number;
+  /**
+   * The same as `youngs_modulus_Pa`, in the unit of this name.
+   */
+  youngs_modulus_GPa?: number;
+  /**
+   * Poisson's ratio, between -1 and 0.5; the shear modulus is E / (2 (1 + nu)).
+   */
+  poissons_ratio?: number;
+  /**
+   * The cross-section.
+   */
+  section:
+    | {
+        circular_tube: CircularTube;
+      }
+    | {
+        rectangular_tube: RectangularTube;
+      }
+    | {
+        general: GeneralSection;
+      };
+  /**
+   * Length, m.
+   */
+  length_m?: number | null;
+  /**
+   * Damping in proportion to the stiffness; none when absent.
+   */
+  damping?: FlexibleDamping | null;
+};
+/**
+ * Damping in proportion to the stiffness: each elastic joint's moment is K (angle + time rate).
+ */
+export type FlexibleDamping =
+  | {
+      ratio: DampingRatio;
+    }
+  | {
+      stiffness_time: StiffnessTime;
+    };
 /**
  * Where the body is and how it moves at the start.
  */
@@ -1917,6 +1980,85 @@ export interface RadiiOfGyration {
    * @maxItems 3
    */
   radii_m: [number, number, number];
+}
+/**
+ * A round tube; a bar where the wall is half of the diameter.
+ */
+export interface CircularTube {
+  /**
+   * Outer diameter, m.
+   */
+  outer_diameter_m: number;
+  /**
+   * Thickness of the wall, m; at most half of the diameter.
+   */
+  wall_m: number;
+}
+/**
+ * A rectangular tube with walls of one thickness.
+ */
+export interface RectangularTube {
+  /**
+   * Outer extent along y, m.
+   */
+  width_m: number;
+  /**
+   * Outer extent along z, m.
+   */
+  height_m: number;
+  /**
+   * Thickness of the walls, m; less than half of width and height.
+   */
+  wall_m: number;
+}
+/**
+ * A cross-section by its numbers.
+ */
+export interface GeneralSection {
+  /**
+   * Area, m^2.
+   */
+  area_m2: number;
+  /**
+   * Second moments of area about y (integral of z^2) and about z (integral of y^2), m^4.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  second_moments_m4: [number, number];
+  /**
+   * Torsion constant, m^4.
+   */
+  torsion_constant_m4: number;
+  /**
+   * Shear areas for forces along y and along z, m^2; without them the beam does not shear.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  shear_areas_m2?: [number, number] | null;
+}
+/**
+ * The damping ratio of a mode; modes of other frequencies have it in proportion to theirs.
+ */
+export interface DampingRatio {
+  /**
+   * Damping over critical damping.
+   */
+  ratio: number;
+  /**
+   * Frequency of the mode, Hz.
+   */
+  frequency_Hz: number;
+}
+/**
+ * Damping over stiffness.
+ */
+export interface StiffnessTime {
+  /**
+   * s.
+   */
+  time_s: number;
 }
 /**
  * A body free in the world. Its parent is the world.

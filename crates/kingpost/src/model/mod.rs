@@ -3,15 +3,19 @@
 //! A [`Model`] is immutable once built. Each body's frame sits at its centre of mass. Positions q
 //! and velocities v are flat arrays; every joint owns a range of both.
 
+mod beam;
 pub mod joint;
 mod links;
 mod loops;
+mod section;
 mod shape;
 mod tree;
 
+pub use beam::Beam;
 pub use joint::{AxisMotion, Joint, JointKind, Mode};
 pub use links::LinkInertia;
 pub use loops::{Attachment, Constraint, Loop, Turn};
+pub use section::Section;
 pub use shape::{Axis, Shape};
 pub use tree::{Node, Tree};
 

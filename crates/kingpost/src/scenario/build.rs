@@ -4,6 +4,7 @@ mod axes;
 mod bodies;
 mod cylinders;
 mod drives;
+pub(super) mod flexible;
 mod loops;
 pub mod reading;
 
@@ -143,6 +144,10 @@ fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result
             ForceSchema::ViscousDamping(damping) => {
                 let field = format!("forces.{name}.viscous_damping.body");
                 known(&field, &damping.body, scenario.first().bodies.keys().map(|body| body.as_str()))?;
+                if scenario.first().bodies.get(&damping.body).is_some_and(|body| body.flexible.is_some()) {
+                    let allowed = "a body that is not flexible";
+                    return Err(FieldError::new(field, &damping.body, allowed));
+                }
                 if let (true, Some(body)) = (damping.enabled, model.body(&damping.body)) {
                     let damping = all.kind(viscous_damping_of);
                     let linear = damping.vector(|damping| damping.linear_n_s_m.map(|c| c.get()));
@@ -181,7 +186,8 @@ fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldErro
     let Some(coordinate) = massless_coordinate(model, &links, v) else { return Ok(()) };
     let (body, _) = model.owner(coordinate).unwrap_or_default();
     let (name, coordinate) = (&model.bodies[body].name, &model.coordinate_names()[coordinate]);
-    let given = scenario.bodies.get(name.as_str()).is_some_and(|body| body.inertia.is_some());
+    let name = flexible::owner(name).0;
+    let given = scenario.bodies.get(name).is_some_and(|body| body.inertia.is_some());
     let field = format!("bodies.{name}.{}", if given { "inertia" } else { "shape" });
     if q.iter().chain(v).any(|x| !x.is_finite()) {
         return Err(FieldError::new(

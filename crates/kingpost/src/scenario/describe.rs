@@ -1,5 +1,6 @@
 //! What a view needs to draw a scenario and to offer its parameters.
 
+use super::build::flexible::{owner, shape};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
 use serde::Serialize;
 use serde_json::Value;
@@ -49,7 +50,7 @@ pub struct JointDescription {
     pub name: String,
     /// The child body.
     pub body: String,
-    /// `floating`, `revolute` and so on, as in the scenario.
+    /// `floating`, `revolute` and so on, as in the scenario; `elastic` between the segments of a flexible body.
     pub kind: &'static str,
     /// Names of its coordinates that move freely.
     pub free_coordinates: Vec<String>,
@@ -83,20 +84,25 @@ impl Scenario {
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
             modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
-        let body = |body: &crate::model::Body| {
-            let given = &self.bodies[body.name.as_str()];
+        let body = |(body, node): (&crate::model::Body, &crate::model::Node)| {
+            let (owner, segment) = owner(&body.name);
+            let given = &self.bodies[owner];
+            let parent = node.parent.map_or(schema::WORLD, |parent| model.bodies[parent].name.as_str());
             BodyDescription {
                 name: body.name.clone(),
-                parent: given.parent.to_string(),
+                parent: parent.to_owned(),
                 mass_kg: body.mass,
-                shape: given.shape.clone(),
+                shape: shape(given, segment),
                 colour: given.colour.clone(),
             }
         };
         let joint = |(joint, body): (&crate::model::Joint, &crate::model::Body)| JointDescription {
             name: joint.name.clone(),
             body: body.name.clone(),
-            kind: self.bodies[body.name.as_str()].joint.kind(),
+            kind: match owner(&body.name) {
+                (name, 0) => self.bodies[name].joint.kind(),
+                _ => "elastic",
+            },
             free_coordinates: joint.coordinate_names().into_iter().filter(|name| free.contains(name)).collect(),
         };
         Ok(Description {
@@ -106,7 +112,7 @@ impl Scenario {
             step_s: self.simulation.step_s.get(),
             record_every_s: self.simulation.record_every_s.get(),
             integrator: self.simulation.integrator,
-            bodies: model.bodies.iter().map(body).collect(),
+            bodies: model.bodies.iter().zip(&model.tree.nodes).map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
         })

@@ -6,6 +6,7 @@ mod axes;
 mod bodies;
 mod cylinder;
 mod drives;
+mod flexible;
 mod forces;
 mod integrators;
 mod joints;
@@ -28,6 +29,9 @@ pub use bodies::{
 };
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
 pub use drives::{Brake, BrakeState, Drive, History, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
+pub use flexible::{
+    CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
+};
 pub use forces::{Force, Gravity, ViscousDamping};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};

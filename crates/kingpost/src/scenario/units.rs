@@ -27,7 +27,7 @@ const fn alias(ending: &'static str, si: &'static str, factor: f64) -> UnitAlias
 const DEGREE: f64 = PI / 180.0;
 
 /// Every unit alias. No ending is the end of another.
-pub const UNIT_ALIASES: [UnitAlias; 12] = [
+pub const UNIT_ALIASES: [UnitAlias; 13] = [
     alias("_deg", "_rad", DEGREE),
     alias("_deg_s", "_rad_s", DEGREE),
     alias("_t", "_kg", 1000.0),
@@ -38,6 +38,7 @@ pub const UNIT_ALIASES: [UnitAlias; 12] = [
     alias("_kN_s_m", "_N_s_m", 1000.0),
     alias("_kN_m_per_rad", "_N_m_per_rad", 1000.0),
     alias("_kN_m_s_per_rad", "_N_m_s_per_rad", 1000.0),
+    alias("_GPa", "_Pa", 1e9),
     alias("_kN_per_m", "_N_per_m", 1000.0),
     alias("_kN_s_per_m", "_N_s_per_m", 1000.0),
 ];

@@ -2,6 +2,7 @@
 
 use super::super::schema::{self, Inertia, Scenario};
 use super::axes::{axes, forces_in_axis};
+use super::flexible::{ELASTIC_AXES, FlexibleBody, carrier};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::forces::{Force, JointDamping};
@@ -20,38 +21,89 @@ pub struct Bodies<S> {
 }
 
 pub fn build<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Bodies<S>, FieldError> {
-    let order = order(scenario.first())?;
-    let mut descriptions: Vec<BodyDescription<S>> = Vec::with_capacity(order.len());
-    let (mut q, mut v, mut forces, mut rotors) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    for name in order {
+    let mut growth = Growth::default();
+    for name in order(scenario.first())? {
+        growth.add(scenario, name)?;
+    }
+    Ok(growth.finish())
+}
+
+/// The tree while it grows, parents first.
+#[derive(Default)]
+struct Growth<S> {
+    descriptions: Vec<BodyDescription<S>>,
+    q: Vec<S>,
+    v: Vec<S>,
+    forces: Vec<Force<S>>,
+    rotors: Vec<(usize, S)>,
+}
+
+impl<S: Gathered> Growth<S> {
+    fn add(&mut self, scenario: &Reading<Scenario>, name: &str) -> Result<(), FieldError> {
         let body = scenario.part(|scenario| &scenario.bodies[name]);
-        let parent = body.first().parent_body().map(|parent| parent.as_str());
-        let parent_index = parent.and_then(|parent| descriptions.iter().position(|d| d.name == parent));
-        let parent_centre = parent
-            .map_or(Vector3::zero(), |parent| scenario.vector(|scenario| scenario.bodies[parent].centre_of_mass_m));
-        let joint = joint(name, &body, parent_centre)?;
-        forces.extend(forces_in_joint(name, &body, (q.len(), v.len()))?);
+        let flexible = FlexibleBody::read(name, &body)?;
+        let (parent, parent_centre) = self.parent(scenario, body.first());
+        let centre = flexible.as_ref().map_or_else(|| body.vector(|body| body.centre_of_mass_m), |beam| beam.centre(0));
+        let joint = joint(name, &body, parent_centre, centre)?;
+        self.forces.extend(forces_in_joint(name, &body, (self.q.len(), self.v.len()))?);
         for k in 0..axes(&body.first().joint).len() {
-            rotors.push((v.len() + k, body.number(|body| axes(&body.joint)[k].rotor_inertia)));
+            self.rotors.push((self.v.len() + k, body.number(|body| axes(&body.joint)[k].rotor_inertia)));
         }
-        initial(name, &body, &mut q, &mut v)?;
-        let centre: Vector3<S> = body.vector(|body| body.centre_of_mass_m);
-        let point =
-            |point: &schema::Name| (point.to_string(), body.vector(|body| body.points[point].position_m) - centre);
-        descriptions.push(BodyDescription {
-            name: name.to_owned(),
-            parent: parent_index,
-            joint,
-            mass: body.number(|body| body.mass_kg.get()),
-            inertia: inertia(name, &body)?,
-            points: body.first().points.keys().map(point).collect(),
-        });
+        initial(name, &body, &mut self.q, &mut self.v)?;
+        match flexible {
+            None => {
+                let (mass, inertia) = (body.number(|body| body.mass_kg.get()), inertia(name, &body)?);
+                let points = points(&body, centre, |_| true);
+                self.descriptions.push(BodyDescription { name: name.to_owned(), parent, joint, mass, inertia, points });
+            }
+            Some(beam) => self.add_beam(&body, &beam, parent, joint),
+        }
+        Ok(())
     }
-    let mut model = Model::new(descriptions);
-    for (coordinate, inertia) in rotors {
-        model.rotor_inertia[coordinate] = inertia;
+
+    /// The body that a body hangs on, and its centre of mass in the drawing frame.
+    fn parent(&self, scenario: &Reading<Scenario>, body: &schema::Body) -> (Option<usize>, Vector3<S>) {
+        let Some(parent) = body.parent_body().map(|parent| parent.as_str()) else { return (None, Vector3::zero()) };
+        let index = self.descriptions.iter().position(|description| description.name == parent);
+        let (segment, centre) = carrier(scenario, parent, body.joint.place().position_m);
+        (index.map(|index| index + segment), centre)
     }
-    Ok(Bodies { model, q, v, forces })
+
+    fn add_beam(
+        &mut self,
+        body: &Reading<schema::Body>,
+        beam: &FlexibleBody<S>,
+        parent: Option<usize>,
+        joint: Joint<S>,
+    ) {
+        let points = |segment| points(body, beam.centre(segment), |place| beam.segment_at(place) == segment);
+        self.descriptions.push(beam.describe(0, parent, joint, points(0)));
+        for segment in 1..=beam.joints() {
+            self.forces.extend(beam.forces(self.q.len(), self.v.len()));
+            let parent = Some(self.descriptions.len() - 1);
+            self.descriptions.push(beam.describe(segment, parent, beam.joint(segment), points(segment)));
+            self.q.extend([S::ZERO; ELASTIC_AXES]);
+            self.v.extend([S::ZERO; ELASTIC_AXES]);
+        }
+    }
+
+    fn finish(self) -> Bodies<S> {
+        let mut model = Model::new(self.descriptions);
+        for (coordinate, inertia) in self.rotors {
+            model.rotor_inertia[coordinate] = inertia;
+        }
+        Bodies { model, q: self.q, v: self.v, forces: self.forces }
+    }
+}
+
+/// The named points of a body that lie where they should, from a centre of mass.
+fn points<S: Gathered>(
+    body: &Reading<schema::Body>,
+    centre: Vector3<S>,
+    lies_there: impl Fn([f64; 3]) -> bool,
+) -> Vec<(String, Vector3<S>)> {
+    let there = body.first().points.iter().filter(|(_, point)| lies_there(point.position_m));
+    there.map(|(name, _)| (name.to_string(), body.vector(|body| body.points[name].position_m) - centre)).collect()
 }
 
 /// Names of the bodies that are there, parents first, otherwise in the order of the file.
@@ -114,13 +166,13 @@ fn joint<S: Gathered>(
     name: &str,
     body: &Reading<schema::Body>,
     parent_centre: Vector3<S>,
+    centre: Vector3<S>,
 ) -> Result<Joint<S>, FieldError> {
     let joint = body.part(|body| &body.joint);
     let placement = Frame {
         rotation: rotation_from_roll_pitch_yaw(joint.vector(|joint| joint.place().orientation_rad)),
         position: joint.vector(|joint| joint.place().position_m) - parent_centre,
     };
-    let centre: Vector3<S> = body.vector(|body| body.centre_of_mass_m);
     let to_child = centre - joint.vector(|joint| joint.place().child_position_m);
     let direction = |k: usize| joint.vector(|joint| joint.directions()[k].1.get()).direction();
     let modes: Vec<Mode> = axes(joint.first()).iter().map(|axis| axis.mode).collect();

@@ -1,6 +1,7 @@
 //! Hydraulic cylinders: their pins, and whether they start within their stroke.
 
 use super::super::schema::{self, CylinderTarget, Scenario};
+use super::flexible::carrier_in_model;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::drives::{Aim, Cylinder, Drive};
@@ -8,7 +9,7 @@ use crate::dynamics::LinkKinematics;
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::simulation::{Input, Setup};
-use crate::spatial::{Frame, Vector3};
+use crate::spatial::Frame;
 
 /// One cylinder, where it is on and between bodies that are there. A lever's length is the next of
 /// the extra states, `states` of which there are already.
@@ -87,12 +88,10 @@ fn attachment<S: Gathered>(
     model: &Model<S>,
     pin: &Reading<schema::Pin>,
 ) -> Attachment<S> {
-    let centre = pin
-        .first()
-        .named_body()
-        .map_or(Vector3::zero(), |body| scenario.vector(|scenario| scenario.bodies[body].centre_of_mass_m));
+    let first = pin.first();
+    let (body, centre) = carrier_in_model(scenario, model, first.named_body(), first.position_m);
     let in_body = Frame::translation(pin.vector(|pin| pin.position_m) - centre);
-    model.attachment(pin.first().named_body().and_then(|body| model.body(body)), in_body)
+    model.attachment(body, in_body)
 }
 
 /// Takes the lengths where the run begins, its loops closed.

@@ -3,6 +3,7 @@
 use super::super::schema::{self, BrakeState, History, Scenario};
 use super::axes::axes;
 use super::bodies::joint_name;
+use super::flexible::owner;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, cylinders, known};
 use crate::drives::{Brake, Clock, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
@@ -192,7 +193,8 @@ fn prescribed<S: Gathered>(
 ) -> Result<Vec<PrescribedMotion<S>>, FieldError> {
     let mut motions = Vec::new();
     for (i, body) in model.bodies.iter().enumerate() {
-        let joint = scenario.part(|scenario| &scenario.bodies[body.name.as_str()].joint);
+        let (name, 0) = owner(&body.name) else { continue };
+        let joint = scenario.part(|scenario| &scenario.bodies[name].joint);
         for (k, axis) in axes(joint.first()).iter().enumerate() {
             let Some((_, history, pulse)) = &axis.prescribed else { continue };
             let path = format!("bodies.{}.joint.{}", body.name, joint.first().kind());

@@ -2,6 +2,7 @@
 //! close from where they start.
 
 use super::super::schema::{self, Scenario};
+use super::flexible::carrier_in_model;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::dynamics::forward::Workspace;
@@ -10,7 +11,7 @@ use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::{Attachment, Constraint, Loop, Model, Turn};
 use crate::scalar::Scalar;
 use crate::simulation::Setup;
-use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
+use crate::spatial::{Frame, rotation_from_roll_pitch_yaw};
 
 /// The model with the loops that are on, between bodies that are there.
 pub fn build<S: Gathered>(scenario: &Reading<Scenario>, model: Model<S>) -> Result<Model<S>, FieldError> {
@@ -45,13 +46,10 @@ fn attachment<S: Gathered>(
     model: &Model<S>,
     given: &Reading<schema::Attachment>,
 ) -> Attachment<S> {
-    let centre = given
-        .first()
-        .named_body()
-        .map_or(Vector3::zero(), |body| scenario.vector(|scenario| scenario.bodies[body].centre_of_mass_m));
+    let first = given.first();
+    let (body, centre) = carrier_in_model(scenario, model, first.named_body(), first.position_m);
     let position = given.vector(|given| given.position_m) - centre;
     let rotation = rotation_from_roll_pitch_yaw(given.vector(|given| given.orientation_rad));
-    let body = given.first().named_body().and_then(|body| model.body(body));
     Attachment::on(body, Frame { rotation, position })
 }
 

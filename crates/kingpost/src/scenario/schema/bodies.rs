@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use super::{Colour, Joint, Name, NonNegative, Positive, WORLD, yes};
+use super::{Colour, Flexible, Joint, Name, NonNegative, Positive, WORLD, yes};
 
 /// A rigid body. Its geometry is written in a drawing frame of its own; the shape is centred on the centre of mass.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,6 +27,9 @@ pub struct Body {
     /// The inertia in numbers; it replaces that of the shape.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inertia: Option<Inertia>,
+    /// Makes this body a beam that bends, twists and shears.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flexible: Option<Flexible>,
     /// The centre of mass in the drawing frame, m.
     #[serde(default)]
     pub centre_of_mass_m: [f64; 3],

@@ -2,12 +2,14 @@
 //! them uses the engine.
 #![allow(unused_imports)] // each test binary uses its own part
 
+mod cantilever;
 mod double_pendulum;
 pub mod elliptic;
 mod free_body;
 mod heavy_top;
 mod pendulum;
 
+pub use cantilever::Cantilever;
 pub use double_pendulum::DoublePendulum;
 pub use free_body::FreeBody;
 pub use heavy_top::HeavyTop;

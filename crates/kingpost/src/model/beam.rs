@@ -1,0 +1,135 @@
+//! A beam as a chain of rigid segments with elastic joints between them.
+
+use super::Section;
+use crate::scalar::Scalar;
+use crate::spatial::{SpatialInertia, Symmetric3};
+
+/// A uniform beam along x in n equal pieces, each with an elastic joint in its middle (the rigid finite
+/// element method: Wittbrodt, Adamiec-Wojcik & Wojciech, Dynamics of Flexible Multibody Systems, 2006,
+/// ch. 2). Between the joints it is rigid: n + 1 segments, the first and the last of half a piece.
+///
+/// About its middle the compliance of a piece of length l is diagonal (Przemieniecki, Theory of Matrix
+/// Structural Analysis, 1968, ch. 5):
+///
+/// - bending `l / (E I)`, torsion `l / (G J)`,
+/// - across it `l / (k G A) + l^3 / (12 E I)`: what shear adds, and what bending within the piece adds
+///   between its ends.
+///
+/// So a beam that is loaded at its ends and in the middles of its segments deflects exactly, whatever n
+/// is. Masses are those of rigid segments; frequencies err by the square of l.
+#[derive(Clone, Copy, Debug)]
+pub struct Beam<S = f64> {
+    /// Number n of pieces, and so of joints.
+    pub pieces: usize,
+    /// m.
+    pub length: S,
+    /// kg.
+    pub mass: S,
+    /// Cross-section.
+    pub section: Section<S>,
+    /// Young's modulus E, Pa.
+    pub youngs_modulus: S,
+    /// Shear modulus G, Pa.
+    pub shear_modulus: S,
+}
+
+impl<S: Scalar> Beam<S> {
+    /// Length l of a piece, m.
+    pub fn piece(&self) -> S {
+        self.length / S::constant(self.pieces as f64)
+    }
+
+    /// Where the joint before segment i stands, i from 1 to n, m from the beam's start.
+    pub fn joint(&self, i: usize) -> S {
+        self.piece() * S::constant(i as f64 - 0.5)
+    }
+
+    /// Length of a segment, from 0 to n, m.
+    pub fn segment_length(&self, i: usize) -> S {
+        self.piece() * S::constant(self.pieces_in(i))
+    }
+
+    /// Middle of a segment, m from the beam's start.
+    pub fn segment_middle(&self, i: usize) -> S {
+        let from = if i == 0 { S::ZERO } else { self.joint(i) };
+        from + self.segment_length(i) * S::constant(0.5)
+    }
+
+    /// The segment that carries a place, m from the beam's start; beyond an end the last there.
+    pub fn segment_at(&self, place: f64) -> usize {
+        let middle_of = libm::round(place / self.piece().value());
+        (middle_of.max(0.0) as usize).min(self.pieces)
+    }
+
+    fn pieces_in(&self, segment: usize) -> f64 {
+        if segment == 0 || segment == self.pieces { 0.5 } else { 1.0 }
+    }
+
+    /// Mass of a segment, kg.
+    pub fn segment_mass(&self, i: usize) -> S {
+        self.mass * S::constant(self.pieces_in(i) / self.pieces as f64)
+    }
+
+    /// Inertia of a segment about its middle: of its length, and of its cross-section.
+    pub fn segment_inertia(&self, i: usize) -> SpatialInertia<S> {
+        let (mass, length) = (self.segment_mass(i), self.segment_length(i));
+        let [about_y, about_z] = self.section.second_moments.map(|moment| moment / self.section.area);
+        let across = length * length * S::constant(1.0 / 12.0);
+        let moments = [about_y + about_z, across + about_y, across + about_z].map(|square| mass * square);
+        SpatialInertia::rigid(mass, Symmetric3::diagonal(moments))
+    }
+
+    /// Stiffness of a joint in the order of its coordinates: shear along y and z (N/m), torsion, bending
+    /// about y and about z (N m/rad).
+    pub fn stiffness(&self) -> [S; 5] {
+        let (l, e, g) = (self.piece(), self.youngs_modulus, self.shear_modulus);
+        let Section { second_moments: [about_y, about_z], torsion_constant, shear_compliances, .. } = self.section;
+        let [along_y, along_z] = shear_compliances;
+        let across = |shear_compliance: S, second_moment: S| {
+            S::ONE / (l * shear_compliance / g + l * l * l / (S::constant(12.0) * e * second_moment))
+        };
+        // Bending about z moves a beam along y.
+        [across(along_y, about_z), across(along_z, about_y), g * torsion_constant / l, e * about_y / l, e * about_z / l]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn beam(pieces: usize) -> Beam {
+        let section = Section::circular_tube(0.6, 0.012, 0.3);
+        Beam { pieces, length: 24.0, mass: 4000.0, section, youngs_modulus: 2.1e11, shear_modulus: 8.1e10 }
+    }
+
+    #[test]
+    fn the_segments_make_up_the_beam() {
+        for pieces in [1, 2, 7] {
+            let beam = beam(pieces);
+            let length: f64 = (0..=pieces).map(|i| beam.segment_length(i)).sum();
+            let mass: f64 = (0..=pieces).map(|i| beam.segment_mass(i)).sum();
+            assert!((length - 24.0).abs() < 1e-12 && (mass - 4000.0).abs() < 1e-9);
+            for i in 1..=pieces {
+                let before = beam.segment_middle(i - 1) + beam.segment_length(i - 1) / 2.0;
+                let after = beam.segment_middle(i) - beam.segment_length(i) / 2.0;
+                assert!((before - beam.joint(i)).abs() < 1e-12 && (after - beam.joint(i)).abs() < 1e-12);
+                assert_eq!(beam.segment_at(beam.segment_middle(i)), i);
+            }
+            assert_eq!((beam.segment_at(-1.0), beam.segment_at(0.0), beam.segment_at(99.0)), (0, 0, pieces));
+        }
+    }
+
+    #[test]
+    fn a_force_at_the_tip_deflects_it_as_timoshenko_says_whatever_the_number_of_pieces() {
+        for pieces in [1, 2, 5, 16] {
+            let (beam, force) = (beam(pieces), 1000.0);
+            let [_, shear_z, _, bending_y, _] = beam.stiffness();
+            let joints = (1..=pieces).map(|i| beam.length - beam.joint(i));
+            let found: f64 = joints.map(|arm| force * (arm * arm / bending_y + 1.0 / shear_z)).sum();
+            let Section { second_moments: [about_y, _], shear_compliances: [_, along_z], .. } = beam.section;
+            let bent = force * beam.length.powi(3) / (3.0 * beam.youngs_modulus * about_y);
+            let sheared = force * beam.length * along_z / beam.shear_modulus;
+            assert!((found / (bent + sheared) - 1.0).abs() < 1e-12, "{pieces}: {found}");
+        }
+    }
+}

@@ -1,0 +1,269 @@
+//! Flexible bodies: a beam's segments as bodies, its elastic joints with their springs and dampers.
+
+use super::super::schema::{self, Flexible, FlexibleDamping, Positive, Scenario, Section as SectionSchema};
+use super::FieldError;
+use super::reading::{Gathered, Reading};
+use crate::forces::{Force, JointDamping, JointSpring};
+use crate::model::joint::AxisList;
+use crate::model::{Beam, BodyDescription, Joint, JointKind, Mode, Model, Section};
+use crate::spatial::{Frame, Matrix3, Vector3};
+
+/// Axes of an elastic joint.
+pub const ELASTIC_AXES: usize = 5;
+
+/// Most elastic joints of one body.
+const MOST_SEGMENTS: u64 = 64;
+
+/// A flexible body and where it lies in its drawing frame.
+pub struct FlexibleBody<S> {
+    name: String,
+    beam: Beam<S>,
+    /// The beam's start in the drawing frame, m.
+    start: Vector3<S>,
+    /// Damping over stiffness, s.
+    damping_time: S,
+}
+
+/// The name of the body in the scenario that a segment belongs to, and the segment's number; 0 for a
+/// rigid body and for the first segment.
+pub fn owner(name: &str) -> (&str, usize) {
+    match name.split_once('.') {
+        Some((owner, segment)) => (owner, segment.parse().unwrap_or_default()),
+        None => (name, 0),
+    }
+}
+
+/// The segment of a body of this name at a place in its drawing frame, counted from the body itself, and its centre of
+/// mass there; of a rigid body the body.
+pub fn carrier<S: Gathered>(scenario: &Reading<Scenario>, name: &str, place_m: [f64; 3]) -> (usize, Vector3<S>) {
+    let body = scenario.part(|scenario| &scenario.bodies[name]);
+    match FlexibleBody::read(name, &body) {
+        Ok(Some(beam)) => {
+            let segment = beam.segment_at(place_m);
+            (segment, beam.centre(segment))
+        }
+        _ => (0, body.vector(|body| body.centre_of_mass_m)),
+    }
+}
+
+/// The body of the model that carries a place of a named body, or of the world, and its centre of mass in the drawing
+/// frame of that body.
+pub fn carrier_in_model<S: Gathered>(
+    scenario: &Reading<Scenario>,
+    model: &Model<S>,
+    name: Option<&schema::Name>,
+    place_m: [f64; 3],
+) -> (Option<usize>, Vector3<S>) {
+    let Some(name) = name else { return (None, Vector3::zero()) };
+    let (segment, centre) = carrier(scenario, name, place_m);
+    (model.body(name).map(|body| body + segment), centre)
+}
+
+impl<S: Gathered> FlexibleBody<S> {
+    /// The beam of a body, if it is one.
+    pub fn read(name: &str, body: &Reading<schema::Body>) -> Result<Option<Self>, FieldError> {
+        if body.first().flexible.is_none() {
+            return Ok(None);
+        }
+        check(name, body.first())?;
+        let flexible = body.kind(|body| body.flexible.as_ref());
+        let youngs_modulus: S = flexible.number(|flexible| flexible.youngs_modulus_pa.get());
+        let poissons_ratio: S = flexible.number(|flexible| flexible.poissons_ratio);
+        let beam = Beam {
+            pieces: flexible.first().segments as usize,
+            length: body.number(|body| length(body).unwrap_or(1.0)),
+            mass: body.number(|body| body.mass_kg.get()),
+            section: section(&flexible, poissons_ratio),
+            youngs_modulus,
+            shear_modulus: youngs_modulus * S::constant(0.5) / (S::ONE + poissons_ratio),
+        };
+        let middle: Vector3<S> = body.vector(|body| body.centre_of_mass_m);
+        let start = middle - Vector3([beam.length * S::constant(0.5), S::ZERO, S::ZERO]);
+        let read = Self { name: name.to_owned(), beam, start, damping_time: damping_time(&flexible) };
+        read.check_root(body.first())?;
+        Ok(Some(read))
+    }
+
+    /// The body's joint must be in its first segment.
+    fn check_root(&self, body: &schema::Body) -> Result<(), FieldError> {
+        if let schema::Joint::Floating(_) = body.joint {
+            let allowed = "a joint to another body or to the world, for a flexible body";
+            return Err(FieldError::new(format!("bodies.{}.joint", self.name), "floating", allowed));
+        }
+        let place = body.joint.place().child_position_m;
+        let (from, to) = (self.start.0[0].value(), (self.start.0[0] + self.beam.joint(1)).value());
+        if (from..=to).contains(&place[0]) {
+            return Ok(());
+        }
+        let field = format!("bodies.{}.joint.{}.child_position_m.0", self.name, body.joint.kind());
+        let allowed = format!("{from} to {to}: the joint of a flexible body is in its first segment");
+        Err(FieldError::new(field, place[0], allowed))
+    }
+
+    /// The segment at a place in the drawing frame.
+    pub fn segment_at(&self, place_m: [f64; 3]) -> usize {
+        self.beam.segment_at(place_m[0] - self.start.0[0].value())
+    }
+
+    /// A segment's centre of mass in the drawing frame, m.
+    pub fn centre(&self, segment: usize) -> Vector3<S> {
+        self.start + Vector3([self.beam.segment_middle(segment), S::ZERO, S::ZERO])
+    }
+
+    /// The segment as a body: the first with the body's own joint and parent, the others behind it.
+    pub fn describe(
+        &self,
+        segment: usize,
+        parent: Option<usize>,
+        joint: Joint<S>,
+        points: Vec<(String, Vector3<S>)>,
+    ) -> BodyDescription<S> {
+        let name = if segment == 0 { self.name.clone() } else { self.segment_name(segment) };
+        let (mass, inertia) = (self.beam.segment_mass(segment), self.beam.segment_inertia(segment));
+        BodyDescription { name, parent, joint, mass, inertia, points }
+    }
+
+    fn segment_name(&self, segment: usize) -> String {
+        format!("{}.{segment}", self.name)
+    }
+
+    /// Number of segments behind the first.
+    pub fn joints(&self) -> usize {
+        self.beam.pieces
+    }
+
+    /// The elastic joint before a segment.
+    pub fn joint(&self, segment: usize) -> Joint<S> {
+        let joint = self.start + Vector3([self.beam.joint(segment), S::ZERO, S::ZERO]);
+        let placement = Frame { rotation: Matrix3::identity(), position: joint - self.centre(segment - 1) };
+        let kind = JointKind::AxisList(AxisList::elastic(placement, self.centre(segment) - joint));
+        Joint { name: self.segment_name(segment), kind, mode: Mode::Free }
+    }
+
+    /// Springs and dampers of an elastic joint whose coordinates begin at these places in q and v.
+    pub fn forces(&self, position: usize, coordinate: usize) -> impl Iterator<Item = Force<S>> {
+        let time = self.damping_time;
+        let damped = !time.all(|time| time == 0.0);
+        self.beam.stiffness().into_iter().enumerate().flat_map(move |(i, stiffness)| {
+            let (position, coordinate) = (position + i, coordinate + i);
+            let spring = JointSpring { position, coordinate, stiffness, rest: S::ZERO };
+            let damper = JointDamping { coordinate, damping: stiffness * time };
+            let damper = damped.then_some(Force::JointDamping(damper));
+            [Some(Force::JointSpring(spring)), damper].into_iter().flatten()
+        })
+    }
+}
+
+fn length(body: &schema::Body) -> Option<f64> {
+    let of_shape = || match body.shape.as_ref()? {
+        schema::Shape::Box(cuboid) => Some(cuboid.length_m),
+        schema::Shape::Cylinder(cylinder) if cylinder.axis == schema::PrincipalAxis::X => Some(cylinder.length_m),
+        _ => None,
+    };
+    let length = body.flexible.as_ref()?.length_m.or_else(of_shape)?;
+    Some(length.get())
+}
+
+/// What the types do not check.
+fn check(name: &str, body: &schema::Body) -> Result<(), FieldError> {
+    let Some(flexible) = &body.flexible else { return Ok(()) };
+    let error = |field: &str, found: String, allowed: &str| {
+        Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed))
+    };
+    if body.inertia.is_some() {
+        return error("inertia", "an inertia of a flexible body".to_owned(), "none: its section and length give it");
+    }
+    if !(1..=MOST_SEGMENTS).contains(&flexible.segments) {
+        return error("flexible.segments", flexible.segments.to_string(), "a whole number from 1 to 64");
+    }
+    if !(flexible.poissons_ratio > -1.0 && flexible.poissons_ratio <= 0.5) {
+        let found = flexible.poissons_ratio.to_string();
+        return error("flexible.poissons_ratio", found, "a number greater than -1 and not greater than 0.5");
+    }
+    if length(body).is_none() {
+        let allowed = "a length, or the shape of a box or of a cylinder along x";
+        return error("flexible.length_m", "nothing".to_owned(), allowed);
+    }
+    match &flexible.section {
+        SectionSchema::CircularTube(tube) if tube.wall_m.get() > tube.outer_diameter_m.get() / 2.0 => {
+            let allowed = "at most half of the outer diameter";
+            error("flexible.section.circular_tube.wall_m", tube.wall_m.get().to_string(), allowed)
+        }
+        SectionSchema::RectangularTube(tube)
+            if 2.0 * tube.wall_m.get() >= tube.width_m.get().min(tube.height_m.get()) =>
+        {
+            let allowed = "less than half of width and height";
+            error("flexible.section.rectangular_tube.wall_m", tube.wall_m.get().to_string(), allowed)
+        }
+        _ => Ok(()),
+    }
+}
+
+fn section<S: Gathered>(flexible: &Reading<Flexible>, poissons_ratio: S) -> Section<S> {
+    match &flexible.first().section {
+        SectionSchema::CircularTube(_) => {
+            let tube =
+                flexible.kind(|f| if let SectionSchema::CircularTube(tube) = &f.section { Some(tube) } else { None });
+            let [diameter, wall] = tube.numbers(|tube| [tube.outer_diameter_m.get(), tube.wall_m.get()]);
+            Section::circular_tube(diameter, wall, poissons_ratio)
+        }
+        SectionSchema::RectangularTube(_) => {
+            let tube = flexible
+                .kind(|f| if let SectionSchema::RectangularTube(tube) = &f.section { Some(tube) } else { None });
+            let [width, height, wall] = tube.numbers(|t| [t.width_m, t.height_m, t.wall_m].map(|length| length.get()));
+            Section::rectangular_tube(width, height, wall)
+        }
+        SectionSchema::General(first) => {
+            let given =
+                flexible.kind(|f| if let SectionSchema::General(given) = &f.section { Some(given) } else { None });
+            let [area, torsion_constant] = given.numbers(|g| [g.area_m2.get(), g.torsion_constant_m4.get()]);
+            let areas = |given: &schema::GeneralSection| given.shear_areas_m2.map_or([1.0; 2], |a| a.map(|a| a.get()));
+            let shear_compliances = match first.shear_areas_m2 {
+                Some(_) => given.numbers(areas).map(|area: S| S::ONE / area),
+                None => [S::ZERO; 2],
+            };
+            let second_moments = given.numbers(|g| g.second_moments_m4.map(|moment| moment.get()));
+            Section { area, second_moments, torsion_constant, shear_compliances }
+        }
+    }
+}
+
+/// Damping over stiffness, s: 2 ratio / (2 pi frequency).
+fn damping_time<S: Gathered>(flexible: &Reading<Flexible>) -> S {
+    match &flexible.first().damping {
+        None => S::ZERO,
+        Some(FlexibleDamping::StiffnessTime(_)) => flexible.number(|f| match &f.damping {
+            Some(FlexibleDamping::StiffnessTime(given)) => given.time_s.get(),
+            _ => 0.0,
+        }),
+        Some(FlexibleDamping::Ratio(_)) => {
+            let [ratio, frequency] = flexible.numbers(|f| match &f.damping {
+                Some(FlexibleDamping::Ratio(given)) => [given.ratio.get(), given.frequency_hz.get()],
+                _ => [0.0, 1.0],
+            });
+            ratio / (S::constant(core::f64::consts::PI) * frequency)
+        }
+    }
+}
+
+/// What a body or a segment of it looks like: the body's shape, cut to the segment's length and to its cross-section.
+pub fn shape(body: &schema::Body, segment: usize) -> Option<schema::Shape> {
+    let (Some(flexible), Some(length)) = (&body.flexible, length(body)) else { return body.shape.clone() };
+    let at_an_end = segment == 0 || segment as u64 == flexible.segments;
+    let length_m = Positive::new(length / flexible.segments as f64 * if at_an_end { 0.5 } else { 1.0 })?;
+    let cylinder = |radius_m| {
+        schema::Shape::Cylinder(schema::CylinderShape { radius_m, length_m, axis: schema::PrincipalAxis::X })
+    };
+    match (&flexible.section, &body.shape) {
+        (SectionSchema::CircularTube(tube), _) => Some(cylinder(Positive::new(tube.outer_diameter_m.get() / 2.0)?)),
+        (SectionSchema::RectangularTube(tube), _) => {
+            let (width_m, height_m) = (tube.width_m, tube.height_m);
+            Some(schema::Shape::Box(schema::BoxShape { length_m, width_m, height_m }))
+        }
+        (SectionSchema::General(_), Some(schema::Shape::Box(whole))) => {
+            Some(schema::Shape::Box(schema::BoxShape { length_m, ..whole.clone() }))
+        }
+        (SectionSchema::General(_), Some(schema::Shape::Cylinder(whole))) => Some(cylinder(whole.radius_m)),
+        (SectionSchema::General(_), _) => None,
+    }
+}
