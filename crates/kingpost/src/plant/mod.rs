@@ -56,8 +56,11 @@ pub struct Plant<S = f64> {
 #[derive(Clone, Debug)]
 struct Exact<S> {
     tangent: Box<Tangent>,
-    jacobian: fn(&mut Tangent, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>),
+    jacobian: DifferentiateExactly<S>,
 }
+
+/// Writes what [`System::jacobian`] asks for.
+type DifferentiateExactly<S> = fn(&mut Tangent, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>);
 
 /// Solves for the accelerations `v_dot` at q, v under the loads evaluated last.
 type SolveMatrices<S> = fn(&mut Plant<S>, q: &[S], v: &[S], v_dot: &mut [S]);
