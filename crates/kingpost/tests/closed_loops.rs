@@ -108,6 +108,32 @@ fn a_loop_stays_closed_and_keeps_its_energy_for_ten_minutes() {
 }
 
 #[test]
+fn every_integrator_keeps_a_loop_closed() {
+    let text = four_bar("initial_angle_rad: 1", "x, z", "forces: {gravity: {gravity: {}}}");
+    // Energy after ten seconds: about rates of 10 rad/s times the step, to the power of the order.
+    let schemes = [
+        ("forward_euler", 0.0002, 2.0),
+        ("midpoint_euler", 0.0002, 2.0),
+        ("semi_implicit_euler", 0.0002, 2.0),
+        ("rk4", 0.005, 1e-3),
+        ("dormand_prince", 0.005, 1e-3),
+        ("newmark", 0.002, 0.1),
+        ("generalized_alpha", 0.002, 0.1),
+        ("implicit_midpoint", 0.002, 0.1),
+    ];
+    for (scheme, step_s, allowed) in schemes {
+        let settings = format!("{{integrator: {scheme}, step_s: {step_s}, duration_s: 10, record_every_s: 0.5}}");
+        let text = text.replace("{step_s: 0.005, duration_s: 600, record_every_s: 1}", &settings);
+        let mut simulation = simulation(&text);
+        let run = simulation.run(|_| true);
+        assert_eq!(run.status, Ok(()), "{scheme}");
+        let gap = values(&mut simulation, "loop_error").iter().fold(0.0_f64, |most, gap| most.max(gap.abs()));
+        let error = values(&mut simulation, "energy_error")[0].abs() / 70.0;
+        assert!(gap < 1e-11 && error < allowed, "{scheme}: {gap:e} m, {error:e} of the energy");
+    }
+}
+
+#[test]
 fn a_mass_on_a_rod_swings_as_on_a_hinge() {
     let text = "
 version: 1
