@@ -60,8 +60,8 @@ def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
     )
     program = _target() / ("debug" if quick else "release") / "kingpost-bench"
     path = models.write_kingpost(case, folder)
-    steps = () if case.links else ("euler_step", "rk4_step", "rk4_step_ledger")
-    operations = ("forward", *steps)
+    steps = ("euler_step", "rk4_step", "rk4_step_ledger", "lanes_euler", "lanes_rk4", *BATCHES)
+    operations = ("forward",) if case.links else ("forward", *steps)
     version = importlib.metadata.version("kingpost")
     return Engine("kingpost", case, (str(program), str(path)), operations, True, version, same, same)
 

@@ -16,11 +16,20 @@ from engines import Engine
 from models import tree
 
 # repetitions in a batch, on the paper's model: well under a millisecond, so that on a shared machine most
-# batches run undisturbed; steps of all runs for many at once
-REPETITIONS = {"forward": 500, "euler_step": 400, "rk4_step": 100, "rk4_step_ledger": 100, "batch": 100}
+# batches run undisturbed
+REPETITIONS = {
+    "forward": 500,
+    "euler_step": 400,
+    "rk4_step": 100,
+    "rk4_step_ledger": 100,
+    "lanes_euler": 400,
+    "lanes_rk4": 100,
+}
+# steps of all runs, for many at once
+BATCH_STEPS = 1000
 PAPER_VELOCITIES = 8
 # Kingpost's and MuJoCo's Euler schemes are not the same one
-COMPARED = ("forward", "rk4_step", "rk4_step_ledger", "batch_rk4_1", "batch_rk4_2")
+COMPARED = ("forward", "rk4_step", "rk4_step_ledger")
 CHECK_STEPS = 1000
 COUNTED = (100, 1100)
 # of the ship, in q and v one after another
@@ -39,7 +48,7 @@ class Effort:
     long_batches: int
 
 
-FULL = Effort(rounds=15, batches=100, long_batches=10)
+FULL = Effort(rounds=15, batches=100, long_batches=3)
 QUICK = Effort(rounds=2, batches=3, long_batches=1)
 
 
@@ -57,8 +66,9 @@ class Figure:
 
 def repetitions(engine: Engine, operation: str) -> int:
     """Repetitions in a batch: fewer the larger the model."""
-    kind = "batch" if operation.startswith("batch_") else operation
-    return max(1, REPETITIONS[kind] * PAPER_VELOCITIES // engine.case.v.size)
+    if operation.startswith("batch_"):
+        return BATCH_STEPS
+    return max(1, REPETITIONS[operation] * PAPER_VELOCITIES // engine.case.v.size)
 
 
 def times(engines: Sequence[Engine], effort: Effort) -> dict[tuple[str, str, str], list[float]]:
@@ -71,7 +81,8 @@ def times(engines: Sequence[Engine], effort: Effort) -> dict[tuple[str, str, str
                 if many and turn % 3:
                     continue
                 batches = effort.long_batches if many else effort.batches
-                arguments = [operation, "time", str(batches), str(repetitions(engine, operation))]
+                count = repetitions(engine, operation) // (10 if many and effort is QUICK else 1)
+                arguments = [operation, "time", str(batches), str(count)]
                 numbers = [float(line) for line in _lines(engine, arguments)]
                 found.setdefault((engine.name, engine.case.name, operation), []).extend(numbers)
     return found
@@ -79,7 +90,7 @@ def times(engines: Sequence[Engine], effort: Effort) -> dict[tuple[str, str, str
 
 def instructions(engine: Engine, operation: str) -> float | None:
     """Instructions of one operation: callgrind's difference between two repetition counts."""
-    if not engine.countable or shutil.which("valgrind") is None:
+    if not engine.countable or operation.startswith("batch_") or shutil.which("valgrind") is None:
         return None
     few, many = (max(1, count * PAPER_VELOCITIES // engine.case.v.size) for count in COUNTED)
     first, second = (_collected(engine, operation, count) for count in (few, many))

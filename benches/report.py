@@ -20,13 +20,21 @@ def ratios(figures: Sequence[Figure]) -> Iterator[str]:
         if not ours.engine.startswith("kingpost"):
             continue
         for peer in figures:
-            same = ours.model == peer.model and ours.operation.removesuffix("_ledger") == peer.operation
+            same = ours.model == peer.model and peer.operation in _same_work(ours.operation)
             if not same or peer.engine.startswith("kingpost"):
                 continue
             yield (
                 f"{ours.engine} {ours.operation} / {peer.engine} {peer.operation}, {ours.model}: "
                 f"{_ratio(ours, peer)}"
             )
+
+
+def _same_work(operation: str) -> tuple[str, ...]:
+    """The peers' operations that stand against one of ours: a step in lanes is one of many runs, too."""
+    if operation.startswith("lanes_"):
+        scheme = operation.removeprefix("lanes_")
+        return (f"{scheme}_step", f"batch_{scheme}_1")
+    return (operation.removesuffix("_ledger"),)
 
 
 def _ratio(ours: Figure, peer: Figure) -> str:

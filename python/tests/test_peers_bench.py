@@ -41,8 +41,11 @@ def test_bench_prints_readable_lines(lines: list[str]) -> None:
     assert peers_here() <= {row[0] for row in rows}
     for _engine, model, operation, nanoseconds, instructions in rows:
         assert re.fullmatch("paper_free_load|chain_[0-9]+", model)
-        assert re.fullmatch("forward|euler_step|rk4_step(_ledger)?|batch_(euler|rk4)_[12]", operation)
-        assert float(nanoseconds) > 0.0
+        assert re.fullmatch(
+            "forward|euler_step|rk4_step(_ledger)?|lanes_(euler|rk4)|batch_(euler|rk4)_[12]", operation
+        )
+        # many runs at once are the difference of two times, so short that a busy machine can turn it
+        assert operation.startswith("batch_") or float(nanoseconds) > 0.0
         assert instructions == "-" or float(instructions) > 0.0
 
 

@@ -10,12 +10,13 @@
 //!
 //! Compiled for WASM it has no command line: `exports` is called instead.
 
+#[cfg(not(target_arch = "wasm32"))]
+mod batch;
 mod exports;
 mod operations;
 
 use operations::{Operation, Task};
 use std::error::Error;
-use std::time::Instant;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -27,8 +28,16 @@ fn main() -> Outcome<()> {
     let numbers = numbers.iter().map(|text| text.parse()).collect::<Result<Vec<usize>, _>>()?;
     let scenario = std::fs::read_to_string(format!("{path}.json"))?;
     let state = std::fs::read_to_string(format!("{path}.txt"))?;
-    let mut operation = Task::read(&scenario, &state)?.operation(operation)?;
-    run(operation.as_mut(), mode, &numbers)
+    run(prepared(operation, &scenario, &state)?.as_mut(), mode, &numbers)
+}
+
+/// The operation of that name; whole batches are for hosts with threads.
+fn prepared(name: &str, scenario: &str, state: &str) -> Outcome<Box<dyn Operation>> {
+    #[cfg(not(target_arch = "wasm32"))]
+    if let Some(kind) = name.strip_prefix("batch_") {
+        return Ok(Box::new(batch::Batch::new(scenario, kind)?));
+    }
+    Task::read(scenario, state)?.operation(name)
 }
 
 fn run(operation: &mut dyn Operation, mode: &str, numbers: &[usize]) -> Outcome<()> {
@@ -37,10 +46,7 @@ fn run(operation: &mut dyn Operation, mode: &str, numbers: &[usize]) -> Outcome<
         ("time", &[batches, repetitions]) => {
             operation.repeat(repetitions)?; // warm-up
             for _ in 0..batches {
-                operation.reset()?;
-                let start = Instant::now();
-                operation.repeat(repetitions)?;
-                println!("{:.3}", start.elapsed().as_nanos() as f64 / repetitions as f64);
+                println!("{:.3}", operation.time(repetitions)?);
             }
         }
         ("count", &[repetitions]) => operation.repeat(repetitions)?,

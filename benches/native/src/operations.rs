@@ -3,10 +3,13 @@
 use crate::Outcome;
 use kingpost::integrate::{Interval, Scheme, Sizes, Stage, System};
 use kingpost::plant::Plant;
-use kingpost::scenario;
+use kingpost::scalar::{LANES, Lanes, Scalar};
+use kingpost::scenario::build::{assemble, reading::Reading};
+use kingpost::scenario::{self, Scenario};
 use kingpost::simulation::{Setup, Simulation};
 use kingpost::state::State;
 use std::hint::black_box;
+use std::time::Instant;
 
 const STEP_S: f64 = 1e-3;
 
@@ -18,10 +21,18 @@ pub trait Operation {
     fn repeat(&mut self, times: usize) -> Outcome<()>;
     /// What came out: an acceleration, or q and v.
     fn result(&self) -> Vec<f64>;
+    /// The time that this many take from the fixed state, each.
+    fn time(&mut self, times: usize) -> Outcome<f64> {
+        self.reset()?;
+        let start = Instant::now();
+        self.repeat(times)?;
+        Ok(start.elapsed().as_nanos() as f64 / times as f64)
+    }
 }
 
 /// A model at a state.
 pub struct Task {
+    scenario: Scenario,
     setup: Setup,
     q: Vec<f64>,
     v: Vec<f64>,
@@ -31,9 +42,10 @@ pub struct Task {
 impl Task {
     /// Reads a resolved scenario and a state with the lines `q ...`, `v ...` and `force ...`.
     pub fn read(scenario: &str, state: &str) -> Outcome<Self> {
-        let setup = scenario::read(scenario, "kingpost.json", &[])?.setup()?;
+        let scenario = scenario::read(scenario, "kingpost.json", &[])?;
+        let setup = scenario.setup()?;
         let [q, v, force] = ["q", "v", "force"].map(|word| numbers(state, word));
-        Ok(Self { setup, q: q?, v: v?, force: force? })
+        Ok(Self { scenario, setup, q: q?, v: v?, force: force? })
     }
 
     /// The operation of that name on this task.
@@ -42,6 +54,8 @@ impl Task {
             "forward" => Ok(Box::new(Forward::new(self))),
             "euler_step" => Ok(Box::new(Step::new(self, Scheme::forward_euler))),
             "rk4_step" => Ok(Box::new(Step::new(self, Scheme::runge_kutta_4))),
+            "lanes_euler" => Ok(Box::new(SideBySide::new(self, Scheme::forward_euler)?)),
+            "lanes_rk4" => Ok(Box::new(SideBySide::new(self, Scheme::runge_kutta_4)?)),
             "rk4_step_ledger" => Ok(Box::new(Shipped::new(self))),
             other => Err(format!("unknown operation {other}").into()),
         }
@@ -67,7 +81,7 @@ struct Forward {
 
 impl Forward {
     /// The force stands for the drives.
-    fn new(Task { setup, q, v, force }: Task) -> Self {
+    fn new(Task { setup, q, v, force, .. }: Task) -> Self {
         let mut plant = Plant::new(setup.model, setup.forces, Vec::new());
         plant.keeps_ledger = false;
         let v_dot = vec![0.0; v.len()];
@@ -133,6 +147,50 @@ impl Operation for Step {
 
     fn result(&self) -> Vec<f64> {
         [self.state.q.as_slice(), &self.state.v].concat()
+    }
+}
+
+/// As many runs as there are lanes, a step each in turn; no ledger.
+struct SideBySide {
+    plant: Plant<Lanes>,
+    scheme: Scheme<Lanes>,
+    start: State<Lanes>,
+    state: State<Lanes>,
+}
+
+impl SideBySide {
+    /// All from one state, but for a thousandth more velocity in each lane.
+    fn new(Task { scenario, q, v, .. }: Task, scheme: fn(Sizes) -> Scheme<Lanes>) -> Outcome<Self> {
+        let setup = assemble::<Lanes>(&Reading::new(vec![&scenario; LANES]))?;
+        let mut plant = Plant::new(setup.model, setup.forces, setup.drives);
+        plant.keeps_ledger = false;
+        let scheme = scheme(plant.sizes());
+        let q = q.into_iter().map(Lanes::constant).collect();
+        let faster = |v: f64| Lanes::new(std::array::from_fn(|k| v * (1.0 + 1e-3 * k as f64)));
+        let start = State { q, v: v.into_iter().map(faster).collect(), ..State::default() };
+        Ok(Self { plant, scheme, state: start.clone(), start })
+    }
+}
+
+impl Operation for SideBySide {
+    fn reset(&mut self) -> Outcome<()> {
+        self.state.clone_from(&self.start);
+        Ok(())
+    }
+
+    fn repeat(&mut self, times: usize) -> Outcome<()> {
+        for _ in 0..times / LANES {
+            let Self { plant, scheme, state, .. } = black_box(&mut *self);
+            let start_s = state.steps as f64 * STEP_S;
+            state.steps += 1;
+            let interval = Interval { start_s, end_s: state.steps as f64 * STEP_S };
+            scheme.step(plant, interval, f64::INFINITY, state)?;
+        }
+        Ok(())
+    }
+
+    fn result(&self) -> Vec<f64> {
+        self.state.q.iter().chain(&self.state.v).map(|x| x.value()).collect()
     }
 }
 
