@@ -23,7 +23,7 @@ SMALLEST_SHARE = 1e-13
 """Squared frequencies below this share of the largest count as zero: rounding hides them."""
 SMALLEST_SQUARE = 1e-10
 """Squared frequencies below this count as zero, (rad/s)^2: a period of a week."""
-FIRST = 1e6
+FIRST = 1e3
 """Weight of what a drive keeps, beside the largest of a coordinate, in naming zero modes."""
 ALIKE = 1e-9
 """Shares that differ by less are equal, and the first is taken."""

@@ -197,6 +197,47 @@ def test_a_closed_loop_has_the_modes_of_its_independent_coordinates(tmp_path):
     assert found["shape"].values[0] == pytest.approx([1, -1, 1], abs=1e-10)
 
 
+def test_a_lever_is_a_zero_mode_of_the_length_that_its_cylinder_wants(tmp_path):
+    """Source: J x'' + c r^2 x' + k r^2 x = k r z and z' = 0: a boom of J on a cylinder with the lever r
+    about the hinge; x = z / r is free. Without weight the geometry adds nothing."""
+    text = """\
+version: 1
+title: a boom on a cylinder
+bodies:
+  boom: {mass_kg: 100, shape: {box: {length_m: 4, width_m: 0.5, height_m: 0.5}},
+         joint: {revolute: {axis: [0, -1, 0], child_position_m: [-2, 0, 0]}}}
+drives:
+  luffing:
+    cylinder:
+      first: {body: world, position_m: [0, 0, -3]}
+      second: {body: boom, position_m: [2, 0, 0]}
+      shortest_m: 4.5
+      longest_m: 5.6
+      stiffness_N_per_m: 200000
+      damping_N_s_per_m: 800
+      push_limit_N: 3000
+      pull_limit_N: 3000
+      speed_limit_m_s: 0.1
+      target: lever
+"""
+    path = tmp_path / "boom.yaml"
+    path.write_text(text, encoding="utf-8")
+    found = kingpost.modes(path)
+    lever, inertia = 12 / 5, 100 * (16 + 0.25) / 12 + 400
+    assert found.kind.values.tolist() == ["zero", "oscillation"]
+    assert found.named_after.values.tolist() == ["luffing.wanted_length", "boom"]
+    assert found.multiplicity.values.tolist() == [1, 2]
+    zero, swing = (found.sel(mode=number) for number in (1, 2))
+    assert zero["shape"].values == pytest.approx([1 / lever, 1], rel=1e-10)
+    assert swing["shape"].values == pytest.approx([1, 0], abs=1e-10)
+    assert swing.angular_frequency.item() == pytest.approx(lever * np.sqrt(2e5 / inertia), rel=1e-10)
+    ratio = 800 * lever / (2 * np.sqrt(2e5 * inertia))
+    assert swing.damping_ratio.item() == pytest.approx(ratio, rel=1e-10)
+    linear = kingpost.Simulation(path).linearize()
+    assert linear.coordinates == ["boom"]
+    assert linear.B.sel(row="luffing.wanted_length", column="luffing").item() == 0.1
+
+
 def test_two_tied_ships_share_their_zero_modes(tmp_path):
     """Source: counting: thirteen coordinates and four constraints leave nine that nothing moves."""
     text = """\
