@@ -132,6 +132,11 @@ class Simulation:
         return self._engine.step_s()
 
     @property
+    def evaluations(self) -> int:
+        """Evaluations of the right-hand side by the integrator so far: what its steps cost."""
+        return self._engine.evaluations()
+
+    @property
     def state(self) -> State:
         """A copy of the motion now."""
         engine = self._engine

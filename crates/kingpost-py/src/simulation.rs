@@ -80,6 +80,10 @@ impl Simulation {
         self.inner.settings().step_s
     }
 
+    fn evaluations(&self) -> u64 {
+        self.inner.evaluations()
+    }
+
     fn q<'py>(&self, py: Python<'py>) -> Vector<'py> {
         PyArray1::from_slice(py, &self.inner.state().q)
     }

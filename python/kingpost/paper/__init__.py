@@ -10,9 +10,9 @@ from pathlib import Path
 
 from .. import progress, report
 from ..errors import KingpostError
-from . import figures, integrators, measured, page, summary, table
+from . import comparison, figures, integrators, measured, page, summary, table
 
-RUNS = 2 * len(figures.CASES) + len(integrators.ORDERS) * len(integrators.STEPS_S)
+RUNS = 2 * len(figures.CASES) + len(integrators.ORDERS)
 
 
 def command(folder: str | Path) -> int:
@@ -32,7 +32,7 @@ def write(folder: str | Path) -> tuple[list[Path], list[summary.Table]]:
     Returns
     -------
     files, tables
-        The files, sorted; the largest rates and the integrators' orders.
+        The files, sorted; the largest rates, and the integrators compared.
 
     Raises
     ------
@@ -55,11 +55,11 @@ def _write(folder: Path) -> tuple[list[Path], list[summary.Table]]:
         drawn = figures.run(lambda: update(next(done)))
         compared = integrators.run(lambda: update(next(done)))
     figures.write(folder, drawn)
-    integrators.write(folder, compared)
+    comparison.write(folder, compared)
     remarks = measured.measure(drawn)
     (folder / "index.html").write_text(page.html(folder, drawn, rows, compared, remarks), encoding="utf-8")
     names = ["index.html", "table_2.csv", "table_2.md"]
-    for name in [*(figure.name for figure in drawn), integrators.NAME]:
+    for name in [*(figure.name for figure in drawn), comparison.NAME]:
         names += [f"{name}.{ending}" for ending in ("csv", "png", "svg")]
-    tables = [summary.largest_rates(drawn), summary.orders(compared)]
+    tables = [summary.largest_rates(drawn), comparison.table(compared)]
     return [folder / name for name in sorted(names)], tables

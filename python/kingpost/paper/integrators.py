@@ -1,32 +1,53 @@
-"""Energy, momentum and rotation error of each integrator against the step size."""
+"""Every integrator on the paper's case and on a stiff one: errors, orders, cost, largest step."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from time import perf_counter
 
 import numpy as np
 
+from ..errors import RunError
 from ..scenario import load
 from ..simulate import Simulation
 from .figures import AT_CENTRE
-from .style import INTEGRATORS, plotting, save
-
-if TYPE_CHECKING:
-    import xarray
 
 DURATION_S = 0.5
 REFERENCE_STEP_S = 0.0001
-STEPS_S = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02)
-ORDERS = {"forward_euler": 1, "midpoint_euler": 1, "rk4": 4}
+STEPS_S = (0.0005, 0.001, 0.002, 0.005, 0.01, 0.02, 0.05)
+SHOWN_STEP_S = 0.01
+TIMED_STEP_S = 0.001
+TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8)
+ORDERS = {
+    "forward_euler": 1,
+    "midpoint_euler": 1,
+    "semi_implicit_euler": 1,
+    "rk4": 4,
+    "dormand_prince": 5,
+    "newmark": 2,
+    "generalized_alpha": 2,
+    "implicit_midpoint": 2,
+}
 LABELS = {
     "forward_euler": "Forward Euler",
     "midpoint_euler": "Euler, mean rate in the rotation",
+    "semi_implicit_euler": "Semi-implicit Euler",
     "rk4": "RK4 (Munthe-Kaas)",
+    "dormand_prince": "Dormand-Prince 5(4)",
+    "newmark": "Newmark",
+    "generalized_alpha": "Generalized-alpha, 0.8",
+    "implicit_midpoint": "Implicit midpoint",
 }
-NAME = "integrators"
+ADAPTIVE = "dormand_prince"
+CASES: dict[str, dict[str, object]] = {
+    "paper": {},
+    "stiff": {"bodies.arm.joint.revolute.spring": {"stiffness_N_m_per_rad": 1e9}},
+}
+"""Both motors, no load, crane at the centre; then the arm on a spring that swings at about 56 Hz."""
+USABLE = 0.1
+"""A step is usable while the energy error is within this part of the work, and the tower within this
+angle (rad) of where it should be."""
 ENERGY_ROUNDING = 1e-11
 MOMENTUM_ROUNDING = 1e-6
 ROTATION_ROUNDING = 1e-12
@@ -34,64 +55,162 @@ ROTATION_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
-class Errors:
-    """Errors of one integrator at the end of the run, one value per step size.
+class Point:
+    """The end of one run.
 
     Attributes
     ----------
+    setting
+        Step, s; of Dormand-Prince the tolerance, absolute and relative alike.
     energy
-        Energy error over the work done by the motors, dimensionless.
+        Size of the energy error over the work done by the motors, dimensionless.
     momentum
-        Angular momentum about the held centre that should be zero, N m s.
-    rotation
-        Angle between the ship's orientation and that of RK4 at `REFERENCE_STEP_S`, rad.
+        Size of the error of the angular momentum about the held centre, N m s.
+    rotation, slew
+        Angle of the ship's orientation, and of the tower, from those of RK4 at `REFERENCE_STEP_S`, rad.
+    evaluations
+        Of the right-hand side, per simulated second.
     """
 
-    integrator: str
-    energy: np.ndarray
-    momentum: np.ndarray
-    rotation: np.ndarray
+    setting: float
+    energy: float
+    momentum: float
+    rotation: float
+    slew: float
+    evaluations: float
 
-    def slopes(self) -> tuple[float, float, float]:
-        """Orders of the three errors, fitted where they exceed rounding."""
+
+@dataclass(frozen=True)
+class Compared:
+    """One integrator: its runs by case, time a simulated second at `TIMED_STEP_S`, largest steps by case."""
+
+    integrator: str
+    points: dict[str, list[Point]]
+    time_ms: float
+    evaluations: float
+    largest_step_s: dict[str, float]
+
+    def slopes(self) -> tuple[float, float, float] | None:
+        """Orders of energy, momentum and rotation error on the paper's case; `None` of error control."""
+        if self.integrator == ADAPTIVE:
+            return None
+        points = [point for point in self.points["paper"] if point.setting <= SHOWN_STEP_S]
+        steps = [point.setting for point in points]
         return (
-            slope(self.energy, ENERGY_ROUNDING),
-            slope(self.momentum, MOMENTUM_ROUNDING),
-            slope(self.rotation, ROTATION_ROUNDING),
+            slope(steps, [point.energy for point in points], ENERGY_ROUNDING),
+            slope(steps, [point.momentum for point in points], MOMENTUM_ROUNDING),
+            slope(steps, [point.rotation for point in points], ROTATION_ROUNDING),
         )
 
+    def shown(self) -> Point:
+        """The run at `SHOWN_STEP_S` on the paper's case, or at the default relative tolerance."""
+        setting = 1e-6 if self.integrator == ADAPTIVE else SHOWN_STEP_S
+        return next(point for point in self.points["paper"] if point.setting == setting)
 
-def slope(errors: np.ndarray, rounding: float) -> float:
-    """Slope of errors against `STEPS_S` on logarithmic axes, where they exceed rounding."""
-    seen = np.abs(errors) > rounding
-    return float(np.polyfit(np.log(np.array(STEPS_S)[seen]), np.log(np.abs(errors)[seen]), 1)[0])
+
+def slope(steps: list[float], errors: list[float], rounding: float) -> float:
+    """Slope of errors against steps on logarithmic axes, where they exceed rounding.
+
+    >>> slope([1.0, 2.0, 4.0], [1e-3, 4e-3, 16e-3], 1e-9)
+    2.0
+    """
+    seen = np.array(errors) > rounding
+    if seen.sum() < 2:
+        return float("nan")
+    fit = np.polyfit(np.log(np.array(steps)[seen]), np.log(np.array(errors)[seen]), 1)
+    return float(round(fit[0], 6))
 
 
-def run(progress: Callable[[], None]) -> list[Errors]:
-    """Run every integrator at every step size: both motors, no load, crane at the centre."""
-    reference = _orientation(_end("rk4", REFERENCE_STEP_S))
+def run(progress: Callable[[], None]) -> list[Compared]:
+    """Run every integrator on both cases; `progress` is called once for each of them."""
+    references = {case: _Run(case, "rk4", REFERENCE_STEP_S) for case in CASES}
+    for reference in references.values():
+        reference.finish()
     found = []
     for integrator in ORDERS:
-        ends = []
-        for step_s in STEPS_S:
-            ends.append(_end(integrator, step_s))
-            progress()
-        energy = np.array([float(end["energy_error"] / end["work_done"]) for end in ends])
-        momentum = np.array([float(end["momentum_error"]) for end in ends])
-        rotation = np.array([angle(_orientation(end), reference) for end in ends])
-        found.append(Errors(integrator, energy, momentum, rotation))
+        points, largest = {}, {}
+        for case, reference in references.items():
+            settings = TOLERANCES if integrator == ADAPTIVE else STEPS_S
+            ends = (_Run(case, integrator, setting) for setting in settings)
+            points[case] = [end.point(reference) for end in ends if end.finish()]
+            largest[case] = largest_step_s(case, integrator, reference)
+        found.append(Compared(integrator, points, *_cost(integrator), largest))
+        progress()
     return found
 
 
-def _end(integrator: str, step_s: float) -> xarray.Dataset:
-    settings = {"integrator": integrator, "step_s": step_s, "duration_s": DURATION_S}
-    overrides = {f"simulation.{name}": value for name, value in settings.items()}
-    overrides |= {**AT_CENTRE, "simulation.record_every_s": DURATION_S}
-    return Simulation(load("paper", overrides, motor_1=True, motor_2=True)).run().isel(time=-1)
+def largest_step_s(case: str, integrator: str, reference: _Run) -> float:
+    """The largest of a ladder of steps, each a fifth longer, up to which all are usable; not a number
+    for an integrator with steps of its own, 0 where none is."""
+    if integrator == ADAPTIVE:
+        return float("nan")
+    largest, most = 0.0, round(DURATION_S / TIMED_STEP_S)
+    for count in dict.fromkeys(int(most / 1.2**k) for k in range(40)):
+        end = _Run(case, integrator, DURATION_S / max(count, 1))
+        if not end.finish():
+            break
+        point = end.point(reference)
+        if max(point.energy, point.slew) > USABLE:
+            break
+        largest = end.setting
+    return largest
 
 
-def _orientation(end: xarray.Dataset) -> np.ndarray:
-    return end["orientation"].sel(body="ship").values
+def _cost(integrator: str) -> tuple[float, float]:
+    """Time, ms, and evaluations of a simulated second of the paper's case, the best of three."""
+    runs = [_Run("paper", integrator, 1e-6 if integrator == ADAPTIVE else TIMED_STEP_S) for _ in range(3)]
+    times = []
+    for one in runs:
+        start = perf_counter()
+        one.finish()
+        times.append(perf_counter() - start)
+    return 1000 * min(times) / DURATION_S, runs[0].simulation.evaluations / DURATION_S
+
+
+class _Run:
+    """A run of half a second, of which the end is looked at."""
+
+    def __init__(self, case: str, integrator: str, setting: float) -> None:
+        step_s = TIMED_STEP_S if integrator == ADAPTIVE else setting
+        overrides = {
+            **AT_CENTRE,
+            **CASES[case],
+            "simulation.integrator": integrator,
+            "simulation.step_s": step_s,
+        }
+        if integrator == ADAPTIVE:
+            path = f"simulation.{ADAPTIVE}"
+            overrides |= {f"{path}.absolute_tolerance": setting, f"{path}.relative_tolerance": setting}
+        self.setting = setting
+        self.simulation = Simulation(load("paper", overrides, motor_1=True, motor_2=True))
+        self.steps = round(DURATION_S / step_s)
+
+    def finish(self) -> bool:
+        """Step to the end; whether it is reached."""
+        try:
+            self.simulation.step(self.steps)
+        except RunError:
+            return False
+        self.row = self.simulation.row()
+        return bool(np.isfinite(self.row).all())
+
+    def value(self, variable: str) -> float:
+        """A channel of one number, at the end."""
+        return float(
+            self.row[next(c["offset"] for c in self.simulation.channels if c["variable"] == variable)]
+        )
+
+    def point(self, reference: _Run) -> Point:
+        """What is compared of the end."""
+        q, true = self.simulation.state.q, reference.simulation.state.q
+        return Point(
+            setting=self.setting,
+            energy=abs(self.value("energy_error") / self.value("work_done")),
+            momentum=abs(self.value("momentum_error")),
+            rotation=angle(q[3:7], true[3:7]),
+            slew=abs(float(q[7] - true[7])),
+            evaluations=self.simulation.evaluations / DURATION_S,
+        )
 
 
 def angle(one: np.ndarray, other: np.ndarray) -> float:
@@ -102,48 +221,3 @@ def angle(one: np.ndarray, other: np.ndarray) -> float:
     """
     w, v = one[0] * other[1:] - other[0] * one[1:], np.cross(one[1:], other[1:])
     return float(2 * np.arcsin(min(1.0, float(np.linalg.norm(w - v)))))
-
-
-def write(folder: Path, found: list[Errors]) -> None:
-    """Write the errors as CSV and draw them."""
-    import pandas
-
-    columns = {"step_s": np.array(STEPS_S)}
-    for errors in found:
-        columns[f"{errors.integrator}_energy_error_relative"] = errors.energy
-        columns[f"{errors.integrator}_momentum_error_N_m_s"] = errors.momentum
-        columns[f"{errors.integrator}_rotation_error_rad"] = errors.rotation
-    pandas.DataFrame(columns).to_csv(folder / f"{NAME}.csv", index=False)
-    draw(folder, found)
-
-
-PANELS = {
-    "energy": ("Energy", "|energy error| / work of the motors"),
-    "momentum": ("Angular momentum", "|momentum error|, N m s"),
-    "rotation": ("Ship's rotation", "angle from the true orientation, rad"),
-}
-
-
-def draw(folder: Path, found: list[Errors]) -> None:
-    """Draw the errors on logarithmic axes with the slope of each order."""
-    with plotting() as pyplot:
-        drawn, panels = pyplot.subplots(1, 3, figsize=(12, 4.8), sharex=True)
-        for panel, (name, (title, unit)) in zip(panels, PANELS.items(), strict=True):
-            for errors in found:
-                label, style = LABELS[errors.integrator], INTEGRATORS[errors.integrator]
-                panel.loglog(STEPS_S, np.abs(getattr(errors, name)), label=label, **style)
-            for errors in found[1:]:
-                _reference_slope(panel, np.abs(getattr(errors, name)), ORDERS[errors.integrator])
-            panel.set(title=title, ylabel=unit, xlabel="Step size, s")
-        drawn.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=3)
-        save(drawn, folder / NAME)
-
-
-def _reference_slope(panel: Any, errors: np.ndarray, order: int) -> None:
-    """A dotted line of an order, a little below the curve that it measures."""
-    steps = np.array(STEPS_S)
-    line = 0.3 * errors[-1] * (steps / steps[-1]) ** order
-    shown = steps >= steps[-1] / 10
-    panel.plot(steps[shown], line[shown], color="#666666", linestyle=":", linewidth=1.2)
-    panel.annotate(f"order {order}", (steps[-3], line[-3]), xytext=(6, -12), color="#444444",
-                   textcoords="offset points", fontsize=10)  # fmt: skip

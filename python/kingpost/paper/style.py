@@ -12,7 +12,12 @@ DAMPED: dict[str, Any] = {"color": "#D55E00", "linewidth": 1.8, "linestyle": (0,
 INTEGRATORS: dict[str, dict[str, Any]] = {
     "forward_euler": {"color": "#CC79A7", "marker": "o", "linewidth": 4.0, "markersize": 9},
     "midpoint_euler": {"color": "#E69F00", "marker": "s"},
+    "semi_implicit_euler": {"color": "#999999", "marker": "v"},
     "rk4": {"color": "#009E73", "marker": "D"},
+    "dormand_prince": {"color": "#000000", "marker": "*", "markersize": 9},
+    "newmark": {"color": "#0072B2", "marker": "P", "linewidth": 4.0, "markersize": 9},
+    "generalized_alpha": {"color": "#D55E00", "marker": "^"},
+    "implicit_midpoint": {"color": "#56B4E9", "marker": "X"},
 }
 _SETTINGS: Any = {
     "figure.constrained_layout.use": True,

@@ -1,12 +1,10 @@
-"""The paper's results in two small tables, for the terminal and for the page."""
+"""The paper's largest rates in a small table, for the terminal and for the page."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from . import integrators
 from .figures import NOTHING, Figure
-from .integrators import Errors
 
 Table = list[tuple[str, ...]]
 
@@ -18,17 +16,6 @@ def largest_rates(drawn: list[Figure]) -> Table:
         for label, rates in (("without damping", figure.undamped), ("with damping", figure.damped)):
             peaks = (_peak(values) for values in rates.values())
             rows.append((f"Fig. {figure.case.number}, {figure.case.title}, {label}", *peaks))
-    return rows
-
-
-def orders(compared: list[Errors]) -> Table:
-    """Order of each integrator, and the slopes of its errors against step size."""
-    rows: Table = [("Integrator", "Order", "Slope, energy", "Slope, momentum", "Slope, rotation")]
-    for errors in compared:
-        slopes = (f"{slope:.2f}" for slope in errors.slopes())
-        rows.append(
-            (integrators.LABELS[errors.integrator], str(integrators.ORDERS[errors.integrator]), *slopes)
-        )
     return rows
 
 
