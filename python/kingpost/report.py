@@ -20,6 +20,9 @@ WORST_ENERGY_ERROR = 0.01
 # Rows of a table that a summary prints.
 MOST_ROWS = 20
 
+# Ends of the names of axes that slide, in joints of several axes.
+SLIDING_AXES = (".x", ".y", ".translation", ".shear_y", ".shear_z")
+
 ANGLES = {"roll": "x", "pitch": "y", "yaw": "z"}
 
 
@@ -130,13 +133,22 @@ def _joints(results: xarray.Dataset, scenario: Scenario) -> list[str]:
         rows.append((
             str(name),
             *(fixed(value, 6) for value in (position.values[-1], largest(position.values))),
-            _unit(position, name in slides),
+            _unit(position, _slides(str(name), slides)),
             *(fixed(value, 6) for value in (rate.values[-1], largest(rate.values))),
-            _unit(rate, name in slides),
+            _unit(rate, _slides(str(name), slides)),
             significant(largest(force.values), most_force),
-            _unit(force, name in slides),
+            _unit(force, _slides(str(name), slides)),
         ))  # fmt: skip
     return table(_shortened(rows), "<>><>><><")
+
+
+def _slides(coordinate: str, prismatic: set[str]) -> bool:
+    """Whether a coordinate is a length: of a prismatic joint, or of a sliding axis of several.
+
+    >>> _slides("boom.1.shear_z", set()), _slides("boom.1.torsion", set()), _slides("slide", {"slide"})
+    (True, False, True)
+    """
+    return coordinate in prismatic or coordinate.endswith(SLIDING_AXES)
 
 
 def _unit(values: xarray.DataArray, slides: bool) -> str:

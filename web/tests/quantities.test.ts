@@ -52,6 +52,12 @@ describe("what the figures can show", () => {
     expect([decimalsOf(slew, "rad"), decimalsOf(telescope, "rad")]).toEqual([5, 4]);
   });
 
+  it("knows which axes of a joint of several slide", () => {
+    const beam = { name: "boom.1", body: "boom.1", kind: "elastic" } as const;
+    const { angles } = kindsOf(model([beam]), [channel("joint_position", ["boom.1.shear_z", "boom.1.bending_y"], "rad or m")]);
+    expect(angles.slice(1).map(({ units }) => units.rad)).toEqual(["m", "rad"]);
+  });
+
   it("shows the first body where none floats", () => {
     const { rates } = kindsOf(model([SLEW]), []);
     expect(rates.map(({ title }) => title)).toEqual(["Rates of tower"]);

@@ -65,7 +65,7 @@ function coordinateUnits(model: ModelInfo, channels: Channel[]): (name: string) 
   const slides = new Set(model.joints.filter((joint) => joint.kind === "prismatic").map((joint) => joint.name));
   return (name) => {
     if (unit === "rad" || unit === "m") return unit;
-    return slides.has(name) || /\.(x|y|z|extension|shear_[xyz]|axial)$/.test(name) ? "m" : "rad";
+    return slides.has(name) || /\.(x|y|translation|shear_[yz])$/.test(name) ? "m" : "rad";
   };
 }
 
