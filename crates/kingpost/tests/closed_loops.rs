@@ -134,6 +134,16 @@ fn every_integrator_keeps_a_loop_closed() {
 }
 
 #[test]
+fn a_state_from_outside_must_have_its_loops_closed() {
+    let mut simulation = simulation(&four_bar("initial_angle_rad: 1", "x, z", ""));
+    let (q, v) = (simulation.state().q.clone(), simulation.state().v.clone());
+    simulation.set_state(&q, &v, None).unwrap();
+    let error = simulation.set_state(&[q[0] + 0.01, q[1], q[2]], &v, None).unwrap_err().to_string();
+    assert!(error.starts_with("q: found constraint pin.") && error.ends_with("less than 1e-6"), "{error}");
+    assert_eq!(simulation.state().q, q);
+}
+
+#[test]
 fn a_mass_on_a_rod_swings_as_on_a_hinge() {
     let text = "
 version: 1

@@ -181,6 +181,14 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
+    /// The constraint that is off by most at a state, and by how much, m or rad; `None` without loops.
+    pub fn loop_gap(&mut self, q: &[S], v: &[S]) -> Option<(usize, f64)> {
+        self.links.update(&self.model, q, v);
+        self.loops.update_rows(&self.model, &self.links);
+        let gaps = self.loops.rows().iter().map(|row| row.residual.value().abs()).enumerate();
+        gaps.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
     /// After a step: brings the closed loops back to where they are closed, and tells where that is
     /// not possible. Allocates nothing.
     pub fn close_loops(&mut self, q: &mut [S], v: &mut [S]) -> Result<(), LoopFault> {

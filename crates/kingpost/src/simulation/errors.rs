@@ -135,6 +135,16 @@ pub enum InputError {
         /// The length that it must have.
         allowed: usize,
     },
+    /// Positions at which a closed loop is open.
+    #[error("q: found constraint {constraint} off by {found:.3e} m or rad, allowed: less than {allowed:e}")]
+    OpenLoop {
+        /// The constraint, as `loop.constraint`.
+        constraint: String,
+        /// By how much.
+        found: f64,
+        /// What is allowed.
+        allowed: f64,
+    },
     /// An entry that is not finite, or an orientation that is no quaternion.
     #[error("{name}[{index}]: found {found}, allowed: {allowed}")]
     Entry {

@@ -23,6 +23,10 @@ pub(crate) use recording::Recording;
 /// Steps after which a run reports progress even if no row is due.
 pub const PROGRESS_STEPS: u64 = 10_000;
 
+/// Closed loops of a state from outside may be open by less than this, m or rad: the next step
+/// closes them.
+const LARGEST_GAP_GIVEN: f64 = 1e-6;
+
 /// Recorded rows, and how the run ended.
 #[derive(Clone, Debug)]
 pub struct Run<S = f64> {
@@ -295,6 +299,11 @@ impl Simulation {
             let quaternion = &mut next.q[first..first + 4];
             let unit = Quaternion::from_slice(quaternion).normalized();
             quaternion.copy_from_slice(&unit.0);
+        }
+        if let Some((constraint, found)) = self.plant.loop_gap(&next.q, v).filter(|(_, gap)| *gap >= LARGEST_GAP_GIVEN)
+        {
+            let constraint = self.plant.model.constraint_names().swap_remove(constraint);
+            return Err(InputError::OpenLoop { constraint, found, allowed: LARGEST_GAP_GIVEN });
         }
         next.s = match s {
             Some(s) => s.to_vec(),
