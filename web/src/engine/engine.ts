@@ -34,7 +34,7 @@ export interface JointInfo {
   name: string;
   /** The child. */
   body: string;
-  kind: "floating" | "revolute" | "prismatic" | "cylindrical" | "universal" | "planar" | "spherical" | "fixed";
+  kind: "floating" | "revolute" | "prismatic" | "cylindrical" | "universal" | "planar" | "spherical" | "elastic" | "fixed";
 }
 
 export interface ModelInfo {
