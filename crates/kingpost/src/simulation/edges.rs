@@ -20,6 +20,7 @@ impl Edges {
         Self { times_s, slack_s: 1e-9 * step_s }
     }
 
+    #[cfg(not(target_family = "wasm"))]
     pub(super) fn times_s(&self) -> &[f64] {
         &self.times_s
     }
