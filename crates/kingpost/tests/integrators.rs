@@ -4,7 +4,10 @@ mod common;
 
 use common::{INTEGRATORS, paper, values};
 use kingpost::Simulation;
-use kingpost::simulation::RunError;
+use kingpost::analysis::Linearizer;
+use kingpost::integrate::{Jacobian, System};
+use kingpost::plant::Plant;
+use kingpost::simulation::{RunError, Setup};
 use kingpost::spatial::{Quaternion, Vector3};
 use serde_json::json;
 
@@ -260,5 +263,34 @@ fn a_newton_iteration_that_does_not_converge_says_so_and_keeps_the_rows() {
         assert!(run.rows.len() >= run.columns && run.rows.iter().all(|x| x.is_finite()));
         let again = simulation.step(1);
         assert_eq!(again, Err(RunError::Step(error)), "the state is the last good one");
+    }
+}
+
+#[test]
+fn derivatives_by_differences_agree_with_dual_numbers() {
+    // Forward differences keep half of the digits: 1e-8 of the curvature and of the accelerations.
+    let overrides: Vec<(String, serde_json::Value)> = [("motor_2", true), ("gravity", true), ("damping", true)]
+        .map(|(name, value)| (name.to_owned(), json!(value)))
+        .to_vec();
+    let text = include_str!("../../../scenarios/paper.yaml");
+    let scenario = kingpost::scenario::read(text, "paper.yaml", &overrides).unwrap();
+    let mut simulation = Simulation::new(scenario.setup().unwrap());
+    simulation.step(700).unwrap();
+    let mut linearizer = Linearizer::new(&scenario).unwrap();
+    let free: Vec<usize> = linearizer.positions().collect();
+    let exact = linearizer.at(&simulation).a;
+    let Setup { model, forces, drives, .. } = scenario.setup().unwrap();
+    let mut plant = Plant::new(model, forces, drives);
+    let (at, n) = (simulation.stage(), simulation.state().v.len());
+    let mut found = Jacobian::new(plant.sizes());
+    plant.jacobian(at.q, &vec![0.0; n], at, &mut found);
+    let k = free.len();
+    let largest = exact.rows(k, k).abs().max();
+    for (row, &i) in free.iter().enumerate() {
+        for (column, &j) in free.iter().enumerate() {
+            let by_xi = found.by_xi[j * n + i] - exact[(k + row, column)];
+            let by_v = found.by_v[j * n + i] - exact[(k + row, k + column)];
+            assert!(by_xi.abs().max(by_v.abs()) < 1e-6 * largest, "{i} by {j}: {by_xi:e} {by_v:e}");
+        }
     }
 }
