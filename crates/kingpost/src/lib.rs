@@ -32,6 +32,7 @@ pub mod simulation;
 
 pub mod scenario;
 
+#[cfg(not(target_family = "wasm"))]
 pub mod analysis;
 #[cfg(not(target_family = "wasm"))]
 pub mod batch;

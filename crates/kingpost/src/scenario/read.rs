@@ -8,6 +8,7 @@ use super::error::{Fault, FieldError, ScenarioError};
 use super::parameters::{self, Target};
 use super::schema::Scenario;
 use super::tree::{Node, segments, value_at};
+#[cfg(not(target_family = "wasm"))]
 use crate::plant::Form;
 use crate::simulation::{Setup, Simulation};
 
@@ -205,10 +206,18 @@ impl Scenario {
     /// # Errors
     /// As [`setup`](Self::setup).
     pub fn simulation(&self) -> Result<Simulation, ScenarioError> {
-        let setup = self.setup()?;
-        let wants_derivatives = setup.settings.scheme.is_implicit() && setup.settings.form == Form::Recursive;
-        let mut simulation = Simulation::new(setup);
-        if wants_derivatives {
+        let simulation = Simulation::new(self.setup()?);
+        #[cfg(not(target_family = "wasm"))]
+        let simulation = self.with_exact_derivatives(simulation)?;
+        Ok(simulation)
+    }
+
+    /// In the browser implicit schemes take differences: the engine over dual numbers would double
+    /// what a phone has to load. Newton's iteration ends within its tolerance either way.
+    #[cfg(not(target_family = "wasm"))]
+    fn with_exact_derivatives(&self, mut simulation: Simulation) -> Result<Simulation, ScenarioError> {
+        let settings = simulation.settings();
+        if settings.scheme.is_implicit() && settings.form == Form::Recursive {
             simulation.differentiate_with(self.setup_over()?);
         }
         Ok(simulation)
