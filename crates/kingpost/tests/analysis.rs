@@ -182,6 +182,18 @@ drives:
 forces: {gravity: {gravity: {}}}
 ";
 
+/// Shear of short segments is far stiffer than the bending of the whole boom.
+#[test]
+fn what_is_stiff_does_not_keep_what_is_soft_from_settling() {
+    let text = include_str!("../../../scenarios/flexible_boom.yaml");
+    let scenario = read(text, "flexible_boom.yaml", &[]).expect("the gallery reads");
+    let mut simulation = simulation(&scenario);
+    let found = settle(&scenario, &mut simulation).expect("a boom rests");
+    assert!(found.iterations < 60, "{found:?}");
+    let accelerations = simulation.acceleration(None).expect("no forces beside its own");
+    assert!(accelerations.iter().all(|a| a.abs() < 1e-9), "{accelerations:?}");
+}
+
 /// What a lever has set is kept, and is a state: with the lever r of the force about the hinge the
 /// boom's acceleration follows the length wanted by k r / J, and that follows the input by the speed.
 #[test]

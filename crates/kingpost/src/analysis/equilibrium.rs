@@ -15,6 +15,8 @@ const MOST_ITERATIONS: usize = 400;
 const LONGEST_MOVE: f64 = 0.5;
 /// How often a move is halved where the loops cannot be closed at its end.
 const MOST_HALVINGS: i32 = 12;
+/// Least growth of the pseudo-time step while accelerations fall.
+const LEAST_GROWTH: f64 = 2.0;
 /// The smallest share of the largest entry of A that is kept against drift along zero modes.
 const SMALLEST_SHARE: f64 = 1e-9;
 
@@ -113,7 +115,7 @@ fn next_move(linear: &Linearization, j: &DMatrix<f64>, last: Option<LastMove>) -
     let (acceleration, stiffness) = (linear.accelerations(), linear.stiffness());
     let (size, norm) = (stiffness.norm().max(AT_REST), acceleration.norm());
     // Beyond the largest stiffness, so that an unstable direction leads downhill too.
-    let grown = last.map_or(0.5 / size, |last| last.delta * last.acceleration / norm);
+    let grown = last.map_or(0.5 / size, |last| last.delta * growth(last.acceleration / norm));
     let delta = grown.min(1.0 / (SMALLEST_SHARE * size));
     let (n, constraints) = (acceleration.len(), j.nrows());
     let mut bordered = DMatrix::zeros(n + constraints, n + constraints);
@@ -125,6 +127,13 @@ fn next_move(linear: &Linearization, j: &DMatrix<f64>, last: Option<LastMove>) -
     let longest = xi.amax();
     let xi = if longest > LONGEST_MOVE { xi * (LONGEST_MOVE / longest) } else { xi };
     longest.is_finite().then_some((xi, LastMove { delta, acceleration: norm }))
+}
+
+/// By how much the pseudo-time step grows where the accelerations have fallen by a factor, or
+/// shrinks where they have risen. What is stiff rests long before what is soft begins to move: the
+/// step has to grow meanwhile.
+fn growth(fallen_by: f64) -> f64 {
+    if fallen_by < 1.0 { fallen_by } else { fallen_by.max(LEAST_GROWTH) }
 }
 
 /// Moves a simulation along `xi` with its loops closed, or a half, a quarter of the way where they
