@@ -18,7 +18,6 @@ def gradient(
     names: list[str],
     progress: Callable[[float], None] | None = None,
 ) -> tuple[NDArray[np.float64], list[NDArray[np.float64]], str, RunError | None]: ...
-
 def has_avx2() -> bool: ...
 def batch(
     text: str,

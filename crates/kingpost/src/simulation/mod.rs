@@ -266,8 +266,9 @@ impl Simulation {
     /// Gives an implicit scheme exact derivatives, from the same setup over dual numbers; without,
     /// it takes differences.
     pub fn differentiate_with(&mut self, setup: Setup<Number>) {
-        let Setup { model, forces, drives, inputs, .. } = setup;
-        let plant = Plant::new(model, forces, drives);
+        let Setup { model, forces, drives, inputs, q, v, .. } = setup;
+        let mut plant = Plant::new(model, forces, drives);
+        plant.watch_loops(&q, &v);
         self.plant.differentiate_with(Tangent::new(plant, inputs.len()));
     }
 
