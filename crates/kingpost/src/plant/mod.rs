@@ -59,8 +59,8 @@ struct Exact<S> {
     jacobian: DifferentiateExactly<S>,
 }
 
-/// Writes what [`System::jacobian`] asks for.
-type DifferentiateExactly<S> = fn(&mut Tangent, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>);
+/// Writes what [`System::jacobian`] asks for, and says how many plain evaluations it was worth.
+type DifferentiateExactly<S> = fn(&mut Tangent, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>) -> u64;
 
 /// Solves for the accelerations `v_dot` at q, v under the loads evaluated last.
 type SolveMatrices<S> = fn(&mut Plant<S>, q: &[S], v: &[S], v_dot: &mut [S]);
@@ -373,7 +373,7 @@ impl<S: Scalar> System<S> for Plant<S> {
 
     fn jacobian(&mut self, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>) {
         match &mut self.exact {
-            Some(exact) => (exact.jacobian)(&mut exact.tangent, base, xi, at, out),
+            Some(exact) => self.evaluations += (exact.jacobian)(&mut exact.tangent, base, xi, at, out),
             None => out.by_differences(self, base, xi, at),
         }
     }

@@ -96,9 +96,10 @@ impl Tangent {
     }
 
     /// Writes d(v')/d(xi) and d(v')/d(v) at `q = retract(base, xi)`; see [`System::jacobian`].
-    pub(super) fn jacobian(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, out: &mut Jacobian) {
+    /// Returns how many plain evaluations it is worth: one, and one a direction, each time.
+    pub(super) fn jacobian(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, out: &mut Jacobian) -> u64 {
         let n = xi.len();
-        let mut column = 0;
+        let (mut column, mut worth) = (0, 0);
         loop {
             let mut along = [Along::Extra(0); DIRECTIONS];
             let mut count = 0;
@@ -110,14 +111,15 @@ impl Tangent {
                 column += 1;
             }
             if count == 0 {
-                return;
+                return worth;
             }
+            worth += 1 + DIRECTIONS as u64;
             self.evaluate(base, xi, at, &along[..count]);
             for (k, along) in along[..count].iter().enumerate() {
                 let column = match *along {
                     Along::Position(i) => &mut out.by_xi[i * n..][..n],
                     Along::Velocity(i) => &mut out.by_v[i * n..][..n],
-                    Along::Extra(_) | Along::Input(_) => return,
+                    Along::Extra(_) | Along::Input(_) => continue,
                 };
                 column.iter_mut().zip(&self.v_dot).for_each(|(entry, rate)| *entry = rate.derivative[k]);
             }

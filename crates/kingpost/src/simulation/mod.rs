@@ -125,7 +125,7 @@ impl<S: Scalar> Simulation<S> {
     }
 
     /// Evaluations of the right-hand side by the integrator since the simulation was made: what its
-    /// steps cost.
+    /// steps cost. One over dual numbers counts as one, and one more for each direction.
     pub fn evaluations(&self) -> u64 {
         self.plant.evaluations
     }
