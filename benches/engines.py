@@ -8,7 +8,7 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -64,6 +64,23 @@ def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
     operations = ("forward",) if case.links else ("forward", *steps)
     version = importlib.metadata.version("kingpost")
     return Engine("kingpost", case, (str(program), str(path)), operations, True, version, same, same)
+
+
+def kingpost_avx2(case: models.Case, folder: Path, quick: bool) -> Engine:
+    """Many runs with wider lanes, as the wheel's second build has them where the processor can."""
+    if quick:
+        raise NotHereError("a quick run leaves out the second build")
+    information = Path("/proc/cpuinfo")
+    if not information.exists() or " avx2 " not in information.read_text():
+        raise NotHereError("the processor has no AVX2, or does not say so")
+    target = _target() / "bench-avx2"
+    command = [_tool("cargo"), "build", "--quiet", "--locked", "--package", "kingpost-bench", "--release"]
+    _run([*command, "--target-dir", str(target)], {"RUSTFLAGS": "-C target-feature=+avx2"})
+    program = target / "release" / "kingpost-bench"
+    path = models.write_kingpost(case, folder)
+    version = importlib.metadata.version("kingpost")
+    operations = ("lanes_euler", "lanes_rk4", *BATCHES)
+    return Engine("kingpost-avx2", case, (str(program), str(path)), operations, True, version, same, same)
 
 
 def kingpost_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
@@ -150,6 +167,7 @@ def pinocchio(case: models.Case, folder: Path, quick: bool) -> Engine:
 Builder = Callable[[models.Case, Path, bool], Engine]
 BUILDERS: dict[str, Builder] = {
     "kingpost": kingpost_native,
+    "kingpost-avx2": kingpost_avx2,
     "kingpost-wasm": kingpost_wasm,
     "pinocchio": pinocchio,
     "mujoco": mujoco,
@@ -195,9 +213,16 @@ def _compile(name: str, source: Path, options: Sequence[str], *, quick: bool) ->
     return program
 
 
-def _run(command: Sequence[str]) -> None:
+def _run(command: Sequence[str], environment: Mapping[str, str] | None = None) -> None:
     """Runs a build command; its last error line is the reason where it fails."""
-    done = subprocess.run(command, cwd=models.REPOSITORY, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        command,
+        cwd=models.REPOSITORY,
+        env=os.environ | (environment or {}),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     if done.returncode:
         errors = [line for line in done.stderr.splitlines() if "error" in line] or [done.stderr.strip()]
         raise NotHereError(f"{Path(command[0]).name} failed: {errors[0][:200]}")
