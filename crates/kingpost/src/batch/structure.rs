@@ -1,20 +1,25 @@
 //! When runs may go side by side: everything but the numbers of the mechanics is the same.
 
-use crate::simulation::{Setup, Simulation};
+use crate::simulation::Setup;
 
-/// A setup without its real numbers, but with the times at which steps end.
+/// A setup without its real numbers, but with those that are no scalar: settings, and the times and
+/// histories of drives.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Structure {
     /// The setup as text, real numbers left out; names, kinds, indices and counts stand.
     shape: String,
     settings: String,
-    edges: Vec<u64>,
+    histories: String,
 }
 
 impl Structure {
     pub(super) fn of(setup: &Setup) -> Self {
-        let edges = Simulation::new(setup.clone()).edges_s().iter().map(|edge| edge.to_bits()).collect();
-        Self { shape: without_numbers(&format!("{setup:?}")), settings: format!("{:?}", setup.settings), edges }
+        let histories: Vec<_> = setup.drives.iter().map(|drive| (drive.edges(), drive.profile())).collect();
+        Self {
+            shape: without_numbers(&format!("{setup:?}")),
+            settings: format!("{:?}", setup.settings),
+            histories: format!("{histories:?}"),
+        }
     }
 }
 

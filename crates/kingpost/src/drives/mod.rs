@@ -84,10 +84,17 @@ impl<S: Scalar> Drive<S> {
     /// Times at which the drive's law changes its form, s: steps end there.
     pub fn edges(&self) -> &[f64] {
         match self {
-            Drive::Motor(motor) => motor.profile.edges(),
-            Drive::Prescribed(motion) => motion.profile.edges(),
             Drive::Cylinder(cylinder) => &cylinder.arrival_s,
-            Drive::Servo(_) | Drive::Brake(_) => &[],
+            _ => self.profile().map_or(&[], Profile::edges),
+        }
+    }
+
+    /// The history that it follows, if it follows one.
+    pub fn profile(&self) -> Option<&Profile> {
+        match self {
+            Drive::Motor(motor) => Some(&motor.profile),
+            Drive::Prescribed(motion) => Some(&motion.profile),
+            Drive::Servo(_) | Drive::Cylinder(_) | Drive::Brake(_) => None,
         }
     }
 }

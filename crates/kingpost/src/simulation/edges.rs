@@ -20,11 +20,6 @@ impl Edges {
         Self { times_s, slack_s: 1e-9 * step_s }
     }
 
-    #[cfg(not(target_family = "wasm"))]
-    pub(super) fn times_s(&self) -> &[f64] {
-        &self.times_s
-    }
-
     /// From a time to the next edge, or to `end_s` where there is none before.
     pub(super) fn interval(&self, start_s: f64, end_s: f64) -> Interval {
         Interval { start_s, end_s: self.next(start_s, end_s).min(end_s) }

@@ -112,12 +112,6 @@ impl<S: Scalar> Simulation<S> {
         moved
     }
 
-    /// Times at which steps end because a law changes its form, s.
-    #[cfg(not(target_family = "wasm"))]
-    pub(crate) fn edges_s(&self) -> &[f64] {
-        self.edges.times_s()
-    }
-
     /// The complete state, to be moved to another of the same run.
     #[cfg(not(target_family = "wasm"))]
     pub(crate) fn state_mut(&mut self) -> &mut State<S> {
