@@ -78,3 +78,32 @@ class RunError(KingpostError):
         self.value = value
         self.limit = limit
         self.results: xarray.Dataset | None = None
+
+
+class HydrodynamicsError(KingpostError):
+    """A hull, a hydrodynamic database or a result of the panel method that is wrong.
+
+    Attributes
+    ----------
+    file
+        The file it was read from; `None` where there is none.
+    field
+        What is wrong, such as ``hull.volume_m3``, an option or a quantity.
+    found, allowed
+        What stands there and what may stand there.
+    """
+
+    def __init__(
+        self,
+        field: str,
+        found: object,
+        allowed: str,
+        file: str | None = None,
+    ) -> None:
+        place = f"{file}: " if file is not None else ""
+        field_place = f"{field}: " if field else ""
+        super().__init__(f"{place}{field_place}found {found}, allowed: {allowed}")
+        self.file = file
+        self.field = field
+        self.found = found
+        self.allowed = allowed

@@ -1,0 +1,358 @@
+"""The hydrodynamic database: what a panel method knows of a hull, in one JSON file `NAME.hydro.json`.
+
+Frame: x forward, y to port, z up, the origin on the water plane at the stated draught. All vectors of
+six are (force or translation x, y, z; moment or rotation x, y, z) about that origin. Waves go to
+their direction, from +x counter-clockwise. Phases are those of exp(-i w t): the elevation is
+Re{a exp(i (k x cos b + k y sin b - w t))}, the force Re{X a exp(-i w t)}. Zero forward speed.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import HydrodynamicsError
+from .fields import Fields
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
+ENDING = ".hydro.json"
+FORMAT, VERSION = "kingpost-hydrodynamics", 1
+SIGNIFICANT_DIGITS = 7
+
+
+@dataclass(frozen=True)
+class Provenance:
+    """Where the numbers come from; no dates, so that equal input gives an equal file."""
+
+    tool: str
+    solver: str
+    source: str
+    panels: int | None = None
+    lid_panels: int | None = None
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Water:
+    """Density, gravity and depth; `None` is infinitely deep."""
+
+    density_kg_m3: float = 1025.0
+    gravity_m_s2: float = 9.80665
+    depth_m: float | None = None
+
+
+@dataclass(frozen=True)
+class Waterplane:
+    """Area, (Int x dS, Int y dS) and (Int x^2 dS, Int xy dS, Int y^2 dS) of the waterplane."""
+
+    area_m2: float
+    first_moments_m3: NDArray[np.float64]
+    second_moments_m4: NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """The whole hull with its deck: closed, triangles seen from outside counter-clockwise."""
+
+    vertices_m: NDArray[np.float64]
+    triangles: NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Hull:
+    """Particulars of the hull at the draught that the database holds for."""
+
+    draught_m: float
+    length_m: float
+    beam_m: float
+    volume_m3: float
+    centre_of_buoyancy_m: NDArray[np.float64]
+    waterplane: Waterplane
+    mesh: Mesh | None = None
+
+
+@dataclass(frozen=True)
+class RadiationMode:
+    """Poles, rad/s, each with imaginary part >= 0, and residues (pole, force) of the memory of one motion.
+
+    The retardation function is K_ij(s) = sum over poles p of r_i / (s - p) and, for a complex pole,
+    its conjugate; the force on i is -K_ij times the velocity j.
+    """
+
+    poles_rad_s: NDArray[np.complex128]
+    residues: NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Radiation:
+    """The fitted memory, a mode for each of the six motions, and the relative error of the fit."""
+
+    modes: tuple[RadiationMode, ...]
+    fit_error: float
+
+
+@dataclass(frozen=True)
+class Database:
+    """A hydrodynamic database. Arrays, with n frequencies and m wave directions:
+
+    Attributes
+    ----------
+    frequencies_rad_s
+        (n), increasing, greater than 0.
+    wave_directions_rad
+        (m), a regular grid of the whole circle that begins at 0.
+    added_mass, radiation_damping
+        (n, 6, 6): force by motion; kg, kg m, kg m2 and these per second.
+    added_mass_infinite
+        (6, 6): added mass at infinite frequency.
+    froude_krylov, diffraction
+        (n, m, 6), complex, per metre of wave amplitude; their sum is the excitation; N/m and N.
+    mean_drift
+        (n, m, 3) or `None`: surge force, sway force and yaw moment in the hull's axes per amplitude
+        squared; N/m2 and N/m.
+    radiation
+        The fitted memory, or `None`.
+    """
+
+    title: str
+    provenance: Provenance
+    water: Water
+    hull: Hull
+    frequencies_rad_s: NDArray[np.float64]
+    wave_directions_rad: NDArray[np.float64]
+    added_mass: NDArray[np.float64]
+    radiation_damping: NDArray[np.float64]
+    added_mass_infinite: NDArray[np.float64]
+    froude_krylov: NDArray[np.complex128]
+    diffraction: NDArray[np.complex128]
+    mean_drift: NDArray[np.float64] | None = None
+    radiation: Radiation | None = None
+
+    @property
+    def excitation(self) -> NDArray[np.complex128]:
+        """Froude-Krylov and diffraction together."""
+        return self.froude_krylov + self.diffraction
+
+    def to_dataset(self) -> xarray.Dataset:
+        """The database as a labelled data set, with units and long names."""
+        from .dataset import dataset
+
+        return dataset(self)
+
+
+def read(path: str | Path) -> Database:
+    """Read a database.
+
+    Raises
+    ------
+    HydrodynamicsError
+        When the file cannot be read, is no database, is cut short or holds a value that is not allowed;
+        the message names the field, what was found and what is allowed.
+    """
+    file = str(path)
+    allowed = f"a hydrodynamic database, as `kingpost hydro` writes ({ENDING})"
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise HydrodynamicsError("", "a file that is not text", allowed, file) from None
+    except OSError as error:
+        raise HydrodynamicsError("", error.strerror, allowed, file) from None
+    try:
+        tree = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        ended = isinstance(error, json.JSONDecodeError) and error.pos >= len(text.rstrip())
+        found = "a file that is cut short" if ended and text.strip() else "a file that is not JSON"
+        raise HydrodynamicsError("", found, allowed, file) from None
+    if not isinstance(tree, dict) or "format" not in tree:
+        raise HydrodynamicsError("", "JSON of another kind", allowed, file)
+    return from_tree(tree, file)
+
+
+def write(database: Database, path: str | Path) -> Path:
+    """Write a database, checked, and whole or not at all: beside its place first, then renamed.
+
+    Raises
+    ------
+    HydrodynamicsError
+        When a value is not allowed, or the file cannot be written.
+    """
+    target = Path(path)
+    if not target.name.endswith(ENDING):
+        raise HydrodynamicsError("", repr(target.name), f"a name that ends with {ENDING}")
+    tree = to_tree(database)
+    from_tree(tree, str(target))
+    text = json.dumps(tree, separators=(",", ":"), ensure_ascii=False, allow_nan=False) + "\n"
+    try:
+        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=target.parent, prefix=f".{target.name}.",
+                                         delete=False) as beside:  # fmt: skip
+            try:
+                beside.write(text)
+                beside.close()
+                os.chmod(beside.name, 0o644)
+                os.replace(beside.name, target)
+            except BaseException:
+                beside.close()
+                os.unlink(beside.name)
+                raise
+    except OSError as error:
+        raise HydrodynamicsError("", error.strerror, "a place that can be written to", str(target)) from None
+    return target
+
+
+_HULL = ("draught_m", "length_m", "beam_m", "volume_m3", "centre_of_buoyancy_m", "waterplane", "mesh")
+_TOP = ("format", "version", "title", "provenance", "water", "hull", "frequencies_rad_s",
+        "wave_directions_rad", "added_mass", "radiation_damping", "added_mass_infinite", "froude_krylov",
+        "diffraction", "mean_drift", "radiation")  # fmt: skip
+
+
+def from_tree(tree: dict[str, Any], file: str | None = None) -> Database:
+    """The database that a tree of plain values describes, every field checked."""
+    for name, value in (("format", FORMAT), ("version", VERSION)):
+        if name in tree:
+            # Another version has other fields: say that rather than which.
+            Fields(tree, "", file).constant(name, value)
+    top = Fields.of(tree, "", file, _TOP)
+    frequencies = top.numbers("frequencies_rad_s", None)
+    if len(frequencies) == 0 or frequencies[0] <= 0 or (np.diff(frequencies) <= 0).any():
+        raise top.wrong("frequencies_rad_s", "a list that is not", "one or more, increasing, greater than 0")
+    directions = top.numbers("wave_directions_rad", None)
+    n, m = len(frequencies), len(directions)
+    if m == 0 or np.abs(directions - 2 * np.pi / m * np.arange(m)).max() > 1e-6:
+        allowed = "a regular grid of the whole circle from 0"
+        raise top.wrong("wave_directions_rad", "other directions", allowed)
+    return Database(
+        title=top.text("title"),
+        provenance=_provenance(top),
+        water=_water(top),
+        hull=_hull(top.fields("hull", _HULL)),
+        frequencies_rad_s=frequencies,
+        wave_directions_rad=directions,
+        added_mass=top.numbers("added_mass", n, 6, 6),
+        radiation_damping=top.numbers("radiation_damping", n, 6, 6),
+        added_mass_infinite=top.numbers("added_mass_infinite", 6, 6),
+        froude_krylov=_complex(top, "froude_krylov", n, m),
+        diffraction=_complex(top, "diffraction", n, m),
+        mean_drift=None if top.values["mean_drift"] is None else top.numbers("mean_drift", n, m, 3),
+        radiation=None if top.values["radiation"] is None else _radiation(top),
+    )
+
+
+def _provenance(top: Fields) -> Provenance:
+    at = top.fields("provenance", ("tool", "solver", "source", "panels", "lid_panels", "notes"))
+    return Provenance(at.text("tool"), at.text("solver"), at.text("source"), at.count("panels"),
+                      at.count("lid_panels"), at.texts("notes"))  # fmt: skip
+
+
+def _water(top: Fields) -> Water:
+    at = top.fields("water", ("density_kg_m3", "gravity_m_s2", "depth_m"))
+    depth = None if at.values["depth_m"] is None else at.number("depth_m", positive=True)
+    return Water(at.number("density_kg_m3", positive=True), at.number("gravity_m_s2", positive=True), depth)
+
+
+def _hull(at: Fields) -> Hull:
+    plane = at.fields("waterplane", ("area_m2", "first_moments_m3", "second_moments_m4"))
+    return Hull(
+        draught_m=at.number("draught_m", positive=True),
+        length_m=at.number("length_m", positive=True),
+        beam_m=at.number("beam_m", positive=True),
+        volume_m3=at.number("volume_m3", positive=True),
+        centre_of_buoyancy_m=at.numbers("centre_of_buoyancy_m", 3),
+        waterplane=Waterplane(
+            plane.number("area_m2", positive=True),
+            plane.numbers("first_moments_m3", 2),
+            plane.numbers("second_moments_m4", 3),
+        ),
+        mesh=None if at.values["mesh"] is None else _mesh(at.fields("mesh", ("vertices_m", "triangles"))),
+    )
+
+
+def _mesh(at: Fields) -> Mesh:
+    vertices, indices = at.numbers("vertices_m", None, 3), at.numbers("triangles", None, 3)
+    wrong = (indices < 0) | (indices >= len(vertices)) | (indices != np.floor(indices))
+    if wrong.any():
+        raise at.wrong("triangles", f"{indices[wrong][0]:g}", f"indices from 0 to {len(vertices) - 1}")
+    return Mesh(vertices, indices.astype(np.int64))
+
+
+def _complex(top: Fields, name: str, n: int, m: int) -> NDArray[np.complex128]:
+    at = top.fields(name, ("real", "imaginary"))
+    return at.numbers("real", n, m, 6) + 1j * at.numbers("imaginary", n, m, 6)
+
+
+def _radiation(top: Fields) -> Radiation:
+    at = top.fields("radiation", ("modes", "fit_error"))
+    modes = at.values["modes"]
+    if not isinstance(modes, list) or len(modes) != 6:
+        raise at.wrong("modes", "something else", "a list of six, one for each motion")
+    read = tuple(_mode(at, index, mode) for index, mode in enumerate(modes))
+    return Radiation(read, at.number("fit_error"))
+
+
+def _mode(radiation: Fields, index: int, mode: object) -> RadiationMode:
+    at = Fields.of(mode, radiation.at(f"modes[{index}]"), radiation.file, ("poles_rad_s", "residues"))
+    poles = at.numbers("poles_rad_s", None, 2)
+    if (poles[:, 0] >= 0).any() or (poles[:, 1] < 0).any():
+        raise at.wrong("poles_rad_s", "a pole that is not", "real parts below 0, imaginary parts from 0")
+    residues = at.numbers("residues", len(poles), 6, 2)
+    return RadiationMode(poles[:, 0] + 1j * poles[:, 1], residues[..., 0] + 1j * residues[..., 1])
+
+
+def to_tree(database: Database) -> dict[str, Any]:
+    """The database as plain values, numbers to seven significant digits: the contents of its file."""
+    here, hull, plane = database, database.hull, database.hull.waterplane
+    about, water, mesh = here.provenance, here.water, hull.mesh
+    tree = {
+        "format": FORMAT, "version": VERSION, "title": here.title,
+        "provenance": {"tool": about.tool, "solver": about.solver, "source": about.source,
+                       "panels": about.panels, "lid_panels": about.lid_panels, "notes": list(about.notes)},
+        "water": {"density_kg_m3": water.density_kg_m3, "gravity_m_s2": water.gravity_m_s2,
+                  "depth_m": water.depth_m},
+        "hull": {
+            "draught_m": hull.draught_m, "length_m": hull.length_m, "beam_m": hull.beam_m,
+            "volume_m3": hull.volume_m3, "centre_of_buoyancy_m": hull.centre_of_buoyancy_m,
+            "waterplane": {"area_m2": plane.area_m2, "first_moments_m3": plane.first_moments_m3,
+                           "second_moments_m4": plane.second_moments_m4},
+            "mesh": None if mesh is None else {"vertices_m": mesh.vertices_m, "triangles": mesh.triangles},
+        },
+        "frequencies_rad_s": here.frequencies_rad_s, "wave_directions_rad": here.wave_directions_rad,
+        "added_mass": here.added_mass, "radiation_damping": here.radiation_damping,
+        "added_mass_infinite": here.added_mass_infinite,
+        "froude_krylov": _parts(here.froude_krylov), "diffraction": _parts(here.diffraction),
+        "mean_drift": here.mean_drift,
+        "radiation": None if here.radiation is None else {
+            "modes": [{"poles_rad_s": _pairs(mode.poles_rad_s), "residues": _pairs(mode.residues)}
+                      for mode in here.radiation.modes],
+            "fit_error": here.radiation.fit_error},
+    }  # fmt: skip
+    return _plain(tree)
+
+
+def _parts(values: NDArray[np.complex128]) -> dict[str, NDArray[np.float64]]:
+    return {"real": np.real(values), "imaginary": np.imag(values)}
+
+
+def _pairs(values: NDArray[np.complex128]) -> NDArray[np.float64]:
+    return np.stack([np.real(values), np.imag(values)], axis=-1)
+
+
+def _plain(value: Any) -> Any:
+    """Lists, dictionaries and numbers of Python, rounded; whole numbers without a point."""
+    if isinstance(value, dict):
+        return {name: _plain(item) for name, item in value.items()}
+    if isinstance(value, np.ndarray):
+        return _plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, float | np.floating):
+        rounded = float(f"{value:.{SIGNIFICANT_DIGITS}g}")
+        return int(rounded) if abs(rounded) < 1e15 and rounded.is_integer() else rounded
+    return value

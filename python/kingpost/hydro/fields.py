@@ -1,0 +1,125 @@
+"""Checked access to the fields of a tree that was read from JSON, so that each error names its place."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import HydrodynamicsError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_LONGEST_SHOWN = 60
+
+
+@dataclass(frozen=True)
+class Fields:
+    """One object of the tree, with the path that leads to it."""
+
+    values: dict[str, Any]
+    path: str
+    file: str | None
+
+    @classmethod
+    def of(cls, value: object, path: str, file: str | None, names: Sequence[str]) -> Fields:
+        """An object that has these fields and no others."""
+        if not isinstance(value, dict):
+            raise HydrodynamicsError(path, shown(value), "an object", file)
+        fields = cls(value, path, file)
+        for name in names:
+            if name not in value:
+                raise HydrodynamicsError(fields.at(name), "nothing", "this field is required", file)
+        for name in value:
+            if name not in names:
+                raise HydrodynamicsError(fields.at(name), "an unknown field", ", ".join(names), file)
+        return fields
+
+    def at(self, name: str) -> str:
+        """Path of one of its fields."""
+        return f"{self.path}.{name}" if self.path else name
+
+    def wrong(self, name: str, found: object, allowed: str) -> HydrodynamicsError:
+        """The error to raise for one of its fields."""
+        return HydrodynamicsError(self.at(name), found, allowed, self.file)
+
+    def fields(self, name: str, names: Sequence[str]) -> Fields:
+        """A field that is itself an object with these fields."""
+        return Fields.of(self.values[name], self.at(name), self.file, names)
+
+    def constant(self, name: str, allowed: object) -> None:
+        """A field that has one value only."""
+        if self.values[name] != allowed:
+            raise self.wrong(name, shown(self.values[name]), repr(allowed))
+
+    def text(self, name: str) -> str:
+        """A field that is text."""
+        if not isinstance(self.values[name], str):
+            raise self.wrong(name, shown(self.values[name]), "text")
+        return self.values[name]
+
+    def texts(self, name: str) -> tuple[str, ...]:
+        """A field that is a list of texts."""
+        value = self.values[name]
+        if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
+            raise self.wrong(name, shown(value), "a list of texts")
+        return tuple(value)
+
+    def count(self, name: str) -> int | None:
+        """A field that is a whole number from 0, or null."""
+        value = self.values[name]
+        if value is None:
+            return None
+        if not isinstance(value, int) or isinstance(value, bool) or value < 0:
+            raise self.wrong(name, shown(value), "null or a whole number from 0")
+        return value
+
+    def number(self, name: str, *, positive: bool = False) -> float:
+        """A field that is a finite number, greater than 0 where that is asked."""
+        value = self.values[name]
+        allowed = "a number greater than 0" if positive else "a finite number"
+        if not isinstance(value, int | float) or isinstance(value, bool) or not math.isfinite(value):
+            raise self.wrong(name, shown(value), allowed)
+        if positive and value <= 0:
+            raise self.wrong(name, shown(value), allowed)
+        return float(value)
+
+    def numbers(self, name: str, *shape: int | None) -> NDArray[np.float64]:
+        """A field that is a nested list of finite numbers; `None` in the shape stands for any length."""
+        allowed = f"numbers in the shape {_shape(shape)}"
+        value = self.values[name]
+        try:
+            array = np.array(value)
+        except ValueError:
+            raise self.wrong(name, "lists of unequal lengths", allowed) from None
+        if array.size == 0 and 0 in array.shape:
+            # An empty list does not say how long its members would be.
+            array = np.zeros([0 if length is None else length for length in shape])
+        if array.dtype.kind not in "iuf":
+            raise self.wrong(name, shown(value), allowed)
+        fits = len(shape) == array.ndim and all(
+            wanted in (None, length) for wanted, length in zip(shape, array.shape, strict=True)
+        )
+        if not fits:
+            raise self.wrong(name, f"the shape {_shape(array.shape)}", allowed)
+        if not np.isfinite(array).all():
+            place = np.argwhere(~np.isfinite(array))[0]
+            where = name + "".join(f"[{index}]" for index in place)
+            raise self.wrong(where, array[tuple(place)], "a finite number")
+        array = array.astype(np.float64)
+        array.setflags(write=False)
+        return array
+
+
+def shown(value: object) -> str:
+    """A value as an error shows it, cut where it is long."""
+    text = "null" if value is None else repr(value)
+    return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}..."
+
+
+def _shape(shape: Sequence[int | None]) -> str:
+    return " x ".join("n" if length is None else str(length) for length in shape) or "of a single number"
