@@ -20,6 +20,8 @@ pub mod state;
 
 pub mod dynamics;
 
+pub mod sea;
+
 pub mod forces;
 
 pub mod drives;

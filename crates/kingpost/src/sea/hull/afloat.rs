@@ -1,0 +1,180 @@
+//! Displacement kept, the turn that is left: how a hull comes to rest in the water.
+
+use super::{Buoyancy, FloatingPosition, HullMesh, Loading, StabilityError, Waterplane, WettedHull};
+use crate::spatial::Vector3;
+
+/// Steps towards an equilibrium.
+const MOST_STEPS: usize = 100;
+/// The step that turns the hull by less is the last, rad: convergence is quadratic.
+const LAST_TURN: f64 = 1e-9;
+/// No step turns the hull by more, rad.
+const LARGEST_TURN: f64 = 0.2;
+/// Halvings of the height's bracket, at most.
+const MOST_HALVINGS: usize = 200;
+
+/// The heel of a hull with this vertical, to starboard, rad.
+pub(super) fn heel_of(vertical: Vector3) -> f64 {
+    libm::atan2(vertical[1], vertical[2])
+}
+
+/// The trim, by the bow, rad.
+pub(super) fn trim_of(vertical: Vector3) -> f64 {
+    libm::atan2(-vertical[0], libm::hypot(vertical[1], vertical[2]))
+}
+
+/// The ways in which the vertical moves in hull axes when the heel grows, and when the trim grows:
+/// unit vectors across and along the ship, in the water's plane. Upright they are y and -x.
+pub(super) fn tangents(vertical: Vector3) -> [Vector3; 2] {
+    let forward = Vector3::new(1.0, 0.0, 0.0);
+    let along = (vertical * vertical[0] - forward).direction();
+    [along.cross(vertical), along]
+}
+
+/// A hull that displaces its weight.
+#[derive(Clone, Copy)]
+pub(super) struct Afloat {
+    pub(super) position: FloatingPosition,
+    pub(super) buoyancy: Buoyancy,
+    pub(super) waterplane: Waterplane,
+}
+
+/// A hull, its weight and the memory to find how they float.
+pub(super) struct Floating<'a> {
+    mesh: &'a HullMesh,
+    wetted: WettedHull,
+    volume: f64,
+    centre_of_gravity: Vector3,
+}
+
+impl<'a> Floating<'a> {
+    pub(super) fn new(mesh: &'a HullMesh, loading: &Loading) -> Result<Self, StabilityError> {
+        let Loading { mass, centre_of_gravity, water_density } = *loading;
+        for (quantity, found) in [("the mass that floats", mass), ("the water's density", water_density)] {
+            if !(found > 0.0 && found.is_finite()) {
+                return Err(StabilityError::Loading { quantity, found, allowed: "a finite number greater than 0" });
+            }
+        }
+        if let Some(&found) = centre_of_gravity.0.iter().find(|x| !x.is_finite()) {
+            let quantity = "a coordinate of the centre of gravity";
+            return Err(StabilityError::Loading { quantity, found, allowed: "a finite number" });
+        }
+        let (volume, largest_m3) = (mass / water_density, mesh.volume());
+        if volume >= largest_m3 {
+            return Err(StabilityError::CannotFloat { mass_t: mass / 1000.0, displacement_m3: volume, largest_m3 });
+        }
+        Ok(Self { mesh, wetted: WettedHull::new(mesh), volume, centre_of_gravity })
+    }
+
+    /// b - c: from the centre of gravity to that of buoyancy, hull axes, m.
+    pub(super) fn lever(&self, afloat: &Afloat) -> Vector3 {
+        afloat.buoyancy.centre() - self.centre_of_gravity
+    }
+
+    /// Phi / W, m.
+    fn energy_height(&self, afloat: &Afloat) -> f64 {
+        let FloatingPosition { height, vertical } = afloat.position;
+        height + vertical.dot(self.centre_of_gravity) - afloat.buoyancy.height_moment / afloat.buoyancy.volume
+    }
+
+    /// The height at which the hull displaces its volume: V falls with the height by the area of
+    /// the waterplane; Newton's method, kept between a hull out of the water and one under it.
+    fn at_volume(&mut self, vertical: Vector3) -> Afloat {
+        let (least, greatest) = self.mesh.extent_along(vertical);
+        let (mut under, mut out) = (-greatest, -least);
+        let smallest_step = 1e-15 * (out - under);
+        let mut height = under + (out - under) * (1.0 - self.volume / self.mesh.volume());
+        for _ in 0..MOST_HALVINGS {
+            let Afloat { buoyancy, waterplane, .. } = self.at_height(vertical, height);
+            let excess = buoyancy.volume - self.volume;
+            if excess > 0.0 {
+                under = height;
+            } else {
+                out = height;
+            }
+            let newton = height + excess / waterplane.area;
+            let next = if newton > under && newton < out { newton } else { 0.5 * (under + out) };
+            let step = (next - height).abs();
+            height = next;
+            if step <= smallest_step {
+                break;
+            }
+        }
+        self.at_height(vertical, height)
+    }
+
+    fn at_height(&mut self, vertical: Vector3, height: f64) -> Afloat {
+        let position = FloatingPosition { height, vertical };
+        let buoyancy = self.wetted.buoyancy(self.mesh, &position);
+        Afloat { position, buoyancy, waterplane: self.wetted.waterplane(self.mesh, &position) }
+    }
+
+    /// Turns the hull from this vertical until nothing trims it, and nothing heels it if it is free
+    /// to heel.
+    pub(super) fn settle(&mut self, start: Vector3, free_to_heel: bool) -> Result<Afloat, StabilityError> {
+        let mut afloat = self.at_volume(start);
+        let mut turn = 0.0;
+        for _ in 0..MOST_STEPS {
+            let step = self.newton_step(&afloat, free_to_heel);
+            turn = step.norm();
+            if turn <= LAST_TURN {
+                return Ok(self.at_volume(turned(afloat.position.vertical, step)));
+            }
+            afloat = self.go_down(&afloat, step * (LARGEST_TURN / turn).min(1.0));
+        }
+        let [heel_deg, trim_deg] = [heel_of, trim_of].map(|angle| angle(afloat.position.vertical).to_degrees());
+        Err(StabilityError::NotSettled {
+            heel_deg,
+            trim_deg,
+            turn_rad: turn,
+            steps: MOST_STEPS,
+            allowed_rad: LAST_TURN,
+        })
+    }
+
+    /// Newton's step on the sphere of verticals, a tangent there. The slope of Phi / W along t is
+    /// `-(b - c).t`; its second derivatives are those of BM and how much higher b is than c, which
+    /// together are GM. Where they are negative their size is taken, so that the step goes down.
+    fn newton_step(&self, afloat: &Afloat, free_to_heel: bool) -> Vector3 {
+        let (lever, [across, along]) = (self.lever(afloat), tangents(afloat.position.vertical));
+        let metacentric = |t: Vector3, u: Vector3| {
+            let radius = afloat.waterplane.second_moment(t, u) / afloat.buoyancy.volume;
+            radius + lever.dot(afloat.position.vertical) * t.dot(u)
+        };
+        let [heel, mixed, trim] = [(across, across), (across, along), (along, along)].map(|(t, u)| metacentric(t, u));
+        let step_along = |t: Vector3, curvature: f64| match curvature.abs() {
+            0.0 => Vector3::zero(),
+            size => t * (lever.dot(t) / size),
+        };
+        if !free_to_heel {
+            return step_along(along, trim);
+        }
+        // The principal directions of a symmetric 2x2 matrix.
+        let (sin, cos) = libm::sincos(0.5 * libm::atan2(2.0 * mixed, heel - trim));
+        let (mean, half) = (0.5 * (heel + trim), libm::hypot(0.5 * (heel - trim), mixed));
+        step_along(across * cos + along * sin, mean + half) + step_along(along * cos - across * sin, mean - half)
+    }
+
+    /// As much of a step as does not raise Phi / W, by halves.
+    fn go_down(&mut self, from: &Afloat, mut step: Vector3) -> Afloat {
+        let height = self.energy_height(from);
+        let rounding = 1e-14 * (from.position.height.abs() + self.lever(from).norm() + height.abs());
+        loop {
+            let to = self.at_volume(turned(from.position.vertical, step));
+            let more = step.norm() > LAST_TURN;
+            if self.energy_height(&to) <= height + rounding || !more {
+                return to;
+            }
+            step = step * 0.5;
+        }
+    }
+}
+
+/// The vertical turned along a great circle by a tangent of this length, rad.
+fn turned(vertical: Vector3, step: Vector3) -> Vector3 {
+    let angle = step.norm();
+    if angle == 0.0 {
+        return vertical;
+    }
+    let (sin, cos) = libm::sincos(angle);
+    (vertical * cos + step * (sin / angle)).direction()
+}

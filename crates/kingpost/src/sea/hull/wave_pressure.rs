@@ -1,0 +1,62 @@
+//! Pressure of still water and of the incident wave on what the wave's own surface wets.
+
+use super::mesh::HullMesh;
+use super::wetted::{DRY, WettedHull, corner_shares, side};
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Vector3, Wrench};
+
+/// The undisturbed sea above, at or below a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LocalWater<S = f64> {
+    /// Of the surface over the point, above still water, m.
+    pub elevation: S,
+    /// What the waves add to the still water's `-rho g z` at the point, N/m^2. At the surface the
+    /// two should cancel: there the pressure is taken as 0.
+    pub dynamic_pressure: S,
+}
+
+impl<S: Scalar> WettedHull<S> {
+    /// Force and moment of the water's pressure on the hull about its origin, in its axes, N and
+    /// N m: the surface integral of `-(-rho g z + p) N` over what is below the wave's surface
+    /// (Froude-Krylov force and buoyancy together; Faltinsen, *Sea Loads on Ships and Offshore
+    /// Structures*, 1990, ch. 3). `water` tells the sea at a point of the world, once a vertex.
+    ///
+    /// Elevation and pressure are linear between the vertices, so the error is of second order in
+    /// the size of the triangles; in still water there is none.
+    ///
+    /// # Panics
+    /// When the memory was made for another mesh.
+    pub fn pressure_wrench(
+        &mut self,
+        mesh: &HullMesh,
+        hull_in_world: &Frame<S>,
+        specific_weight: S,
+        mut water: impl FnMut(Vector3<S>) -> LocalWater<S>,
+    ) -> Wrench<S> {
+        assert_eq!(mesh.vertices().len(), self.heights.len(), "the memory is of another mesh");
+        for (vertex, r) in mesh.vertices().iter().enumerate() {
+            let point = hull_in_world.point(Vector3::constant(r.0));
+            let LocalWater { elevation, dynamic_pressure } = water(point);
+            self.heights[vertex] = point[2] - elevation;
+            self.sides[vertex] = side(self.heights[vertex]);
+            self.shares[vertex] = dynamic_pressure - specific_weight * point[2];
+        }
+        let mut wrench = Wrench::zero();
+        // Zero, unless the pose is not finite.
+        wrench.force[0] = hull_in_world.position[2] * S::ZERO;
+        for triangle in mesh.faces() {
+            let corners = triangle.corners.map(|i| i as usize);
+            let sides = corners.map(|i| self.sides[i]);
+            if sides == [DRY; 3] {
+                continue;
+            }
+            let shares = corner_shares(sides, corners.map(|i| self.heights[i]), corners.map(|i| self.shares[i]));
+            let area = Vector3::constant(triangle.area.0);
+            let [a, b, c] = corners.map(|i| Vector3::constant(mesh.vertices()[i].0));
+            let moment = a * shares[0] + b * shares[1] + c * shares[2];
+            wrench.force -= area * (shares[0] + shares[1] + shares[2]);
+            wrench.moment -= moment.cross(area);
+        }
+        wrench * S::constant(1.0 / 12.0)
+    }
+}

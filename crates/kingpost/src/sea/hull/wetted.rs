@@ -1,0 +1,229 @@
+//! Buoyancy of a hull as it stands in still water, exactly for its mesh.
+//!
+//! Every triangle is cut at the water plane. The pressure is linear, so its integral over what is
+//! wet is a closed form. With the height `h = z0 + n . r` (n the vertical in hull axes) and N the
+//! outward normal, the divergence theorem over the submerged part needs no waterplane for an
+//! integrand that vanishes there (as Mirtich, *J. Graphics Tools* 1(2), 1996, 31-50, for whole
+//! polyhedra):
+//!
+//! ```text
+//! V = Int h n.N dS,     T = Int r h n.N dS = G + n H,     G = Int_V r dV,     H = Int_V h dV
+//! ```
+//!
+//! and `n . G = H - z0 V` gives `H = (n . T + z0 V) / 2`. The potential energy of the water is
+//! `U = -rho g H`; its gradient gives the force `rho g V` along n and the moment `rho g G x n`.
+
+use super::FloatingPosition;
+use super::mesh::HullMesh;
+use crate::scalar::Scalar;
+use crate::spatial::{Vector3, Wrench};
+
+/// The water that a hull displaces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Buoyancy<S = f64> {
+    /// V: volume of the submerged part, m^3.
+    pub volume: S,
+    /// G: first moment of the submerged part about the hull's origin, hull axes, m^4.
+    pub first_moment: Vector3<S>,
+    /// H: integral of the height above the water plane over the submerged part, negative, m^4.
+    pub height_moment: S,
+    /// n: the vertical, hull axes.
+    pub vertical: Vector3<S>,
+}
+
+impl<S: Scalar> Buoyancy<S> {
+    /// Force and moment on the hull about its origin, in its axes, N and N m, in water of this
+    /// specific weight rho g, N/m^3.
+    #[inline]
+    pub fn wrench(&self, specific_weight: S) -> Wrench<S> {
+        Wrench {
+            moment: self.first_moment.cross(self.vertical) * specific_weight,
+            force: self.vertical * (self.volume * specific_weight),
+        }
+    }
+
+    /// `U = -rho g Int_V z dV`: what it took to push the hull under, J; [`wrench`](Self::wrench) is
+    /// minus its gradient.
+    #[inline]
+    pub fn potential_energy(&self, specific_weight: S) -> S {
+        -(self.height_moment * specific_weight)
+    }
+
+    /// Centre of buoyancy, hull axes, m; not a number for a hull out of the water.
+    #[inline]
+    pub fn centre(&self) -> Vector3<S> {
+        Vector3(self.first_moment.0.map(|moment| moment / self.volume))
+    }
+}
+
+/// On which side of the water's surface a vertex is. Of several lanes that disagree: neither.
+pub(super) const DRY: u8 = 0;
+pub(super) const WET: u8 = 1;
+pub(super) const MIXED: u8 = 4;
+
+/// The side of a vertex at this height. What is not a number is on neither.
+#[inline]
+pub(super) fn side<S: Scalar>(height: S) -> u8 {
+    if height.all(|h| h < 0.0) {
+        WET
+    } else if height.all(|h| h >= 0.0) {
+        DRY
+    } else {
+        MIXED
+    }
+}
+
+/// Working memory of one hull, so that an evaluation allocates nothing.
+#[derive(Clone, Debug)]
+pub struct WettedHull<S = f64> {
+    /// Of each vertex above the water's surface, m.
+    pub(super) heights: Vec<S>,
+    pub(super) sides: Vec<u8>,
+    /// Of each vertex: its share in the integrals, or the pressure there.
+    pub(super) shares: Vec<S>,
+}
+
+impl<S: Scalar> WettedHull<S> {
+    /// Memory for this mesh.
+    pub fn new(mesh: &HullMesh) -> Self {
+        let vertices = mesh.vertices().len();
+        Self { heights: vec![S::ZERO; vertices], sides: vec![DRY; vertices], shares: vec![S::ZERO; vertices] }
+    }
+
+    /// The buoyancy of the hull in this position. A position that is not finite gives what is not
+    /// a number.
+    ///
+    /// # Panics
+    /// When the memory was made for another mesh.
+    pub fn buoyancy(&mut self, mesh: &HullMesh, position: &FloatingPosition<S>) -> Buoyancy<S> {
+        let FloatingPosition { height, vertical } = *position;
+        self.find_heights(mesh, position);
+        self.shares.fill(S::ZERO);
+        for triangle in mesh.faces() {
+            let corners = triangle.corners.map(|i| i as usize);
+            let sides = corners.map(|i| self.sides[i]);
+            if sides == [DRY; 3] {
+                continue;
+            }
+            let heights = corners.map(|i| self.heights[i]);
+            let area_along_vertical = vertical.dot(Vector3::constant(triangle.area.0));
+            let shares = corner_shares(sides, heights, heights);
+            for (corner, share) in corners.into_iter().zip(shares) {
+                self.shares[corner] += area_along_vertical * share;
+            }
+        }
+        // Zero, unless the height is not finite.
+        let (mut volume, mut moment) = (height * S::ZERO, Vector3::zero());
+        for (r, &share) in mesh.vertices().iter().zip(&self.shares) {
+            volume += share;
+            moment += Vector3::constant(r.0) * share;
+        }
+        let twelfth = S::constant(1.0 / 12.0);
+        let (volume, moment) = (volume * twelfth, moment * twelfth);
+        let height_moment = (vertical.dot(moment) + height * volume) * S::constant(0.5);
+        Buoyancy { volume, first_moment: moment - vertical * height_moment, height_moment, vertical }
+    }
+
+    pub(super) fn find_heights(&mut self, mesh: &HullMesh, position: &FloatingPosition<S>) {
+        let vertices = mesh.vertices();
+        assert_eq!(vertices.len(), self.heights.len(), "the memory is of another mesh");
+        for ((r, height), at) in vertices.iter().zip(&mut self.heights).zip(&mut self.sides) {
+            *height = position.height + position.vertical.dot(Vector3::constant(r.0));
+            *at = side(*height);
+        }
+    }
+}
+
+/// For p that is linear over what is wet of a triangle, with these values at its wet corners and 0
+/// at the water's surface, and any linear f:
+/// `Int p f dS = area / 12 (s_0 f_0 + s_1 f_1 + s_2 f_2)`; these are the s.
+///
+/// Over a triangle `Int p f dS = area / 12 Sum_i (p_i + p_0 + p_1 + p_2) f_i` (from the products
+/// of barycentric coordinates, 1/12 and 1/6 of the area).
+#[inline]
+pub(super) fn corner_shares<S: Scalar>(sides: [u8; 3], heights: [S; 3], p: [S; 3]) -> [S; 3] {
+    match sides[0] + sides[1] + sides[2] {
+        0 => [S::ZERO; 3],
+        3 => all_wet(p),
+        wet @ (1 | 2) => {
+            let apex = apex_of(sides);
+            if wet == 1 { apex_wet(apex, heights, p) } else { apex_dry(apex, heights, p) }
+        }
+        _ => lane_by_lane(heights, p),
+    }
+}
+
+/// The corner that is alone on its side.
+#[inline]
+pub(super) fn apex_of(sides: [u8; 3]) -> usize {
+    match sides {
+        [_, b, c] if b == c => 0,
+        [a, _, c] if a == c => 1,
+        _ => 2,
+    }
+}
+
+#[inline]
+fn all_wet<S: Scalar>(p: [S; 3]) -> [S; 3] {
+    let sum = p[0] + p[1] + p[2];
+    p.map(|p| p + sum)
+}
+
+/// How far along the edges from corner `apex` to the next two the water's surface is, from 0 to 1.
+#[inline]
+pub(super) fn cuts<S: Scalar>(apex: usize, heights: [S; 3]) -> [S; 2] {
+    let top = heights[apex];
+    [1, 2].map(|next| top / (top - heights[(apex + next) % 3]))
+}
+
+/// Only corner `apex` is wet: a triangle `t_b t_c` of the whole in area, with p at the apex only.
+fn apex_wet<S: Scalar>(apex: usize, heights: [S; 3], p: [S; 3]) -> [S; 3] {
+    let [b, c] = cuts(apex, heights);
+    let p = p[apex] * b * c;
+    turned(apex, [p * (S::constant(4.0) - b - c), p * b, p * c])
+}
+
+/// Only corner `apex` is dry. The four-cornered rest is two triangles: both wet corners and the cut
+/// towards the second; the first wet corner and both cuts.
+fn apex_dry<S: Scalar>(apex: usize, heights: [S; 3], p: [S; 3]) -> [S; 3] {
+    let [b, c] = cuts(apex, heights);
+    let [p_b, p_c] = [1, 2].map(|next| p[(apex + next) % 3]);
+    let (above_b, above_c) = (S::ONE - b, S::ONE - c);
+    let (one, other) = (above_c, c * above_b * p_b);
+    let sum = p_b + p_c;
+    // Shares of the cuts go to the corners between which they lie.
+    let at_b = one * (p_b + sum) + other * S::constant(2.0);
+    let at_c = one * (p_c + sum);
+    let at_cut_c = one * sum + other;
+    let at_cut_b = other;
+    turned(apex, [at_cut_b * above_b + at_cut_c * above_c, at_b + at_cut_b * b, at_c + at_cut_c * c])
+}
+
+/// Shares of `apex` and the next two corners, in the order of the corners.
+#[inline]
+fn turned<S: Scalar>(apex: usize, shares: [S; 3]) -> [S; 3] {
+    [0, 1, 2].map(|corner| shares[(3 + corner - apex) % 3])
+}
+
+/// Every lane by its own case. A lane's bits are those that it has alone.
+fn lane_by_lane<S: Scalar>(h: [S; 3], p: [S; 3]) -> [S; 3] {
+    let wet = |corner: usize, at: usize| apex_wet(at, h, p)[corner];
+    let dry = |corner: usize, at: usize| apex_dry(at, h, p)[corner];
+    [0, 1, 2].map(|k| {
+        let first_wet = || {
+            h[1].select_below(
+                0.0,
+                || h[2].select_below(0.0, || all_wet(p)[k], || dry(k, 2)),
+                || h[2].select_below(0.0, || dry(k, 1), || wet(k, 0)),
+            )
+        };
+        let first_dry = || {
+            h[1].select_below(
+                0.0,
+                || h[2].select_below(0.0, || dry(k, 0), || wet(k, 1)),
+                || h[2].select_below(0.0, || wet(k, 2), || S::ZERO),
+            )
+        };
+        h[0].select_below(0.0, first_wet, first_dry)
+    })
+}

@@ -1,0 +1,3 @@
+//! The sea and what floats in it: water at rest, hulls.
+
+pub mod hull;
