@@ -117,10 +117,10 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _check(options: argparse.Namespace) -> int:
-    from . import report
+    from . import model_report
 
     scenario = _scenario(options)
-    print(report.model(scenario, Simulation(scenario).coordinates))
+    print(model_report.text(scenario, Simulation(scenario).coordinates))
     return DONE
 
 

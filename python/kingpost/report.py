@@ -1,4 +1,4 @@
-"""What the command line prints of a run and of a model."""
+"""What the command line prints of a run."""
 
 from __future__ import annotations
 
@@ -6,8 +6,6 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-
-from .results import gravity_m_s2
 
 if TYPE_CHECKING:
     import xarray
@@ -22,6 +20,9 @@ MOST_ROWS = 20
 
 # Ends of the names of axes that slide, in joints of several axes.
 SLIDING_AXES = (".x", ".y", ".translation", ".shear_y", ".shear_z")
+
+# Ends of the names of constraints that are angles.
+TURNS = (".roll", ".pitch", ".yaw")
 
 ANGLES = {"roll": "x", "pitch": "y", "yaw": "z"}
 
@@ -45,7 +46,7 @@ def table(rows: Iterable[Sequence[str]], align: str = "") -> list[str]:
 
 
 def summary(results: xarray.Dataset, scenario: Scenario) -> str:
-    """Final time, motion of each ship, joints, energy and momentum of a run.
+    """Final time, motion of each ship, joints, closed loops, cylinders, energy and momentum of a run.
 
     Angles in degrees, rates in rad/s: roll, pitch and yaw rate are the body's angular velocity
     about its x, y and z axis.
@@ -54,14 +55,32 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
     simulation = scenario.resolved["simulation"]
     lines = [
         scenario.title,
-        f"{time[-1]:g} s by {simulation['integrator']} in steps of {simulation['step_s']:g} s, "
-        f"{len(time)} records",
+        f"{time[-1]:g} s by {simulation['integrator']} {steps(simulation)}, {len(time)} records",
     ]
     for body in ships(scenario):
         lines += ["", *_ship(results, body)]
     if results.sizes.get("coordinate", 0):
-        lines += ["", *_joints(results, scenario), "", *_reactions(results)]
+        reactions = _reactions(results, "joint", "reaction, largest")
+        lines += ["", *_joints(results, scenario), "", *reactions]
+    if results.sizes.get("loop", 0):
+        lines += ["", *_reactions(results, "loop", "loop reaction, largest"), *_loop_error(results)]
+    if results.sizes.get("cylinder", 0):
+        lines += ["", *_cylinders(results)]
     return "\n".join([*lines, "", *_ledger(results)])
+
+
+def steps(simulation: dict[str, Any]) -> str:
+    """How a scenario's integrator steps.
+
+    >>> steps({"integrator": "rk4", "step_s": 0.001})
+    'in steps of 0.001 s'
+    >>> steps({"integrator": "dormand_prince", "dormand_prince": {"largest_step_s": 0.1}})
+    'in steps that it chooses, at most 0.1 s'
+    """
+    if simulation["integrator"] == "dormand_prince":
+        largest_s = simulation["dormand_prince"]["largest_step_s"]
+        return f"in steps that it chooses, at most {largest_s:g} s"
+    return f"in steps of {simulation['step_s']:g} s"
 
 
 def ships(scenario: Scenario) -> list[str]:
@@ -157,19 +176,43 @@ def _unit(values: xarray.DataArray, slides: bool) -> str:
     return units[-1 if slides else 0]
 
 
-def _reactions(results: xarray.Dataset) -> list[str]:
-    """What each joint carries at most: the lengths of its force and of its moment."""
+def _reactions(results: xarray.Dataset, dim: str, heading: str) -> list[str]:
+    """What each joint, or closed loop, carries at most: the lengths of its force and of its moment."""
     force, moment = (
         np.linalg.norm(
-            results["joint_reaction"].sel(component=[f"{kind}_{axis}" for axis in "xyz"]), axis=-1
+            results[f"{dim}_reaction"].sel(component=[f"{kind}_{axis}" for axis in "xyz"]), axis=-1
         ).max(axis=0)
         for kind in ("force", "moment")
     )
     most = max(force.max(), moment.max())
-    rows = [("reaction, largest", "force", "", "moment", "")]
-    for name, f, m in zip(results["joint"].values, force, moment, strict=True):
+    rows = [(heading, "force", "", "moment", "")]
+    for name, f, m in zip(results[dim].values, force, moment, strict=True):
         rows.append((str(name), significant(f, most), "N", significant(m, most), "N m"))
     return table(_shortened(rows), "<><><")
+
+
+def _loop_error(results: xarray.Dataset) -> list[str]:
+    """How far the loops were open at most, and along which constraint."""
+    worst = np.abs(results["loop_error"].values).max(axis=0)
+    constraint = str(results["constraint"].values[worst.argmax()])
+    unit = "rad" if constraint.endswith(TURNS) else "m"
+    return [f"loop error, largest: {worst.max():.1e} {unit} along {constraint}"]
+
+
+def _cylinders(results: xarray.Dataset) -> list[str]:
+    """Each hydraulic cylinder: its length, its fastest rate, and what it pushes and pulls at most."""
+    rows = [("cylinder", "length", "shortest", "longest", "", "largest rate", "", "largest push", "pull", "")]
+    for name in results["cylinder"].values:
+        length, rate, force = (
+            results[f"cylinder_{quantity}"].sel(cylinder=name).values
+            for quantity in ("length", "rate", "force")
+        )
+        push, pull = max(force.max(), 0.0), max(-force.min(), 0.0)
+        most = max(push, pull)
+        rows.append((str(name), *(fixed(value, 4) for value in (length[-1], length.min(), length.max())), "m",
+                     fixed(largest(rate), 6), "m/s", significant(push, most), significant(pull, most),
+                     "N"))  # fmt: skip
+    return table(_shortened(rows), "<>>><><>><")
 
 
 def _shortened(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
@@ -200,103 +243,3 @@ def _ledger(results: xarray.Dataset) -> list[str]:
         off = f"{abs(error) / scale:.1%}"
         lines += ["", f"warning: the energy is off by {off}: take a smaller simulation.step_s"]
     return lines
-
-
-def model(scenario: Scenario, coordinates: Sequence[str]) -> str:
-    """What a scenario builds: bodies, joints, parameters, drives and forces."""
-    resolved = scenario.resolved
-    described = scenario.model
-    settings = resolved["simulation"]
-    mass = sum(body["mass_kg"] for body in described["bodies"])
-    sections = [
-        [scenario.title],
-        _bodies(described),
-        [f"total mass: {mass:g} kg", f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}"],
-        _parameters(described["parameters"]),
-        _laws("drives", resolved.get("drives", {})),
-        _prescribed(resolved),
-        _laws("forces", resolved.get("forces", {})),
-        _falling(resolved),
-        [
-            f"{settings['integrator']}, {settings['duration_s']:g} s in steps of "
-            f"{settings['step_s']:g} s, recorded every {settings['record_every_s']:g} s"
-        ],
-    ]
-    return "\n\n".join("\n".join(lines) for lines in sections if lines)
-
-
-def _bodies(described: dict[str, Any]) -> list[str]:
-    joints = {joint["body"]: joint for joint in described["joints"]}
-    rows = [("body", "mass", "parent", "joint")]
-    for body in described["bodies"]:
-        joint = joints.get(body["name"])
-        how = f"{joint['kind']} {joint['name']}" if joint else ""
-        rows.append((body["name"], f"{body['mass_kg']:g} kg", body.get("parent") or "world", how))
-    return table(rows, "<><<")
-
-
-def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
-    if not parameters:
-        return []
-    rows = [("parameter", "value", "", "")]
-    for parameter in parameters:
-        rows.append((parameter["name"], text(parameter["value"]), parameter.get("unit") or "",
-                     parameter.get("label") or ""))  # fmt: skip
-    return table(rows, "<><<")
-
-
-def _laws(heading: str, laws: dict[str, Any]) -> list[str]:
-    if not laws:
-        return [f"{heading}: none"]
-    rows = [(heading, "", "", "")]
-    for name, law in laws.items():
-        ((kind, fields),) = law.items()
-        rows.append((name, kind.replace("_", " "), "on" if fields["enabled"] else "off", _fields(fields)))
-    return table(rows, "<<<<")
-
-
-def _fields(fields: dict[str, Any]) -> str:
-    """A law's fields as a scenario writes them; a pulse only where it is the history.
-
-    >>> _fields({"enabled": True, "joint": "luff", "target_rad": 0.5, "pulse": None})
-    'joint: luff, target_rad: 0.5'
-    """
-    hidden = {"enabled"} if fields.get("history") == "pulse" else {"enabled", "pulse"}
-    return ", ".join(f"{name}: {text(value)}" for name, value in fields.items() if name not in hidden)
-
-
-def _prescribed(resolved: dict[str, Any]) -> list[str]:
-    """The joints that a given rate moves."""
-    rows = [("prescribed", "")]
-    for name, body in resolved["bodies"].items():
-        ((_, joint),) = body["joint"].items()
-        mode = joint.get("mode")
-        if body["enabled"] and isinstance(mode, dict):
-            rows.append((joint.get("name") or name, _fields(mode["prescribed"])))
-    return table(rows, "<<") if len(rows) > 1 else []
-
-
-def _falling(resolved: dict[str, Any]) -> list[str]:
-    """A note on each floating body that gravity pulls on and nothing carries."""
-    if not gravity_m_s2(resolved):
-        return []
-    floating = {
-        name: body["joint"].get("floating") for name, body in resolved["bodies"].items() if body["enabled"]
-    }
-    free = [name for name, joint in floating.items() if joint and not joint["hold_translation"]]
-    return [f"note: gravity acts and nothing carries {name}: it falls" for name in free]
-
-
-def text(value: Any) -> str:
-    """A value as a scenario writes it.
-
-    >>> text(True), text(-10.0), text("pulse"), text([0, 0.5]), text({"rise_s": 1})
-    ('true', '-10', 'pulse', '[0, 0.5]', '{rise_s: 1}')
-    """
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, dict):
-        return f"{{{', '.join(f'{name}: {text(entry)}' for name, entry in value.items())}}}"
-    if isinstance(value, list):
-        return f"[{', '.join(map(text, value))}]"
-    return f"{value:g}" if isinstance(value, int | float) else str(value)

@@ -87,27 +87,6 @@ def test_run_prints_the_largest_force_of_a_drive_and_the_largest_reaction(capsys
     assert re.search(r"^slew +9806\.[67]\d?  N ", text, re.MULTILINE), text
 
 
-def test_check_prints_targets_and_prescribed_rates_and_what_nothing_carries(tmp_path, capsys):
-    """Source: the fields of the file, as they stand there."""
-    text = kingpost.load("paper").text
-    servo = "{servo: {joint: luff, target_deg: 90, stiffness_N_m_per_rad: 1, damping_N_m_s_per_rad: 1, "
-    text = text.replace(
-        "drives:\n  motor_1:", f"drives:\n  lift: {servo}torque_limit_kN_m: 2}}}}\n  motor_1:"
-    )
-    text = text.replace("name: slew\n", "name: slew\n        mode: {prescribed: {rate_rad_s: 0.25}}\n")
-    path = tmp_path / "crane.yaml"
-    path.write_text(text)
-    assert main(["check", str(path), "--set", "motor_1=off", "--set", "gravity=on"]) == 0
-    shown = capsys.readouterr().out
-    assert re.search(
-        r"^lift +servo +on +joint: luff, target_rad: 1\.5708, .*torque_limit_N_m: 2000$", shown, re.MULTILINE
-    )
-    assert re.search(r"^slew +rate_rad_s: 0\.25, history: constant$", shown, re.MULTILINE)
-    assert "falls" not in shown
-    assert main(["check", "paper", "--set", "gravity=on", "--set", "hold_centre=off"]) == 0
-    assert "note: gravity acts and nothing carries ship: it falls" in capsys.readouterr().out
-
-
 def test_check_says_what_the_model_is(capsys):
     """Source: the paper's Table 2: 10,000, 500 and 500 kg; 5 coordinates with the centre held."""
     assert main(["check", "paper"]) == 0

@@ -2,6 +2,9 @@
 
 use super::build::flexible::{owner, shape};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
+use crate::drives::{Cylinder, Drive};
+use crate::model::{Attachment, Loop, Model};
+use crate::simulation::Setup;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -24,6 +27,10 @@ pub struct Description {
     pub bodies: Vec<BodyDescription>,
     /// Their joints, in the same order.
     pub joints: Vec<JointDescription>,
+    /// The closed loops, in the order of results.
+    pub loops: Vec<LoopDescription>,
+    /// The hydraulic cylinders that act, in the order of results.
+    pub cylinders: Vec<CylinderDescription>,
     /// The knobs with their values.
     pub parameters: Vec<ParameterDescription>,
 }
@@ -56,6 +63,43 @@ pub struct JointDescription {
     pub free_coordinates: Vec<String>,
 }
 
+/// A point on a body, or on the world.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PointDescription {
+    /// The body that carries it, a segment where that is flexible; or `world`.
+    pub body: String,
+    /// Seen from the body's centre of mass in body axes, or from the world's origin, m.
+    pub position_m: [f64; 3],
+}
+
+/// A closed loop to draw.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LoopDescription {
+    /// Name.
+    pub name: String,
+    /// Where it is tied to the first body.
+    pub first: PointDescription,
+    /// Where it is tied to the second.
+    pub second: PointDescription,
+    /// What it constrains, as the scenario names it.
+    pub constraints: Vec<String>,
+}
+
+/// A hydraulic cylinder to draw.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CylinderDescription {
+    /// Name of the drive.
+    pub name: String,
+    /// The barrel's pin.
+    pub first: PointDescription,
+    /// The rod's pin.
+    pub second: PointDescription,
+    /// Length between the pins where the cylinder is drawn in, m.
+    pub shortest_m: f64,
+    /// Length between the pins where it is all the way out, m.
+    pub longest_m: f64,
+}
+
 /// A knob.
 #[derive(Clone, Debug, Serialize)]
 pub struct ParameterDescription {
@@ -80,7 +124,7 @@ pub struct ParameterDescription {
 impl Scenario {
     /// Describes a scenario that builds; bodies that are not enabled are left out.
     pub fn describe(&self) -> Result<Description, super::ScenarioError> {
-        let model = self.setup()?.model;
+        let Setup { model, drives, .. } = self.setup()?;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
             modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
@@ -114,9 +158,36 @@ impl Scenario {
             integrator: self.simulation.integrator,
             bodies: model.bodies.iter().zip(&model.tree.nodes).map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
+            loops: model.loops.iter().map(|closed| describe_loop(&model, closed)).collect(),
+            cylinders: drives.iter().filter_map(Drive::cylinder).map(|c| describe_cylinder(&model, c)).collect(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
         })
     }
+}
+
+fn describe_loop(model: &Model, closed: &Loop) -> LoopDescription {
+    LoopDescription {
+        name: closed.name.clone(),
+        first: describe_point(model, &closed.first),
+        second: describe_point(model, &closed.second),
+        constraints: closed.constraints.iter().map(|(name, _)| name.clone()).collect(),
+    }
+}
+
+fn describe_cylinder(model: &Model, cylinder: &Cylinder) -> CylinderDescription {
+    let [shortest_m, longest_m] = cylinder.stroke;
+    CylinderDescription {
+        name: cylinder.name.clone(),
+        first: describe_point(model, &cylinder.first),
+        second: describe_point(model, &cylinder.second),
+        shortest_m,
+        longest_m,
+    }
+}
+
+fn describe_point(model: &Model, place: &Attachment) -> PointDescription {
+    let body = place.body.map_or(schema::WORLD, |body| model.bodies[body].name.as_str());
+    PointDescription { body: body.to_owned(), position_m: place.in_body.position.0 }
 }
 
 fn describe_parameter((parameter, value): (&Parameter, Option<ParameterValue>)) -> ParameterDescription {

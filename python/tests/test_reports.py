@@ -1,0 +1,160 @@
+"""What the command line prints of a model and of a run, read back against the numbers it stands for."""
+
+from __future__ import annotations
+
+import re
+
+import kingpost
+import numpy as np
+import pytest
+from kingpost import model_report
+from kingpost.cli import main
+from kingpost.report import summary
+
+SHORT = {"simulation.duration_s": 0.2}
+
+FLOATS = """\
+version: 1
+title: a barge and a buoy
+simulation: {step_s: 0.01, duration_s: 0.1}
+bodies:
+  barge:
+    mass_t: 100
+    shape: {box: {length_m: 10, width_m: 5, height_m: 2}}
+    joint: {floating: {}}
+  buoy:
+    mass_t: 1
+    shape: {sphere: {radius_m: 1}}
+    joint: {floating: {initial: {position_m: [20, 0, 0]}}}
+  mast:
+    parent: barge
+    mass_t: 1
+    shape: {box: {length_m: 1, width_m: 1, height_m: 4}}
+    joint: {revolute: {axis: [0, 0, 1]}}
+"""
+GRAVITY = "  gravity: {gravity: {}}\n"
+FENDER = "  fender: {viscous_damping: {body: barge, linear_N_s_m: [1, 1, 1]}}\n"
+FORCES = f"forces:\n{GRAVITY}"
+ROPE = """\
+loops:
+  rope:
+    first: {body: mast, position_m: [10, 0, 0]}
+    second: {body: buoy, position_m: [-5, 0, 0]}
+    constraints: [{distance: {length_m: 5}}]
+"""
+LEG = """\
+drives:
+  leg:
+    cylinder: {first: {body: world}, second: {body: mast, position_m: [0, 0, 2]}, shortest_m: 1, longest_m: 3,
+      speed_limit_m_s: 1, push_limit_N: 1, pull_limit_N: 1, stiffness_N_per_m: 1, damping_N_s_per_m: 1}
+"""
+
+
+def test_check_prints_targets_and_prescribed_rates_and_what_nothing_carries(tmp_path, capsys):
+    """Source: the fields of the file, as they stand there."""
+    text = kingpost.load("paper").text
+    servo = "{servo: {joint: luff, target_deg: 90, stiffness_N_m_per_rad: 1, damping_N_m_s_per_rad: 1, "
+    text = text.replace(
+        "drives:\n  motor_1:", f"drives:\n  lift: {servo}torque_limit_kN_m: 2}}}}\n  motor_1:"
+    )
+    text = text.replace("name: slew\n", "name: slew\n        mode: {prescribed: {rate_rad_s: 0.25}}\n")
+    path = tmp_path / "crane.yaml"
+    path.write_text(text)
+    assert main(["check", str(path), "--set", "motor_1=off", "--set", "gravity=on"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(
+        r"^lift +servo +on +joint: luff, target_rad: 1\.5708, .*torque_limit_N_m: 2000$", shown, re.MULTILINE
+    )
+    assert re.search(r"^slew +rate_rad_s: 0\.25, history: constant$", shown, re.MULTILINE)
+    assert "falls" not in shown
+    assert main(["check", "paper", "--set", "gravity=on", "--set", "hold_centre=off"]) == 0
+    assert "warning: gravity acts and nothing carries ship: it falls" in capsys.readouterr().out
+
+
+def test_check_prints_loops_and_cylinders(capsys):
+    """Source: the fields of the file, as they stand there."""
+    assert main(["check", "dual_draglink_crane"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"^drag_link_pin +drag_link_port and jib +x, z$", shown, re.MULTILINE)
+    (cylinder,) = (line for line in shown.splitlines() if line.startswith("luffing"))
+    pins = r"column \[1\.6, 0, -1\] to boom \[-2, 0, -0\.5\]"
+    limits = r"7 to 8\.4 +2\.5e\+06 +1\.2e\+06 +0\.06"
+    assert re.fullmatch(rf"luffing +on +{pins} +{limits} +7\.2 m", cylinder)
+
+
+def test_a_summary_has_the_largest_loop_reaction_loop_error_and_cylinder_force():
+    """Source: the results that it sums up."""
+    scenario = kingpost.load("dual_draglink_crane", SHORT)
+    results = kingpost.run(scenario)
+    shown = summary(results, scenario)
+    reaction = results.loop_reaction.sel(loop="drag_link_pin").values[:, :3]
+    assert word(shown, "drag_link_pin", 1) == pytest.approx(np.linalg.norm(reaction, axis=1).max(), rel=1e-4)
+    worst = np.abs(results.loop_error.values).max()  # printed with two digits
+    assert word(shown, "loop error, largest:", 1) == pytest.approx(worst, rel=0.05)
+    force = results.cylinder_force.sel(cylinder="luffing").values
+    assert word(shown, "luffing", 7) == pytest.approx(force.max(), rel=1e-4)
+    assert word(shown, "luffing", 8) == max(-force.min(), 0)
+
+
+def word(text: str, label: str, number: int) -> float:
+    """The n-th word behind a line's label, as a number."""
+    (line,) = (line for line in text.splitlines() if line.startswith(f"{label} "))
+    return float(line[len(label) :].split()[number - 1])
+
+
+def test_a_summary_says_that_dormand_prince_chooses_its_steps():
+    """Source: Scheme::dormand_prince; largest_step_s of the file."""
+    settings = {"simulation.integrator": "dormand_prince", "simulation.dormand_prince.largest_step_s": 0.05}
+    scenario = kingpost.load("paper", {**SHORT, **settings})
+    shown = summary(kingpost.run(scenario), scenario)
+    assert "0.2 s by dormand_prince in steps that it chooses, at most 0.05 s, " in shown
+    assert "in steps of" not in shown
+    assert "in steps of" not in model_report.text(scenario, [])
+
+
+@pytest.mark.parametrize("name", ["dual_draglink_crane", "knuckle_boom_crane"])
+def test_the_pins_of_the_description_are_where_the_results_measure(name):
+    """Source: two ways to one length: poses of bodies and described pins; the channel of the run."""
+    scenario = kingpost.load(name)
+    simulation = kingpost.Simulation(scenario)
+    simulation.step(500)
+    poses = simulation.poses()
+    bodies = [body["name"] for body in scenario.model["bodies"]]
+
+    def place(pin):
+        pose = poses[bodies.index(pin["body"])]
+        w, r, p = pose[3], pose[4:], np.array(pin["position_m"])
+        return pose[:3] + p + 2 * np.cross(r, np.cross(r, p) + w * p)
+
+    row = simulation.row()
+    offset = {channel["variable"]: channel["offset"] for channel in simulation.channels}
+    for i, cylinder in enumerate(scenario.model["cylinders"]):
+        length = np.linalg.norm(place(cylinder["second"]) - place(cylinder["first"]))
+        assert length == pytest.approx(row[offset["cylinder_length"] + i], abs=1e-13)
+        assert cylinder["shortest_m"] < length < cylinder["longest_m"]
+    for loop in scenario.model["loops"]:
+        assert place(loop["first"]) == pytest.approx(place(loop["second"]), abs=1e-9)
+
+
+@pytest.mark.parametrize(("text", "falls"), [
+    (FLOATS, []),
+    (FLOATS + FORCES, ["barge", "buoy"]),
+    (FLOATS + FORCES + FENDER, ["barge", "buoy"]),
+    (FLOATS + FORCES + LEG, ["buoy"]),
+    (FLOATS + FORCES + ROPE, ["barge", "buoy"]),
+    (FLOATS + FORCES + ROPE + LEG, []),
+])  # fmt: skip
+def test_what_nothing_carries_falls(text, falls, tmp_path):
+    """Source: with gravity something has to tie each floating body to the world; damping does not."""
+    path = tmp_path / "floats.yaml"
+    path.write_text(text, encoding="utf-8")
+    assert model_report.falling(kingpost.load(path).resolved) == falls
+
+
+def test_a_force_on_any_body_that_hangs_together_with_it_carries_a_floating_body():
+    """Source: the resolved form of a scenario, with a force that names its body as those to come do."""
+    resolved = kingpost.load("paper", gravity=True, hold_centre=False).resolved
+    assert model_report.falling(resolved) == ["ship"]
+    water = {"enabled": True, "body": "ship"}
+    forces = resolved["forces"] | {"water": {"buoyancy": water}}
+    assert model_report.falling(resolved | {"forces": forces}) == []
