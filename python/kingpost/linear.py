@@ -39,11 +39,15 @@ class Linearization:
         Rate of the row's state by the column's input.
     rates
         The rates at the state itself, by ``row``: zero at an equilibrium.
+    warning
+        What A does not say, or None: where a prescribed coordinate moves or accelerates, A is that of
+        one instant.
     """
 
     A: xarray.DataArray
     B: xarray.DataArray
     rates: xarray.DataArray
+    warning: str | None = None
 
     @property
     def states(self) -> list[str]:
@@ -61,7 +65,9 @@ class Linearization:
         return self.states[: sum(name.endswith(RATE) for name in self.states)]
 
 
-def labelled(a: NDArray, b: NDArray, rates: NDArray, states: list[str], inputs: list[str]) -> Linearization:
+def labelled(
+    a: NDArray, b: NDArray, rates: NDArray, states: list[str], inputs: list[str], warning: str | None
+) -> Linearization:
     """The engine's arrays with their names."""
     import xarray
 
@@ -70,7 +76,7 @@ def labelled(a: NDArray, b: NDArray, rates: NDArray, states: list[str], inputs: 
         return xarray.DataArray(values, labels, ("row", "column"), name)
 
     along = xarray.DataArray(rates, {"row": np.array(states, str)}, ("row",), "rates")
-    return Linearization(matrix("A", a, states), matrix("B", b, inputs), along)
+    return Linearization(matrix("A", a, states), matrix("B", b, inputs), along, warning)
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,10 @@ def text(found: xarray.Dataset) -> str:
         return "\n".join([*lines, "no free coordinate, no modes"])
     (sweep,) = [dim for dim in found["kind"].dims if dim != "mode"] or [None]
     lines += _modes_along(found, sweep) if sweep else _modes(found)
-    return "\n".join(line.rstrip() for line in [*lines, *_unstable(found, sweep)])
+    lines += _unstable(found, sweep)
+    if "warning" in found.attrs:
+        lines += ["", f"warning: {found.attrs['warning']}"]
+    return "\n".join(line.rstrip() for line in lines)
 
 
 def _modes(found: xarray.Dataset) -> list[str]:

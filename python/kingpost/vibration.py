@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -117,6 +117,9 @@ def modes(
             By ``coordinate``: amplitudes in m or rad, the largest 1. With eigenvalue s + i w the
             motion is ``exp(s t) (shape cos(w t) - shape_imaginary sin(w t))``.
 
+        The attribute ``warning`` is there where a prescribed coordinate moves or accelerates: the
+        modes are those of that instant (`Linearization.warning`).
+
     Raises
     ------
     KingpostError
@@ -128,8 +131,8 @@ def modes(
     """
     scenario = as_scenario(scenario_or_path, overrides, parameters)
     if sweep is None:
-        found, _, names, status = _point(scenario, state)
-        return _dataset(scenario, [found], names, status).isel(point=0)
+        point = _point(scenario, state)
+        return _dataset(scenario, [point.modes], [point]).isel(point=0)
     name, values = _one(sweep)
     points = []
     for value in values:
@@ -137,10 +140,10 @@ def modes(
             points.append(_point(scenario.with_overrides({name: value}), state))
         except KingpostError as error:
             raise KingpostError(f"{name} = {value:g}: {error}") from error
-    if any(point[2] != points[0][2] for point in points):
+    if any(point.names != points[0].names for point in points):
         raise KingpostError(f"{name}: changes which coordinates are free, allowed: the same in a sweep")
-    order = tracks([point[0] for point in points], [point[1] for point in points])
-    swept = _dataset(scenario, order, points[0][2], points[-1][3])
+    order = tracks([point.modes for point in points], [point.mass_matrix for point in points])
+    swept = _dataset(scenario, order, points)
     return swept.rename(point=name).assign_coords({name: np.asarray(values, float)})
 
 
@@ -170,8 +173,17 @@ def parse_sweep(text: str) -> dict[str, list[float]]:
     return {name: spaced}
 
 
-def _point(scenario: Scenario, state: State | None) -> tuple[list[Mode], np.ndarray, list[str], str]:
+class _Point(NamedTuple):
     """Modes of one scenario, its mass matrix, the names of a shape's entries, and where that is."""
+
+    modes: list[Mode]
+    mass_matrix: np.ndarray
+    names: list[str]
+    status: str
+    warning: str | None
+
+
+def _point(scenario: Scenario, state: State | None) -> _Point:
     simulation = Simulation(scenario)
     if state is None:
         status = at_rest(simulation.settle())
@@ -180,28 +192,34 @@ def _point(scenario: Scenario, state: State | None) -> tuple[list[Mode], np.ndar
         status = "about a given state"
     linear, mass = simulation.linearize(), simulation.mass_matrix()
     names = linear.coordinates + linear.states[2 * len(linear.coordinates) :]
-    return eigenmodes(linear, mass, simulation.constraint_matrix()), mass, names, status
+    found = eigenmodes(linear, mass, simulation.constraint_matrix())
+    return _Point(found, mass, names, status, linear.warning)
 
 
 def _dataset(
-    scenario: Scenario, points: Sequence[Sequence[Mode | None]], names: list[str], status: str
+    scenario: Scenario, modes: Sequence[Sequence[Mode | None]], points: Sequence[_Point]
 ) -> xarray.Dataset:
     """Modes by point and mode; what a track does not have at a point is empty or not a number."""
     import xarray
 
-    table = {name: [[_entry(mode, name) for mode in point] for point in points] for name in VARIABLES}
+    names = points[0].names
+    table = {name: [[_entry(mode, name) for mode in point] for point in modes] for name in VARIABLES}
     blank = np.full(len(names), NOTHING)
-    shapes = [[blank if mode is None else mode.shape for mode in point] for point in points]
+    shapes = [[blank if mode is None else mode.shape for mode in point] for point in modes]
     shape = np.array(shapes, complex).reshape(len(points), -1, len(names))
     variables: dict[str, Any] = {}
     for name, (units, long_name) in VARIABLES.items():
         values = np.array(table[name], str if not units else float)
         variables[name] = (("point", "mode"), values, {"units": units, "long_name": long_name})
     for name, part in (("shape", shape.real), ("shape_imaginary", shape.imag)):
-        attributes = {"units": "m or rad", "long_name": "amplitude by coordinate, the largest 1"}
-        variables[name] = (("point", "mode", "coordinate"), part, attributes)
+        about = {"units": "m or rad", "long_name": "amplitude by coordinate, the largest 1"}
+        variables[name] = (("point", "mode", "coordinate"), part, about)
     coordinates = {"mode": np.arange(1, shape.shape[1] + 1), "coordinate": np.array(names, str)}
-    return xarray.Dataset(variables, coordinates, results.attributes(scenario, status))
+    attributes = results.attributes(scenario, points[-1].status)
+    warnings = dict.fromkeys(point.warning for point in points if point.warning)
+    if warnings:
+        attributes["warning"] = "; ".join(warnings)
+    return xarray.Dataset(variables, coordinates, attributes)
 
 
 def _entry(mode: Mode | None, variable: str) -> str | float:

@@ -441,3 +441,16 @@ def test_a_wrong_sweep_is_wrong_input(sweep, capsys):
     """Source: the public contract: exit code 2, one line."""
     assert main(["modes", "chain", f"--sweep={sweep}"]) == 2
     assert capsys.readouterr().err.startswith(f"error: --sweep: found '{sweep}'")
+
+
+def test_modes_warn_where_a_prescribed_coordinate_accelerates_and_nowhere_else():
+    """Source: flexible_boom's post slews from the start by a ramp; the chain has no prescribed joint."""
+    found = kingpost.modes("flexible_boom")
+    assert found.attrs["warning"].startswith("slew moves or accelerates as prescribed at 0 s")
+    assert modes_report.text(found).endswith(f"warning: {found.attrs['warning']}")
+    simulation = kingpost.Simulation("flexible_boom")
+    assert simulation.linearize().warning == found.attrs["warning"]
+    assert kingpost.Simulation(kingpost.load("flexible_boom", slew_rate_rad_s=0)).linearize().warning is None
+    assert "warning" not in kingpost.modes("chain").attrs
+    swept = kingpost.modes("flexible_boom", sweep={"slew_rate_rad_s": [0.0, 0.1]})
+    assert swept.attrs["warning"] == found.attrs["warning"]

@@ -15,7 +15,7 @@ type Block<'py> = (String, Matrix<'py>, [Vec<String>; 2], [Vec<&'static str>; 2]
 /// Steps between two looks for Ctrl-C.
 const STEPS_BETWEEN_SIGNALS: usize = 10_000;
 
-type Linear<'py> = (Matrix<'py>, Matrix<'py>, Vector<'py>, Vec<String>, Vec<String>);
+type Linear<'py> = (Matrix<'py>, Matrix<'py>, Vector<'py>, Vec<String>, Vec<String>, Option<String>);
 type Input = (String, String, f64, f64, f64);
 
 /// A row-major matrix as an array of two dimensions.
@@ -182,13 +182,14 @@ impl Simulation {
             .collect()
     }
 
-    /// A and B by rows, the rates, and the names of states and inputs.
+    /// A and B by rows, the rates, the names of states and inputs, and a warning or None.
     fn linearize<'py>(&self, py: Python<'py>) -> PyResult<Linear<'py>> {
         let linear = Linearizer::new(&self.scenario).map_err(errors::scenario)?.at(&self.inner);
         let (n, m) = (linear.states.len(), linear.inputs.len());
         let a = matrix(py, linear.a.transpose().as_slice().to_vec(), n, n)?;
         let b = matrix(py, linear.b.transpose().as_slice().to_vec(), n, m)?;
-        Ok((a, b, linear.rates.into_pyarray(py), linear.states, linear.inputs))
+        let warning = linear.warning();
+        Ok((a, b, linear.rates.into_pyarray(py), linear.states, linear.inputs, warning))
     }
 
     /// Moves to an equilibrium: Newton's iterations, and the largest acceleration that is left.

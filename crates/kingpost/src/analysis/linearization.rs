@@ -1,6 +1,6 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::drives::{Cylinder, Drive};
+use crate::drives::{Clock, Cylinder, Drive, PrescribedMotion};
 use crate::integrate::Stage;
 use crate::ledger;
 use crate::model::Mode;
@@ -30,9 +30,27 @@ pub struct Linearization {
     pub b: DMatrix<f64>,
     /// The rates at the state itself; zero at an equilibrium.
     pub rates: Vec<f64>,
+    /// The time of the state, s.
+    pub time_s: f64,
+    /// Names of the prescribed coordinates that move or accelerate at that time.
+    pub moving: Vec<String>,
 }
 
 impl Linearization {
+    /// What A does not say: where something moves as prescribed it is that of one instant, and a pair
+    /// of eigenvalues may seem to grow, or to be damped, by the forces of that motion alone.
+    pub fn warning(&self) -> Option<String> {
+        let names = self.moving.join(", ");
+        let verbs = if self.moving.len() == 1 { "moves or accelerates" } else { "move or accelerate" };
+        (!self.moving.is_empty()).then(|| {
+            format!(
+                "{names} {verbs} as prescribed at {} s: this is that instant, as if it lasted; damping ratios and \
+                 growth may come from the prescribed motion alone",
+                self.time_s
+            )
+        })
+    }
+
     /// Number of free coordinates: the states begin with them, then come their rates.
     fn free(&self) -> usize {
         self.states.iter().filter(|state| state.ends_with(RATE)).count()
@@ -62,6 +80,8 @@ pub struct Linearizer {
     inputs: Vec<String>,
     /// What each state is.
     along: Vec<Along>,
+    /// The laws of the prescribed coordinates, with their names.
+    prescribed: Vec<(String, PrescribedMotion<Number>)>,
 }
 
 impl Linearizer {
@@ -74,7 +94,8 @@ impl Linearizer {
         let inputs: Vec<String> = setup.inputs.iter().map(|input| input.name.clone()).collect();
         let plant = Plant::new(setup.model, setup.forces, setup.drives);
         let (states, along) = states(&plant);
-        Ok(Self { tangent: Tangent::new(plant, inputs.len()), states, inputs, along })
+        let prescribed = prescribed(&plant);
+        Ok(Self { tangent: Tangent::new(plant, inputs.len()), states, inputs, along, prescribed })
     }
 
     /// Indices in v of the free coordinates, in the order of the states.
@@ -116,8 +137,30 @@ impl Linearizer {
             a: derivatives.columns(0, n).into_owned(),
             b: derivatives.columns(n, m).into_owned(),
             rates,
+            time_s: at.time_s,
+            moving: self.moving(at),
         }
     }
+
+    /// Prescribed coordinates that have a rate at a stage, or an acceleration.
+    fn moving(&self, at: Stage<'_>) -> Vec<String> {
+        let clock = Clock { time_s: at.time_s, middle_s: 0.5 * (at.interval.start_s + at.interval.end_s) };
+        let moves = |motion: &PrescribedMotion<Number>| {
+            let rates = [at.v[motion.coordinate], motion.rate_at(clock).value, motion.acceleration_at(clock).value];
+            rates.iter().any(|rate| *rate != 0.0)
+        };
+        self.prescribed.iter().filter(|(_, motion)| moves(motion)).map(|(name, _)| name.clone()).collect()
+    }
+}
+
+/// The laws of a plant's prescribed coordinates, with the coordinates' names.
+fn prescribed(plant: &Plant<Number>) -> Vec<(String, PrescribedMotion<Number>)> {
+    let names = plant.model.coordinate_names();
+    let motion = |drive: &Drive<Number>| match drive {
+        Drive::Prescribed(motion) => Some((names[motion.coordinate].clone(), motion.clone())),
+        _ => None,
+    };
+    plant.drives.iter().filter_map(motion).collect()
 }
 
 /// Names and meaning of the states of a plant: what the drives keep stands behind the ledger's

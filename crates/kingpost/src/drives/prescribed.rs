@@ -19,11 +19,16 @@ pub struct PrescribedMotion<S = f64> {
 impl<S: Scalar> PrescribedMotion<S> {
     /// Hands over the acceleration; its work is counted once the joint force is known.
     pub fn apply(&self, clock: Clock, loads: &mut Loads<S>) {
-        loads.acceleration[self.coordinate] = self.rate * S::constant(self.profile.slope_per_s(clock));
+        loads.acceleration[self.coordinate] = self.acceleration_at(clock);
     }
 
     /// The rate, rad/s or m/s.
     pub fn rate_at(&self, clock: Clock) -> S {
         self.rate * S::constant(self.profile.value(clock))
+    }
+
+    /// The acceleration, rad/s^2 or m/s^2.
+    pub fn acceleration_at(&self, clock: Clock) -> S {
+        self.rate * S::constant(self.profile.slope_per_s(clock))
     }
 }
