@@ -138,6 +138,11 @@ impl<const N: usize> Scalar for Dual<N> {
         Self { value: root, derivative: self.derivative.map(slope) }
     }
 
+    fn exp(self) -> Self {
+        let power = libm::exp(self.value);
+        self.chain(power, power)
+    }
+
     #[inline]
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
         if self.value < limit.value { below() } else { above() }

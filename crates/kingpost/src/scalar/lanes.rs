@@ -123,6 +123,10 @@ impl Scalar for Lanes {
         Self(self.0.sqrt())
     }
 
+    fn exp(self) -> Self {
+        Self::new(self.to_array().map(libm::exp))
+    }
+
     /// Where the lanes agree, only one side is evaluated.
     #[inline]
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
@@ -152,6 +156,7 @@ mod tests {
         let root = (x * x + y * y).sqrt();
         let mut sum = root / (S::ONE + sin * sin) - cos.clipped(y, x + y);
         sum += x.atan2(y);
+        sum += (-x * x).exp();
         sum -= -y;
         sum.select_less(x, || sum * y, || sum / root)
     }

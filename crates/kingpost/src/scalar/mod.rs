@@ -47,6 +47,8 @@ pub trait Scalar:
     fn atan2(self, x: Self) -> Self;
     /// Square root; the argument must not be negative.
     fn sqrt(self) -> Self;
+    /// The exponential.
+    fn exp(self) -> Self;
     /// `below()` where `self < limit`, otherwise `above()`, also where `self` is not a number. A
     /// scalar of several lanes may evaluate both, so both must be free of side effects.
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self;
@@ -93,6 +95,11 @@ impl Scalar for f64 {
     #[inline]
     fn sqrt(self) -> Self {
         libm::sqrt(self)
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        libm::exp(self)
     }
 
     #[inline]

@@ -1,3 +1,4 @@
-//! The sea and what floats in it: water at rest, hulls.
+//! The sea and what floats in it: waves, hulls.
 
 pub mod hull;
+pub mod waves;

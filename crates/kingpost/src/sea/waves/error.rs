@@ -1,0 +1,40 @@
+//! Why a sea cannot be made of what was given.
+
+use core::fmt::Display;
+
+use thiserror::Error;
+
+/// A quantity that no sea can be made of. The field has the name that a scenario gives it.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{field}: found {found}, allowed: {allowed}")]
+pub struct WaveError {
+    /// The quantity, its unit in its name: `significant_height_m`.
+    pub field: String,
+    /// What was found.
+    pub found: String,
+    /// What is allowed.
+    pub allowed: String,
+}
+
+impl WaveError {
+    /// An error of this quantity.
+    pub fn new(field: impl Into<String>, found: impl Display, allowed: impl Into<String>) -> Self {
+        Self { field: field.into(), found: found.to_string(), allowed: allowed.into() }
+    }
+}
+
+/// The number, if it lies between the two limits, both allowed.
+///
+/// # Errors
+/// When it does not, or is not a number.
+pub(crate) fn between(field: &str, number: f64, [least, most]: [f64; 2]) -> Result<f64, WaveError> {
+    if number >= least && number <= most {
+        return Ok(number);
+    }
+    Err(WaveError::new(field, number, format!("a number from {least} to {most}")))
+}
+
+/// Heights that a wave may have, m: from the models of a tank to beyond every sea.
+pub(crate) const HEIGHTS_M: [f64; 2] = [1e-6, 100.0];
+/// Periods that a wave may have, s.
+pub(crate) const PERIODS_S: [f64; 2] = [1e-2, 1e3];

@@ -1,0 +1,28 @@
+//! Waves: sums of regular waves, how they are drawn from spectra, and their field.
+//!
+//! [`Spectrum`] and [`Spreading`] say how energy is spread over frequency and direction;
+//! [`WaveSystem`] draws a sum of [`WaveComponent`]s from them, by [`Noise`]; a [`WaveField`] is what
+//! such a sum does at a point of the water. Waves go to their direction, from the world's x
+//! counter-clockwise; the elevation is Re{a e^(i (k x cos b + k y sin b - w t + phase))}.
+
+mod components;
+mod dispersion;
+mod error;
+mod field;
+mod noise;
+mod realization;
+mod spectrum;
+mod spreading;
+mod water;
+
+pub use components::{WaveComponent, significant_height_of_components_m};
+pub use dispersion::{group_velocity_m_s, wave_number};
+pub use error::WaveError;
+pub use field::{WaveField, WaveKinematics};
+pub use noise::Noise;
+pub use realization::{Amplitudes, MOST_COMPONENTS, WaveSystem};
+pub use spectrum::{
+    Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Torsethaugen,
+};
+pub use spreading::Spreading;
+pub use water::Water;
