@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::trees::{Kind, Tree, for_all, smallest_failure};
 use common::{Random, relative_difference};
 use kingpost::drives::{Drive, Motor, PrescribedMotion, Profile};
 use kingpost::dynamics::moving_frame::Variation;
@@ -10,8 +11,10 @@ use kingpost::forces::{CoulombFriction, Force, Gravity, JointDamping, JointSprin
 use kingpost::model::{Mode, Model};
 use kingpost::plant::Form;
 use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};
+use proptest::prelude::*;
+use proptest::test_runner::TestError;
 
-const TREES: u64 = 60;
+const TREES: u32 = 60;
 const STEP_S: f64 = 2e-4;
 const STEPS: usize = 50;
 
@@ -33,13 +36,14 @@ fn axis_forces(random: &mut Random, model: &Model, coordinate: usize) -> Vec<For
 }
 
 /// Gravity, friction and motors on everything that is free; prescribed coordinates at steady rates.
-fn setup(seed: u64, form: Form) -> Setup {
-    let mut random = Random::new(seed);
-    let model = random.model();
-    let (q, v) = random.state(&model);
+fn setup(tree: &Tree, form: Form) -> Setup {
+    let model = tree.model();
+    let (q, v) = tree.state(&model);
     let mut forces = vec![Force::Gravity(Gravity { acceleration: 9.81 })];
     let mut drives = Vec::new();
     for (coordinate, mode) in model.modes.iter().enumerate() {
+        let (body, _) = model.owner(coordinate).expect("every coordinate is of a joint");
+        let mut random = tree.0[body].random(coordinate as u64 + 10);
         let (effort, damping, profile) = (random.uniform(-5.0, 5.0), random.uniform(0.0, 1.0), Profile::constant());
         match mode {
             Mode::Free => {
@@ -71,34 +75,54 @@ fn channel(simulation: &mut Simulation, variable: &str) -> f64 {
 
 #[test]
 fn energy_and_momentum_balance_in_random_trees() {
-    for seed in 0..TREES {
-        let mut simulation = Simulation::new(setup(seed, Form::Recursive));
-        simulation.step(STEPS).unwrap();
+    for_all(TREES, |tree| {
+        let mut simulation = Simulation::new(setup(tree, Form::Recursive));
+        simulation.step(STEPS)?;
         let energy = channel(&mut simulation, "kinetic_energy") + channel(&mut simulation, "potential_energy");
         for (error, quantity) in [("linear_momentum_error", "linear_momentum"), ("momentum_error", "angular_momentum")]
         {
             let scale = channel(&mut simulation, quantity).max(1.0);
             let error = channel(&mut simulation, error);
-            assert!(error < 1e-9 * scale, "seed {seed}, {quantity}: {error:e} of {scale:e}");
+            prop_assert!(error < 1e-9 * scale, "{quantity}: {error:e} of {scale:e}");
         }
         let error = channel(&mut simulation, "energy_error");
-        assert!(error < 1e-9 * energy, "seed {seed}: {error:e} of {energy:e}");
-    }
+        prop_assert!(error < 1e-9 * energy, "{error:e} of {energy:e}");
+        Ok(())
+    });
 }
 
 #[test]
 fn both_forms_make_the_same_run_of_a_random_tree() {
-    for seed in 0..TREES / 4 {
-        let run = |form| {
-            let mut simulation = Simulation::new(setup(seed, form));
-            simulation.step(10).unwrap();
+    for_all(TREES / 4, |tree| {
+        let run = |form| -> Result<[Vec<f64>; 3], TestCaseError> {
+            let mut simulation = Simulation::new(setup(tree, form));
+            simulation.step(10)?;
             let state = simulation.state();
-            [state.q.clone(), state.v.clone(), state.s.clone()]
+            Ok([state.q.clone(), state.v.clone(), state.s.clone()])
         };
-        let (recursive, matrices) = (run(Form::Recursive), run(Form::MovingFrame(Variation::Restricted)));
+        let (recursive, matrices) = (run(Form::Recursive)?, run(Form::MovingFrame(Variation::Restricted))?);
         for (recursive, matrices) in recursive.iter().zip(&matrices) {
             let difference = relative_difference(recursive, matrices);
-            assert!(difference < 1e-9, "seed {seed}: {difference:e}");
+            prop_assert!(difference < 1e-9, "{difference:e}");
         }
-    }
+        Ok(())
+    });
+}
+
+/// Two bodies of which one hangs on the other by a ball joint are the fewest with the property that
+/// is denied here.
+#[test]
+fn a_failure_shrinks_to_the_smallest_tree_that_shows_it() {
+    let a_ball_on_a_body = |tree: &Tree| {
+        let bodies = tree.0.iter().enumerate();
+        bodies.filter(|(i, body)| *i > 0 && body.parent.is_some()).any(|(_, body)| matches!(body.kind, Kind::Spherical))
+    };
+    let failure = smallest_failure(TREES, |tree| {
+        prop_assert!(!a_ball_on_a_body(tree));
+        Ok(())
+    });
+    let Err(TestError::Fail(_, tree)) = failure else { panic!("no random tree has one") };
+    let kinds: Vec<Kind> = tree.0.iter().map(|body| body.kind).collect();
+    assert!(matches!(kinds[..], [Kind::Fixed, Kind::Spherical]), "{kinds:?}");
+    assert!(tree.0.iter().all(|body| body.modes.iter().all(|mode| *mode == Mode::Free) && !body.full_inertia));
 }

@@ -2,12 +2,14 @@
 
 mod common;
 
-use common::{Random, relative_difference};
+use common::relative_difference;
+use common::trees::for_all;
 use kingpost::dynamics::moving_frame::{MovingFrame, Variation};
 use kingpost::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
 use kingpost::model::{Mode, Model};
+use proptest::prelude::*;
 
-const STATES: u64 = 1000;
+const STATES: u32 = 1000;
 
 /// Generalized forces that the accelerations `v_dot` take, by the recursive Newton-Euler algorithm.
 fn inverse_dynamics(model: &Model, q: &[f64], v: &[f64], v_dot: &[f64], loads: &Loads) -> Vec<f64> {
@@ -31,10 +33,9 @@ fn only_inertia(model: &Model, loads: &Loads) -> Loads {
 
 #[test]
 fn accelerations_agree_over_random_trees_and_states() {
-    for seed in 0..STATES {
-        let mut random = Random::new(seed);
-        let model = random.model();
-        let ((q, v), loads) = (random.state(&model), random.loads(&model));
+    for_all(STATES, |tree| {
+        let model = tree.model();
+        let ((q, v), loads) = (tree.state(&model), tree.loads(&model));
         let matrices = MovingFrame::assemble(&model, &q, &v, &loads, Variation::Restricted);
         let expected = matrices.acceleration().expect("M* is positive definite");
 
@@ -43,8 +44,9 @@ fn accelerations_agree_over_random_trees_and_states() {
         let (mut work, mut v_dot) = (forward::Workspace::new(&model), vec![0.0; v.len()]);
         forward::forward_dynamics(&model, &links, &v, &loads, &mut work, &mut v_dot);
         let difference = relative_difference(&free_part(&model, &v_dot), expected.as_slice());
-        assert!(difference < 1e-9, "seed {seed}: {difference:e}");
-    }
+        prop_assert!(difference < 1e-9, "{difference:e}");
+        Ok(())
+    });
 }
 
 /// The entries whose coordinates have this mode; zero elsewhere.
@@ -62,10 +64,9 @@ fn largest_difference<'a>(a: &[f64], b: impl IntoIterator<Item = &'a f64>) -> f6
 
 #[test]
 fn mass_matrix_agrees_with_inverse_dynamics_column_by_column() {
-    for seed in 0..STATES {
-        let mut random = Random::new(seed);
-        let model = random.model();
-        let ((q, v), loads) = (random.state(&model), random.loads(&model));
+    for_all(STATES, |tree| {
+        let model = tree.model();
+        let ((q, v), loads) = (tree.state(&model), tree.loads(&model));
         let (still, inertia) = (vec![0.0; v.len()], only_inertia(&model, &loads));
         let matrices = MovingFrame::assemble(&model, &q, &v, &loads, Variation::Restricted);
         let scale = largest(&matrices.m_star);
@@ -74,17 +75,17 @@ fn mass_matrix_agrees_with_inverse_dynamics_column_by_column() {
             unit[i] = 1.0;
             let force = free_part(&model, &inverse_dynamics(&model, &q, &still, &unit, &inertia));
             let worst = largest_difference(&force, matrices.m_star.column(column).iter());
-            assert!(worst < 1e-10 * scale, "seed {seed}, column {column}: {worst:e} of {scale:e}");
+            prop_assert!(worst < 1e-10 * scale, "column {column}: {worst:e} of {scale:e}");
         }
-    }
+        Ok(())
+    });
 }
 
 #[test]
 fn bias_force_agrees_with_inverse_dynamics() {
-    for seed in 0..STATES {
-        let mut random = Random::new(seed);
-        let model = random.model();
-        let ((q, v), loads) = (random.state(&model), random.loads(&model));
+    for_all(STATES, |tree| {
+        let model = tree.model();
+        let ((q, v), loads) = (tree.state(&model), tree.loads(&model));
         let (still, inertia) = (vec![0.0; v.len()], only_inertia(&model, &loads));
         let rates = only(&model, Mode::Free, &v);
         let bias = free_part(&model, &inverse_dynamics(&model, &q, &rates, &still, &inertia));
@@ -95,16 +96,16 @@ fn bias_force_agrees_with_inverse_dynamics() {
         let terms = matrices.m_star.amax() * matrices.free_velocity.amax().powi(2);
         let scale = largest(bias.iter().chain(expected.iter())).max(1e-3 * terms);
         let worst = largest_difference(&bias, expected.iter());
-        assert!(worst < 1e-10 * scale, "seed {seed}: {worst:e} of {scale:e}");
-    }
+        prop_assert!(worst < 1e-10 * scale, "{worst:e} of {scale:e}");
+        Ok(())
+    });
 }
 
 #[test]
 fn generalized_force_agrees_with_inverse_dynamics() {
-    for seed in 0..STATES {
-        let mut random = Random::new(seed);
-        let model = random.model();
-        let ((q, v), loads) = (random.state(&model), random.loads(&model));
+    for_all(STATES, |tree| {
+        let model = tree.model();
+        let ((q, v), loads) = (tree.state(&model), tree.loads(&model));
         let matrices = MovingFrame::assemble(&model, &q, &v, &loads, Variation::Restricted);
         let given = only(&model, Mode::Prescribed, &loads.acceleration);
         let needed = free_part(&model, &inverse_dynamics(&model, &q, &v, &given, &loads));
@@ -116,16 +117,16 @@ fn generalized_force_agrees_with_inverse_dynamics() {
             .collect();
         let scale = largest(needed.iter().chain(matrices.f_star.iter()));
         let worst = largest_difference(&expected, matrices.f_star.iter());
-        assert!(worst < 1e-10 * scale, "seed {seed}: {worst:e} of {scale:e}");
-    }
+        prop_assert!(worst < 1e-10 * scale, "{worst:e} of {scale:e}");
+        Ok(())
+    });
 }
 
 #[test]
 fn mass_matrix_gives_the_kinetic_energy() {
-    for seed in 0..200 {
-        let mut random = Random::new(seed);
-        let model = random.model();
-        let (q, v) = random.state(&model);
+    for_all(200, |tree| {
+        let model = tree.model();
+        let (q, v) = tree.state(&model);
         let v: Vec<f64> = v.iter().zip(&model.modes).map(|(x, m)| if *m == Mode::Free { *x } else { 0.0 }).collect();
         let matrices = MovingFrame::assemble(&model, &q, &v, &Loads::new(&model), Variation::Restricted);
         let from_matrix = 0.5 * (matrices.free_velocity.transpose() * &matrices.m_star * &matrices.free_velocity)[0];
@@ -134,35 +135,35 @@ fn mass_matrix_gives_the_kinetic_energy() {
             kinematics.update(tree, &q, &v);
             let energy = energy::kinetic_energy(tree, &kinematics) + energy::rotor_energy(&model, &v);
             // Bodies fixed to the world are in the tree only, and do not move.
-            assert!((energy - from_matrix).abs() <= 1e-12 * energy, "seed {seed}: {energy} {from_matrix}");
+            prop_assert!((energy - from_matrix).abs() <= 1e-12 * energy, "{energy} {from_matrix}");
         }
-    }
+        Ok(())
+    });
 }
 
 #[test]
 fn b_matrix_gives_the_rates_of_the_recursive_kinematics() {
-    for seed in 0..200 {
-        let mut random = Random::new(seed);
-        let model = random.model();
-        let (q, v) = random.state(&model);
+    for_all(200, |tree| {
+        let model = tree.model();
+        let (q, v) = tree.state(&model);
         let matrices = MovingFrame::assemble(&model, &q, &v, &Loads::new(&model), Variation::Restricted);
         let mut bodies = Kinematics::new(&model.tree);
         bodies.update(&model.tree, &q, &v);
         for (i, twist) in bodies.twist.iter().enumerate() {
             let (angular, linear) = matrices.omega(i);
             let difference = (angular - twist.angular).norm() + (linear - twist.linear).norm();
-            assert!(difference < 1e-11, "seed {seed}, body {i}: {difference:e}");
+            prop_assert!(difference < 1e-11, "body {i}: {difference:e}");
         }
-    }
+        Ok(())
+    });
 }
 
 #[test]
 fn rate_of_b_agrees_with_central_differences_of_b() {
     let step = 1e-5;
-    for seed in 0..200 {
-        let mut random = Random::new(seed);
-        let model = random.model();
-        let ((q, v), loads) = (random.state(&model), Loads::new(&model));
+    for_all(200, |tree| {
+        let model = tree.model();
+        let ((q, v), loads) = (tree.state(&model), Loads::new(&model));
         let b_at = |sign: f64| {
             let xi: Vec<f64> = v.iter().map(|rate| sign * step * rate).collect();
             let mut moved = vec![0.0; q.len()];
@@ -174,24 +175,25 @@ fn rate_of_b_agrees_with_central_differences_of_b() {
         let scale = exact.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
         let worst = (measured - exact).iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         // Second order in the step: |B'''| step^2 / 6, with rates up to some 10 rad/s.
-        assert!(worst < 1e-6 * scale, "seed {seed}: {worst:e} of {scale:e}");
-    }
+        prop_assert!(worst < 1e-6 * scale, "{worst:e} of {scale:e}");
+        Ok(())
+    });
 }
 
 #[test]
 fn fused_links_and_separate_bodies_have_the_same_momentum() {
-    for seed in 0..200 {
-        let mut random = Random::new(seed);
-        let model = random.model();
-        let (q, v) = random.state(&model);
-        let centre = random.vector(3.0);
+    for_all(200, |tree| {
+        let model = tree.model();
+        let (q, v) = tree.state(&model);
+        let centre = tree.numbers(3).vector(3.0);
         let of = |tree| {
             let mut kinematics = Kinematics::new(tree);
             kinematics.update(tree, &q, &v);
             energy::momentum(tree, &kinematics, centre)
         };
         let ((p, l), (linked_p, linked_l)) = (of(&model.tree), of(&model.links));
-        assert!((p - linked_p).norm() < 1e-11 * (1.0 + p.norm()), "seed {seed}");
-        assert!((l - linked_l).norm() < 1e-11 * (1.0 + l.norm()), "seed {seed}");
-    }
+        prop_assert!((p - linked_p).norm() < 1e-11 * (1.0 + p.norm()));
+        prop_assert!((l - linked_l).norm() < 1e-11 * (1.0 + l.norm()));
+        Ok(())
+    });
 }

@@ -2,10 +2,10 @@
 #![allow(dead_code)] // each test binary uses its own part
 
 pub mod closed_forms;
+pub mod trees;
 
 use kingpost::dynamics::Loads;
-use kingpost::model::joint::{AxisList, ElementaryAxis, Fixed, Floating, Prismatic, Revolute, Spherical};
-use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
+use kingpost::model::{Mode, Model};
 use kingpost::simulation::{Setup, Simulation};
 use kingpost::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, Wrench, exp};
 use rand::rngs::StdRng;
@@ -159,84 +159,9 @@ impl Random {
         }))
     }
 
-    fn mode(&mut self) -> Mode {
-        match self.below(6) {
-            0 => Mode::Held,
-            1 => Mode::Prescribed,
-            _ => Mode::Free,
-        }
-    }
-
-    /// One to six axes that move independently of one another near q = 0 and far from it.
-    fn axes(&mut self) -> Vec<ElementaryAxis> {
-        let turned = exp(self.vector(2.0));
-        let mut axes: Vec<ElementaryAxis> = (0..3).map(|k| ElementaryAxis::translation(turned.column(k))).collect();
-        axes.extend((0..2).map(|k| ElementaryAxis::rotation(turned.column(k))));
-        for i in (1..axes.len()).rev() {
-            axes.swap(i, self.below(i + 1));
-        }
-        axes.truncate(1 + self.below(axes.len()));
-        axes
-    }
-
-    fn axis_list(&mut self) -> AxisList {
-        const LABELS: [&str; 6] = ["a", "b", "c", "d", "e", "f"];
-        let (placement, axis, to_child) = (self.frame(), self.unit(), self.vector(1.5));
-        let across = axis.cross(self.unit());
-        let across = if across.norm() < 0.1 { axis.cross(self.unit()) } else { across };
-        let across = across * (1.0 / across.norm());
-        let list = match self.below(5) {
-            0 => AxisList::cylindrical(placement, axis, to_child),
-            1 => AxisList::universal(placement, axis, across, to_child),
-            2 => AxisList::planar(placement, axis, across, to_child),
-            3 => AxisList::elastic(placement, to_child),
-            _ => {
-                let axes = self.axes();
-                AxisList::new(placement, &axes, &LABELS[..axes.len()], to_child)
-            }
-        };
-        let modes: Vec<Mode> = list.axes().iter().map(|_| self.mode()).collect();
-        list.with_modes(&modes)
-    }
-
-    fn joint(&mut self, root: bool) -> (JointKind, Mode) {
-        let mode = self.mode();
-        let (placement, axis, to_child) = (self.frame(), self.unit(), self.vector(1.5));
-        match self.below(if root { 12 } else { 9 }) {
-            0 | 1 => (JointKind::Revolute(Revolute::new(placement, axis, to_child)), mode),
-            2 | 3 => (JointKind::Prismatic(Prismatic::new(placement, axis, to_child)), mode),
-            4 => (JointKind::Fixed(Fixed::new(placement, to_child)), Mode::Free),
-            5 | 6 => (JointKind::AxisList(self.axis_list()), Mode::Free),
-            7 | 8 => {
-                let mode = if self.chance(0.2) { Mode::Held } else { Mode::Free };
-                (JointKind::Spherical(Spherical::new(placement, to_child)), mode)
-            }
-            // Only a root can float.
-            _ => {
-                let floating = Floating { hold_translation: self.chance(0.3), hold_rotation: self.chance(0.2) };
-                (JointKind::Floating(floating), Mode::Free)
-            }
-        }
-    }
-
     /// A tree of 1 to 30 bodies with at least one free coordinate.
     pub fn model(&mut self) -> Model {
-        let n = 1 + self.below(30);
-        let describe = |i: usize| {
-            let parent = (i > 0 && self.chance(0.9)).then(|| self.below(i));
-            let (kind, mode) = self.joint(parent.is_none());
-            let (mass, rigid) = self.rigid();
-            let inertia = if self.chance(0.3) { self.full_inertia() } else { rigid };
-            let joint = Joint { name: format!("joint_{i}"), kind, mode };
-            BodyDescription { name: format!("body_{i}"), parent, joint, mass, inertia, points: Vec::new() }
-        };
-        let mut model = Model::new((0..n).map(describe).collect());
-        for coordinate in 0..model.velocity_count {
-            if model.axis_coordinate(coordinate).is_some() && self.chance(0.3) {
-                model.rotor_inertia[coordinate] = self.uniform(0.0, 3.0);
-            }
-        }
-        if model.free_coordinates().is_empty() { self.model() } else { model }
+        trees::tree_of(self.0.random()).model()
     }
 
     /// Positions and velocities; held coordinates stand still.
