@@ -3,20 +3,19 @@
 
 mod common;
 
+use common::closed_forms::FourBar;
 use common::{simulation, tied_ships, values};
 use kingpost::scenario::read;
 use kingpost::simulation::RunError;
 
 const GRAVITY: f64 = 9.80665;
 
-/// Ground, crank, coupler and rocker of a crank-rocker in the x-z plane, m; angles from x towards z.
-const GROUND: f64 = 3.5;
-const CRANK: f64 = 1.0;
-const COUPLER: f64 = 3.0;
-const ROCKER: f64 = 2.5;
+/// A crank-rocker in the x-z plane; angles from x towards z.
+const LINKS: FourBar = FourBar { ground_m: 3.5, crank_m: 1.0, coupler_m: 3.0, rocker_m: 2.5 };
 
 /// A four-bar linkage, cut open between coupler and rocker.
 fn four_bar(crank: &str, constraints: &str, rest: &str) -> String {
+    let FourBar { ground_m, crank_m, coupler_m, rocker_m } = LINKS;
     format!(
         "
 version: 1
@@ -25,17 +24,17 @@ simulation: {{step_s: 0.005, duration_s: 600, record_every_s: 1}}
 bodies:
   crank:
     mass_kg: 1
-    shape: {{box: {{length_m: {CRANK}, width_m: 0.1, height_m: 0.1}}}}
+    shape: {{box: {{length_m: {crank_m}, width_m: 0.1, height_m: 0.1}}}}
     joint: {{revolute: {{axis: [0, -1, 0], child_position_m: [-0.5, 0, 0], {crank}}}}}
   coupler:
     parent: crank
     mass_kg: 2
-    shape: {{box: {{length_m: {COUPLER}, width_m: 0.1, height_m: 0.1}}}}
+    shape: {{box: {{length_m: {coupler_m}, width_m: 0.1, height_m: 0.1}}}}
     joint: {{revolute: {{axis: [0, -1, 0], position_m: [0.5, 0, 0], child_position_m: [-1.5, 0, 0], initial_angle_rad: -0.4}}}}
   rocker:
     mass_kg: 3
-    shape: {{box: {{length_m: {ROCKER}, width_m: 0.1, height_m: 0.1}}}}
-    joint: {{revolute: {{axis: [0, -1, 0], position_m: [{GROUND}, 0, 0], child_position_m: [-1.25, 0, 0], initial_angle_rad: 1.8}}}}
+    shape: {{box: {{length_m: {rocker_m}, width_m: 0.1, height_m: 0.1}}}}
+    joint: {{revolute: {{axis: [0, -1, 0], position_m: [{ground_m}, 0, 0], child_position_m: [-1.25, 0, 0], initial_angle_rad: 1.8}}}}
 loops:
   pin:
     first: {{body: coupler, position_m: [1.5, 0, 0]}}
@@ -45,23 +44,6 @@ loops:
 {rest}
 "
     )
-}
-
-/// Angles of coupler and rocker by Freudenstein's equation, and their rates per rate of the crank
-/// (Norton, *Design of Machinery*, 2012, eqs. 4.10 and 6.18), for the open circuit.
-fn freudenstein(crank: f64) -> ([f64; 2], [f64; 2]) {
-    let (k1, k2) = (GROUND / CRANK, GROUND / ROCKER);
-    let k3 = (CRANK.powi(2) - COUPLER.powi(2) + ROCKER.powi(2) + GROUND.powi(2)) / (2.0 * CRANK * ROCKER);
-    let (sin, cos) = crank.sin_cos();
-    let (a, b, c) = (cos - k1 - k2 * cos + k3, -2.0 * sin, k1 - (k2 + 1.0) * cos + k3);
-    let rocker = 2.0 * (-b - (b * b - 4.0 * a * c).sqrt()).atan2(2.0 * a);
-    let (x, z) = (GROUND + ROCKER * rocker.cos() - CRANK * cos, ROCKER * rocker.sin() - CRANK * sin);
-    let coupler = z.atan2(x);
-    let rates = [
-        CRANK / COUPLER * (rocker - crank).sin() / (coupler - rocker).sin(),
-        CRANK / ROCKER * (crank - coupler).sin() / (rocker - coupler).sin(),
-    ];
-    ([coupler, rocker], rates)
 }
 
 /// The difference of two angles, turns left out.
@@ -79,7 +61,7 @@ fn a_crank_at_constant_rate_turns_its_four_bar_as_freudenstein_says() {
             simulation(&four_bar(crank, "x, z", gravity).replace("{step_s", &format!("{{form: {form}, step_s")));
         for step in 0..200 {
             let (q, v) = (simulation.state().q.clone(), simulation.state().v.clone());
-            let ([coupler, rocker], rates) = freudenstein(q[0]);
+            let ([coupler, rocker], rates) = LINKS.follow(q[0]);
             assert!(apart(q[0] + q[1], coupler) < 1e-11 && apart(q[2], rocker) < 1e-11, "{step}: {q:?}");
             let expected = [2.0, 2.0 * rates[0] - 2.0, 2.0 * rates[1]];
             assert!(v.iter().zip(expected).all(|(v, e)| (v - e).abs() < 1e-10), "{step}: {v:?} {expected:?}");

@@ -125,8 +125,41 @@ fn zero_between(from: (f64, f64, f64), to: (f64, f64, f64)) -> f64 {
     from.0 + lower * h
 }
 
-/// A top on Euler's three hinges: about the vertical, about the level, about its own axis. The point
-/// masses between them lie on the fixed point and carry nothing.
+/// What a top stands on and a pendulum hangs from.
+#[derive(Clone, Copy, Debug)]
+enum Mount {
+    /// Euler's hinges: about the vertical, about the level, of a top also about its own axis. The point
+    /// masses between them lie on the fixed point and carry nothing.
+    Hinges,
+    /// A spherical joint.
+    Ball,
+}
+
+const MOUNTS: [Mount; 2] = [Mount::Hinges, Mount::Ball];
+
+/// The angle about the vertical, within a turn of a ball, and that from the upward vertical.
+fn leaning(found: &Simulation, mount: Mount) -> [f64; 2] {
+    let q = &found.state().q;
+    match mount {
+        Mount::Hinges => [q[0], q[1]],
+        Mount::Ball => {
+            let [x, y, z] = Quaternion([q[0], q[1], q[2], q[3]]).to_matrix().column(2).0;
+            [y.atan2(x), x.hypot(y).atan2(z)]
+        }
+    }
+}
+
+impl Mount {
+    /// How far apart two angles about the vertical are; hinges count turns, a ball does not.
+    fn apart(self, a: f64, b: f64) -> f64 {
+        let difference = a - b;
+        match self {
+            Mount::Hinges => difference.abs(),
+            Mount::Ball => difference.sin().atan2(difference.cos()).abs(),
+        }
+    }
+}
+
 struct Top {
     across: f64,
     along: f64,
@@ -141,46 +174,63 @@ impl Top {
         [self.across, self.along]
     }
 
-    fn start(&self, theta: f64, phi_rate: f64, spin: f64, step_s: f64) -> Simulation {
+    fn start(&self, mount: Mount, [theta, phi_rate, spin]: [f64; 3], step_s: f64) -> Simulation {
         let Self { across, along, mass, length } = *self;
         let about_centre = across - mass * length * length;
+        let body = format!(
+            "mass_kg: {mass}, inertia: {{tensor: {{moments_kg_m2: [{about_centre}, {about_centre}, {along}]}}}}"
+        );
+        let below = format!("child_position_m: [0, 0, -{length}]");
         let own_rate = spin - phi_rate * theta.cos();
-        simulation(&format!(
-            "
-version: 1
-title: A heavy top
-simulation: {{step_s: {step_s:e}}}
-bodies:
+        let bodies = match mount {
+            Mount::Hinges => format!(
+                "
   turned: {{mass_kg: 1, shape: {{point: {{}}}}, joint: {{revolute: {{axis: [0, 0, 1], initial_rate_rad_s: {phi_rate:e}}}}}}}
   leaned:
     parent: turned
     mass_kg: 1
     shape: {{point: {{}}}}
     joint: {{revolute: {{axis: [0, 1, 0], initial_angle_rad: {theta:e}}}}}
-  top:
-    parent: leaned
-    mass_kg: {mass}
-    inertia: {{tensor: {{moments_kg_m2: [{about_centre}, {about_centre}, {along}]}}}}
-    joint: {{revolute: {{axis: [0, 0, 1], child_position_m: [0, 0, -{length}], initial_rate_rad_s: {own_rate:e}}}}}
+  top: {{parent: leaned, {body}, joint: {{revolute: {{axis: [0, 0, 1], {below}, initial_rate_rad_s: {own_rate:e}}}}}}}"
+            ),
+            Mount::Ball => format!("\n  top: {{{body}, joint: {{spherical: {{{below}, {}}}}}}}", ball(theta, phi_rate, spin)),
+        };
+        under_gravity(&bodies, step_s)
+    }
+}
+
+/// Where a body on a spherical joint starts, with its axis at theta, and its rates in its own axes.
+fn ball(theta: f64, phi_rate: f64, spin: f64) -> String {
+    let across = -phi_rate * theta.sin();
+    format!("initial_orientation_rad: [0, {theta:e}, 0], initial_angular_velocity_rad_s: [{across:e}, 0, {spin:e}]")
+}
+
+fn under_gravity(bodies: &str, step_s: f64) -> Simulation {
+    simulation(&format!(
+        "
+version: 1
+title: A top or a pendulum
+simulation: {{step_s: {step_s:e}}}
+bodies:{bodies}
 forces: {{gravity: {{gravity: {{}}}}}}
 "
-        ))
-    }
+    ))
 }
 
 #[test]
 fn a_heavy_top_nods_and_precesses_by_elliptic_integrals() {
     let top = Top::EXAMPLE;
     // Cusps (released from rest), waves, loops.
-    for (theta, phi_rate, spin) in [(0.6, 0.0, 12.0), (0.6, 1.5, 12.0), (0.9, -1.0, 12.0), (1.8, 0.5, 9.0)] {
+    for [theta, phi_rate, spin] in [[0.6, 0.0, 12.0], [0.6, 1.5, 12.0], [0.9, -1.0, 12.0], [1.8, 0.5, 9.0]] {
         let exact = HeavyTop::new(top.moments(), top.mass * top.length, theta, phi_rate, spin);
-        let period = exact.nutation_period_s();
-        let mut found = top.start(theta, phi_rate, spin, period / STEPS as f64);
-        found.step(STEPS).unwrap();
-        let [phi, nod, _] = core::array::from_fn(|i| found.state().q[i]);
-        assert!((nod - theta).abs() < 1e-8, "theta {theta}: {nod}");
-        let precession = exact.precession_in_a_nutation();
-        assert!((phi - precession).abs() < 1e-8, "{theta}, {phi_rate}: phi {phi}, {precession}");
+        let (period, precession) = (exact.nutation_period_s(), exact.precession_in_a_nutation());
+        for mount in MOUNTS {
+            let mut found = top.start(mount, [theta, phi_rate, spin], period / STEPS as f64);
+            found.step(STEPS).unwrap();
+            let [phi, nod] = leaning(&found, mount);
+            assert!((nod - theta).abs() < 1e-8, "{mount:?}, theta {theta}: {nod}");
+            assert!(mount.apart(phi, precession) < 1e-8, "{mount:?}, {theta}, {phi_rate}: phi {phi}, {precession}");
+        }
     }
 }
 
@@ -188,52 +238,68 @@ fn a_heavy_top_nods_and_precesses_by_elliptic_integrals() {
 fn a_heavy_top_precesses_regularly_at_either_rate() {
     let (top, theta, spin) = (Top::EXAMPLE, 0.7, 15.0);
     for phi_rate in HeavyTop::regular_precession(top.moments(), top.mass * top.length, theta, spin) {
-        let mut found = top.start(theta, phi_rate, spin, 0.0005);
-        found.step(2000).unwrap();
-        let [phi, nod, _] = core::array::from_fn(|i| found.state().q[i]);
-        assert!((nod - theta).abs() < 1e-9 && (phi - phi_rate).abs() < 1e-9, "{phi_rate}: {nod}, {phi}");
+        for mount in MOUNTS {
+            let mut found = top.start(mount, [theta, phi_rate, spin], 0.0005);
+            found.step(2000).unwrap();
+            let [phi, nod] = leaning(&found, mount);
+            let near = (nod - theta).abs() < 1e-9 && mount.apart(phi, phi_rate) < 1e-9;
+            assert!(near, "{mount:?}, {phi_rate}: {nod}, {phi}");
+        }
     }
 }
 
-fn spherical_pendulum(length: f64, theta: f64, phi_rate: f64, step_s: f64) -> Simulation {
-    simulation(&format!(
-        "
-version: 1
-title: A spherical pendulum
-simulation: {{step_s: {step_s:e}}}
-bodies:
+/// On hinges a point mass on a rod. On a ball a body that does not spin, which swings as a point mass
+/// does on a rod of length (moment about the ball) / (mass times the distance of its centre).
+fn spherical_pendulum(mount: Mount, length: f64, [theta, phi_rate]: [f64; 2], step_s: f64) -> Simulation {
+    let bodies = match mount {
+        Mount::Hinges => format!(
+            "
   turned: {{mass_kg: 1, shape: {{point: {{}}}}, joint: {{revolute: {{axis: [0, 0, 1], initial_rate_rad_s: {phi_rate:e}}}}}}}
   bob:
     parent: turned
     mass_kg: 3
     shape: {{point: {{}}}}
-    joint: {{revolute: {{axis: [0, 1, 0], child_position_m: [0, 0, -{length}], initial_angle_rad: {theta:e}}}}}
-forces: {{gravity: {{gravity: {{}}}}}}
-"
-    ))
+    joint: {{revolute: {{axis: [0, 1, 0], child_position_m: [0, 0, -{length}], initial_angle_rad: {theta:e}}}}}"
+        ),
+        Mount::Ball => {
+            let (mass, centre) = (3.0, 0.9 * length);
+            let moment = mass * centre * (length - centre);
+            format!(
+                "
+  bob:
+    mass_kg: {mass}
+    inertia: {{tensor: {{moments_kg_m2: [{moment}, {moment}, {moment}]}}}}
+    joint: {{spherical: {{child_position_m: [0, 0, -{centre}], {}}}}}",
+                ball(theta, phi_rate, 0.0)
+            )
+        }
+    };
+    under_gravity(&bodies, step_s)
 }
 
 #[test]
 fn a_spherical_pendulum_rises_falls_and_advances_by_elliptic_integrals() {
     let length = 1.3;
-    for (theta, phi_rate) in [(2.0, 1.2), (2.6, 5.0), (1.2, 2.0)] {
+    for [theta, phi_rate] in [[2.0, 1.2], [2.6, 5.0], [1.2, 2.0]] {
         let exact = HeavyTop::spherical_pendulum(length, theta, phi_rate);
         let period = exact.nutation_period_s();
-        let mut found = spherical_pendulum(length, theta, phi_rate, period / STEPS as f64);
-        found.step(STEPS / 2).unwrap();
-        let [lowest, highest] = exact.limits();
-        let across = if (theta.cos() - lowest).abs() < 1e-9 { highest } else { lowest };
-        let height = found.state().q[1].cos();
-        assert!((height - across).abs() < 1e-8, "half way: {height}, {across}");
-        found.step(STEPS / 4).unwrap();
-        let since_lowest = if across == lowest { 0.25 } else { 0.75 } * period;
-        let height = found.state().q[1].cos();
-        assert!((height - exact.height(since_lowest)).abs() < 1e-8, "three quarters: {height}");
-        found.step(STEPS / 4).unwrap();
-        let (phi, nod) = (found.state().q[0], found.state().q[1]);
-        assert!((nod - theta).abs() < 1e-8, "theta {theta}: {nod}");
-        let advance = exact.precession_in_a_nutation();
-        assert!((phi - advance).abs() < 1e-8, "{theta}, {phi_rate}: phi {phi}, {advance}");
+        for mount in MOUNTS {
+            let mut found = spherical_pendulum(mount, length, [theta, phi_rate], period / STEPS as f64);
+            found.step(STEPS / 2).unwrap();
+            let [lowest, highest] = exact.limits();
+            let across = if (theta.cos() - lowest).abs() < 1e-9 { highest } else { lowest };
+            let height = leaning(&found, mount)[1].cos();
+            assert!((height - across).abs() < 1e-8, "{mount:?}, half way: {height}, {across}");
+            found.step(STEPS / 4).unwrap();
+            let since_lowest = if across == lowest { 0.25 } else { 0.75 } * period;
+            let height = leaning(&found, mount)[1].cos();
+            assert!((height - exact.height(since_lowest)).abs() < 1e-8, "{mount:?}, three quarters: {height}");
+            found.step(STEPS / 4).unwrap();
+            let [phi, nod] = leaning(&found, mount);
+            assert!((nod - theta).abs() < 1e-8, "{mount:?}, theta {theta}: {nod}");
+            let advance = exact.precession_in_a_nutation();
+            assert!(mount.apart(phi, advance) < 1e-8, "{mount:?}, {theta}, {phi_rate}: phi {phi}, {advance}");
+        }
     }
 }
 
@@ -241,9 +307,12 @@ fn a_spherical_pendulum_rises_falls_and_advances_by_elliptic_integrals() {
 fn a_conical_pendulum_keeps_its_cone() {
     let (length, theta) = (1.3, 2.5);
     let rate = HeavyTop::conical_rate(length, theta);
-    let mut found = spherical_pendulum(length, theta, rate, 2.0 * PI / rate / STEPS as f64);
-    found.step(STEPS).unwrap();
-    assert!((found.state().q[0] - 2.0 * PI).abs() < 1e-9 && (found.state().q[1] - theta).abs() < 1e-9);
+    for mount in MOUNTS {
+        let mut found = spherical_pendulum(mount, length, [theta, rate], 2.0 * PI / rate / STEPS as f64);
+        found.step(STEPS).unwrap();
+        let [phi, nod] = leaning(&found, mount);
+        assert!(mount.apart(phi, 2.0 * PI) < 1e-9 && (nod - theta).abs() < 1e-9, "{mount:?}: {phi}, {nod}");
+    }
 }
 
 /// Angles of the engine are relative; those of the closed form are absolute.

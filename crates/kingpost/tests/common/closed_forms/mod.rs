@@ -5,12 +5,14 @@
 mod cantilever;
 mod double_pendulum;
 pub mod elliptic;
+mod four_bar;
 mod free_body;
 mod heavy_top;
 mod pendulum;
 
 pub use cantilever::Cantilever;
 pub use double_pendulum::DoublePendulum;
+pub use four_bar::FourBar;
 pub use free_body::FreeBody;
 pub use heavy_top::HeavyTop;
 pub use pendulum::Pendulum;
