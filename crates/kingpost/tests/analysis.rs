@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{every_joint, everything, paper_setup};
+use common::{every_joint, everything};
 use kingpost::analysis::{Linearizer, NoEquilibrium, gradient, settle};
 use kingpost::scenario::{Scenario, read};
 use kingpost::simulation::Simulation;
@@ -236,13 +236,15 @@ fn what_falls_has_no_equilibrium_and_stays_where_it_was() {
 }
 
 fn read_paper(overrides: &[(&str, Value)]) -> Scenario {
-    let text = include_str!("../../../scenarios/paper.yaml");
-    let overrides: Vec<(String, Value)> = overrides.iter().map(|(n, v)| ((*n).to_owned(), v.clone())).collect();
-    read(text, "paper.yaml", &overrides).expect("the gallery reads")
+    read_set(include_str!("../../../scenarios/paper.yaml"), overrides)
 }
 
-/// Derivatives of every result of a run along masses, places, torques, damping and an initial angle,
-/// more than one evaluation carries, against central differences of runs.
+fn read_set(text: &str, overrides: &[(&str, Value)]) -> Scenario {
+    let overrides: Vec<(String, Value)> = overrides.iter().map(|(n, v)| ((*n).to_owned(), v.clone())).collect();
+    read(text, "test.yaml", &overrides).expect("the scenario reads")
+}
+
+/// Masses, places, torques, damping and an initial angle, more than one evaluation carries.
 #[test]
 fn gradients_of_a_run_agree_with_central_differences() {
     let base = [
@@ -257,22 +259,48 @@ fn gradients_of_a_run_agree_with_central_differences() {
         ("simulation.step_s", json!(0.01)),
         ("simulation.record_every_s", json!(0.1)),
     ];
-    let parameters: [(&str, f64); 5] = [
+    let parameters = [
         ("bodies.load.mass_kg", 1000.0),
         ("crane_x_m", -8.0),
         ("drives.motor_1.motor.torque_N_m", 100_000.0),
         ("forces.damping.viscous_damping.angular_N_m_s.2", 25_000.0),
         ("bodies.arm.joint.revolute.initial_angle_deg", 0.0),
     ];
-    let names = parameters.map(|(name, _)| name);
-    let exact = gradient(&read_paper(&base), &names, |_| true).expect("they have derivatives");
+    gradients_agree(include_str!("../../../scenarios/paper.yaml"), &base, &parameters);
+}
+
+/// A mass, a pin of the loop, the cylinder's stiffness and an angle from which the loop is closed first:
+/// the multipliers, the projection of every step and that of the start are differentiated too.
+#[test]
+fn so_they_do_through_a_closed_loop_and_a_cylinder() {
+    let base = [
+        ("drives.slewing.servo.enabled", json!(false)), // at its limit its torque has a kink
+        ("bodies.column.joint.revolute.initial_rate_rad_s", json!(0.1)),
+        ("simulation.duration_s", json!(0.4)),
+        ("simulation.step_s", json!(0.005)),
+        ("simulation.record_every_s", json!(0.1)),
+    ];
+    let parameters = [
+        ("bodies.boom.mass_kg", 12_000.0),
+        ("loops.drag_link_pin.second.position_m.0", -4.5),
+        ("drives.luffing.cylinder.stiffness_N_per_m", 2e7),
+        ("bodies.boom.joint.revolute.initial_angle_deg", 55.0),
+    ];
+    gradients_agree(include_str!("../../../scenarios/dual_draglink_crane.yaml"), &base, &parameters);
+}
+
+/// Derivatives of every result of a run along parameters with these values, against central differences
+/// of runs.
+fn gradients_agree(text: &str, base: &[(&str, Value)], parameters: &[(&str, f64)]) {
+    let names: Vec<&str> = parameters.iter().map(|(name, _)| *name).collect();
+    let exact = gradient(&read_set(text, base), &names, |_| true).expect("they have derivatives");
     exact.status.clone().expect("it does not diverge");
     for ((name, value), derivatives) in parameters.iter().zip(&exact.derivatives) {
         let h = 1e-4 * value.abs().max(1.0);
         let run = |value: f64| {
             let mut with = base.to_vec();
             with.push((name, json!(value)));
-            Simulation::new(paper_setup(&with)).run(|_| true).rows
+            simulation(&read_set(text, &with)).run(|_| true).rows
         };
         let (ahead, behind) = (run(value + h), run(value - h));
         // The ledger's errors are themselves of the size of rounding.

@@ -54,7 +54,7 @@ pub fn values(simulation: &mut Simulation, variable: &str) -> Vec<f64> {
 
 /// Everything at once: two ships, one held in its rotation and one in its place, prescribed and
 /// driven joints of both kinds, bodies fixed to bodies and to the world, a chain on the world,
-/// gravity, damping of a body and of joints.
+/// a hydraulic cylinder, gravity, damping of a body and of joints.
 pub fn everything(form: &str) -> String {
     include_str!("everything.yaml").replace("form: recursive", &format!("form: {form}"))
 }
