@@ -1,7 +1,12 @@
-//! Hull meshes whose hydrostatics are closed forms.
+//! Hull meshes whose hydrostatics are closed forms, and one that has no symmetry.
+#![allow(dead_code)] // each test binary uses its own part
 
+use kingpost::scalar::{Dual, Scalar};
 use kingpost::sea::hull::HullMesh;
-use kingpost::spatial::{Frame, Vector3};
+use kingpost::spatial::{Frame, Matrix3, Vector3, Wrench, exp};
+
+/// rho g of sea water, N/m^3.
+pub const SPECIFIC_WEIGHT: f64 = 1025.0 * 9.80665;
 
 /// The faces of a box with these half-sides about its centre, each as `divisions` x `divisions`
 /// squares of two triangles; vertices on its edges are one.
@@ -67,4 +72,51 @@ pub fn moved(mesh: &HullMesh, mesh_in_frame: &Frame) -> HullMesh {
     let vertices = mesh.vertices().iter().map(|&r| mesh_in_frame.point(r).0).collect();
     let triangles = mesh.triangles().map(|corners| corners.map(|i| i as usize)).collect();
     HullMesh::new(vertices, triangles).expect("a hull that is moved stays one")
+}
+
+/// A hull without symmetry fore and aft or from side to side, its origin off its middle.
+pub fn skew_ship() -> HullMesh {
+    let place = Frame { rotation: exp(Vector3::new(0.1, -0.05, 0.3)), position: Vector3::new(3.0, 0.7, -1.5) };
+    moved(&ship(30.0, 9.0, 6.0, 4), &place)
+}
+
+/// Somewhere on the sea, turned by this rotation vector.
+pub fn place(turn: [f64; 3], height: f64) -> Frame {
+    Frame { rotation: exp(Vector3(turn)), position: Vector3::new(11.0, -7.0, height) }
+}
+
+/// The pose after a small translation and turn in its own axes, as six variables.
+pub fn varied(pose: &Frame) -> Frame<Dual<6>> {
+    let variable = |first: usize| Vector3([0, 1, 2].map(|k| Dual::variable(0.0, first + k)));
+    let constant = Frame {
+        rotation: Matrix3(pose.rotation.0.map(|row| row.map(Dual::constant))),
+        position: Vector3::constant(pose.position.0),
+    };
+    constant.times(&Frame { rotation: exp(variable(3)), position: variable(0) })
+}
+
+/// Force and moment as one list, the moment over 10 m to make their sizes alike.
+pub fn entries(wrench: &Wrench) -> [f64; 6] {
+    let ([fx, fy, fz], [mx, my, mz]) = (wrench.force.0, wrench.moment.0);
+    [fx, fy, fz, mx / 10.0, my / 10.0, mz / 10.0]
+}
+
+pub fn distance(a: &Wrench, b: &Wrench) -> f64 {
+    entries(a).iter().zip(entries(b)).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// The box of the closed forms: 20 x 10 x 4 m at draught 2 m, origin amidships on the water plane.
+pub fn box_barge(divisions: usize) -> HullMesh {
+    barge(20.0, 10.0, 4.0, 2.0, divisions)
+}
+
+/// Holds a number to another, relative to that.
+pub fn close(found: f64, expected: f64, relative: f64) {
+    let allowed = relative * expected.abs().max(1e-300);
+    assert!((found - expected).abs() <= allowed, "{found} instead of {expected}");
+}
+
+/// Holds a number to another.
+pub fn near(found: f64, expected: f64, allowed: f64) {
+    assert!((found - expected).abs() <= allowed, "{found} instead of {expected}");
 }

@@ -44,6 +44,8 @@ pub(super) struct Floating<'a> {
     wetted: WettedHull,
     volume: f64,
     centre_of_gravity: Vector3,
+    /// Levers below are none, m.
+    rounding: f64,
 }
 
 impl<'a> Floating<'a> {
@@ -62,7 +64,8 @@ impl<'a> Floating<'a> {
         if volume >= largest_m3 {
             return Err(StabilityError::CannotFloat { mass_t: mass / 1000.0, displacement_m3: volume, largest_m3 });
         }
-        Ok(Self { mesh, wetted: WettedHull::new(mesh), volume, centre_of_gravity })
+        let size = mesh.vertices().iter().map(|r| r.norm()).fold(centre_of_gravity.norm(), f64::max);
+        Ok(Self { mesh, wetted: WettedHull::new(mesh), volume, centre_of_gravity, rounding: 1e-14 * size })
     }
 
     /// b - c: from the centre of gravity to that of buoyancy, hull axes, m.
@@ -141,9 +144,9 @@ impl<'a> Floating<'a> {
             radius + lever.dot(afloat.position.vertical) * t.dot(u)
         };
         let [heel, mixed, trim] = [(across, across), (across, along), (along, along)].map(|(t, u)| metacentric(t, u));
-        let step_along = |t: Vector3, curvature: f64| match curvature.abs() {
-            0.0 => Vector3::zero(),
-            size => t * (lever.dot(t) / size),
+        let step_along = |t: Vector3, curvature: f64| {
+            let slope = lever.dot(t);
+            if slope.abs() <= self.rounding { Vector3::zero() } else { t * (slope / curvature.abs()) }
         };
         if !free_to_heel {
             return step_along(along, trim);
@@ -157,11 +160,10 @@ impl<'a> Floating<'a> {
     /// As much of a step as does not raise Phi / W, by halves.
     fn go_down(&mut self, from: &Afloat, mut step: Vector3) -> Afloat {
         let height = self.energy_height(from);
-        let rounding = 1e-14 * (from.position.height.abs() + self.lever(from).norm() + height.abs());
         loop {
             let to = self.at_volume(turned(from.position.vertical, step));
             let more = step.norm() > LAST_TURN;
-            if self.energy_height(&to) <= height + rounding || !more {
+            if self.energy_height(&to) <= height + self.rounding || !more {
                 return to;
             }
             step = step * 0.5;

@@ -31,8 +31,8 @@ pub enum StabilityError {
     },
     /// A weight that the whole hull does not carry.
     #[error(
-        "the hull cannot float: {mass_t:.6} t displace {displacement_m3:.6} m3 of water, \
-         allowed: less than the {largest_m3:.6} m3 of the whole hull"
+        "the hull cannot float: {mass_t:.3} t displace {displacement_m3:.3} m3 of water, \
+         allowed: less than the {largest_m3:.3} m3 of the whole hull"
     )]
     CannotFloat {
         /// The weight, t.

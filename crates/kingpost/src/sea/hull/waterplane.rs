@@ -2,7 +2,7 @@
 
 use super::FloatingPosition;
 use super::mesh::HullMesh;
-use super::wetted::{WettedHull, apex_of, cuts};
+use super::wetted::{WettedHull, apex_of, cuts, from_corner};
 use crate::spatial::{Symmetric3, Vector3};
 
 /// Area and moments of a waterplane about the hull's origin, in the hull's axes. They are the rates
@@ -35,10 +35,10 @@ impl WettedHull<f64> {
             if wet != 1 && wet != 2 {
                 continue;
             }
-            let apex = apex_of(sides);
-            let r = |next: usize| mesh.vertices()[corners[(apex + next) % 3]];
-            let [b, c] = cuts(apex, corners.map(|i| self.heights[i]));
-            let (b, c) = (r(0) + (r(1) - r(0)) * b, r(0) + (r(2) - r(0)) * c);
+            let corners = from_corner(apex_of(sides), corners);
+            let [b, c] = cuts(corners.map(|i| self.heights[i]));
+            let [r_a, r_b, r_c] = corners.map(|i| mesh.vertices()[i]);
+            let (b, c) = (r_a + (r_b - r_a) * b, r_a + (r_c - r_a) * c);
             let (from, to) = if wet == 1 { (c, b) } else { (b, c) };
             waterplane.add(foot, from, to, position.vertical);
         }

@@ -50,7 +50,7 @@ impl<S: Scalar> WettedHull<S> {
             if sides == [DRY; 3] {
                 continue;
             }
-            let shares = corner_shares(sides, corners.map(|i| self.heights[i]), corners.map(|i| self.shares[i]));
+            let shares = corner_shares(sides, corners, &self.heights, &self.shares);
             let area = Vector3::constant(triangle.area.0);
             let [a, b, c] = corners.map(|i| Vector3::constant(mesh.vertices()[i].0));
             let moment = a * shares[0] + b * shares[1] + c * shares[2];

@@ -105,9 +105,8 @@ impl<S: Scalar> WettedHull<S> {
             if sides == [DRY; 3] {
                 continue;
             }
-            let heights = corners.map(|i| self.heights[i]);
             let area_along_vertical = vertical.dot(Vector3::constant(triangle.area.0));
-            let shares = corner_shares(sides, heights, heights);
+            let shares = corner_shares(sides, corners, &self.heights, &self.heights);
             for (corner, share) in corners.into_iter().zip(shares) {
                 self.shares[corner] += area_along_vertical * share;
             }
@@ -134,33 +133,44 @@ impl<S: Scalar> WettedHull<S> {
     }
 }
 
-/// For p that is linear over what is wet of a triangle, with these values at its wet corners and 0
-/// at the water's surface, and any linear f:
+/// For a p that is linear over what is wet of a triangle, with the values `p` at its wet corners
+/// and 0 at the water's surface, and any linear f:
 /// `Int p f dS = area / 12 (s_0 f_0 + s_1 f_1 + s_2 f_2)`; these are the s.
 ///
-/// Over a triangle `Int p f dS = area / 12 Sum_i (p_i + p_0 + p_1 + p_2) f_i` (from the products
-/// of barycentric coordinates, 1/12 and 1/6 of the area).
+/// Over a triangle `Int p f dS = area / 12 Sum_i (p_i + p_0 + p_1 + p_2) f_i` (from the means of
+/// products of barycentric coordinates, 1/12 and 1/6).
 #[inline]
-pub(super) fn corner_shares<S: Scalar>(sides: [u8; 3], heights: [S; 3], p: [S; 3]) -> [S; 3] {
+pub(super) fn corner_shares<S: Scalar>(sides: [u8; 3], corners: [usize; 3], heights: &[S], p: &[S]) -> [S; 3] {
+    let at = |values: &[S], corners: [usize; 3]| corners.map(|i| values[i]);
     match sides[0] + sides[1] + sides[2] {
         0 => [S::ZERO; 3],
-        3 => all_wet(p),
+        3 => all_wet(at(p, corners)),
         wet @ (1 | 2) => {
             let apex = apex_of(sides);
-            if wet == 1 { apex_wet(apex, heights, p) } else { apex_dry(apex, heights, p) }
+            let corners = from_corner(apex, corners);
+            let (heights, p) = (at(heights, corners), at(p, corners));
+            from_corner(3 - apex, if wet == 1 { apex_wet(heights, p) } else { apex_dry(heights, p) })
         }
-        _ => lane_by_lane(heights, p),
+        _ => lane_by_lane(at(heights, corners), at(p, corners)),
     }
 }
 
 /// The corner that is alone on its side.
 #[inline]
-pub(super) fn apex_of(sides: [u8; 3]) -> usize {
-    match sides {
-        [_, b, c] if b == c => 0,
-        [a, _, c] if a == c => 1,
-        _ => 2,
-    }
+pub(super) fn apex_of([a, b, c]: [u8; 3]) -> usize {
+    usize::from(b != c) * (1 + usize::from(a != c))
+}
+
+/// The same corners, from this one on.
+#[inline]
+pub(super) fn from_corner<T: Copy>(first: usize, corners: [T; 3]) -> [T; 3] {
+    [first, first + 1, first + 2].map(|k| corners[k % 3])
+}
+
+/// How far along the edges from the apex, the first corner, the water's surface is, from 0 to 1.
+#[inline]
+pub(super) fn cuts<S: Scalar>([apex, b, c]: [S; 3]) -> [S; 2] {
+    [apex / (apex - b), apex / (apex - c)]
 }
 
 #[inline]
@@ -169,59 +179,52 @@ fn all_wet<S: Scalar>(p: [S; 3]) -> [S; 3] {
     p.map(|p| p + sum)
 }
 
-/// How far along the edges from corner `apex` to the next two the water's surface is, from 0 to 1.
+/// Only the first corner is wet: a triangle `t_b t_c` of the whole in area, p at the apex only.
 #[inline]
-pub(super) fn cuts<S: Scalar>(apex: usize, heights: [S; 3]) -> [S; 2] {
-    let top = heights[apex];
-    [1, 2].map(|next| top / (top - heights[(apex + next) % 3]))
+fn apex_wet<S: Scalar>(heights: [S; 3], [p, ..]: [S; 3]) -> [S; 3] {
+    let [b, c] = cuts(heights);
+    let p = p * b * c;
+    [p * (S::constant(4.0) - b - c), p * b, p * c]
 }
 
-/// Only corner `apex` is wet: a triangle `t_b t_c` of the whole in area, with p at the apex only.
-fn apex_wet<S: Scalar>(apex: usize, heights: [S; 3], p: [S; 3]) -> [S; 3] {
-    let [b, c] = cuts(apex, heights);
-    let p = p[apex] * b * c;
-    turned(apex, [p * (S::constant(4.0) - b - c), p * b, p * c])
-}
-
-/// Only corner `apex` is dry. The four-cornered rest is two triangles: both wet corners and the cut
-/// towards the second; the first wet corner and both cuts.
-fn apex_dry<S: Scalar>(apex: usize, heights: [S; 3], p: [S; 3]) -> [S; 3] {
-    let [b, c] = cuts(apex, heights);
-    let [p_b, p_c] = [1, 2].map(|next| p[(apex + next) % 3]);
-    let (above_b, above_c) = (S::ONE - b, S::ONE - c);
-    let (one, other) = (above_c, c * above_b * p_b);
-    let sum = p_b + p_c;
-    // Shares of the cuts go to the corners between which they lie.
-    let at_b = one * (p_b + sum) + other * S::constant(2.0);
-    let at_c = one * (p_c + sum);
-    let at_cut_c = one * sum + other;
-    let at_cut_b = other;
-    turned(apex, [at_cut_b * above_b + at_cut_c * above_c, at_b + at_cut_b * b, at_c + at_cut_c * c])
-}
-
-/// Shares of `apex` and the next two corners, in the order of the corners.
+/// Only the first corner is dry. The four-cornered rest is two triangles: both wet corners and the
+/// cut towards the second; the first wet corner and both cuts. What falls to a cut goes to the
+/// corners between which it lies.
 #[inline]
-fn turned<S: Scalar>(apex: usize, shares: [S; 3]) -> [S; 3] {
-    [0, 1, 2].map(|corner| shares[(3 + corner - apex) % 3])
+fn apex_dry<S: Scalar>(heights: [S; 3], [_, p_b, p_c]: [S; 3]) -> [S; 3] {
+    let [b, c] = cuts(heights);
+    let (rest_b, rest_c) = (S::ONE - b, S::ONE - c);
+    let (sum, at_cut_b) = (p_b + p_c, c * rest_b * p_b);
+    let at_cut_c = rest_c * sum + at_cut_b;
+    let at_b = rest_c * (p_b + sum) + at_cut_b + at_cut_b;
+    let at_c = rest_c * (p_c + sum);
+    [at_cut_b * rest_b + at_cut_c * rest_c, at_b + at_cut_b * b, at_c + at_cut_c * c]
 }
 
 /// Every lane by its own case. A lane's bits are those that it has alone.
 fn lane_by_lane<S: Scalar>(h: [S; 3], p: [S; 3]) -> [S; 3] {
-    let wet = |corner: usize, at: usize| apex_wet(at, h, p)[corner];
-    let dry = |corner: usize, at: usize| apex_dry(at, h, p)[corner];
+    let turned = |apex: usize| (from_corner(apex, h), from_corner(apex, p));
     [0, 1, 2].map(|k| {
+        let wet = |apex: usize| {
+            let (h, p) = turned(apex);
+            from_corner(3 - apex, apex_wet(h, p))[k]
+        };
+        let dry = |apex: usize| {
+            let (h, p) = turned(apex);
+            from_corner(3 - apex, apex_dry(h, p))[k]
+        };
         let first_wet = || {
             h[1].select_below(
                 0.0,
-                || h[2].select_below(0.0, || all_wet(p)[k], || dry(k, 2)),
-                || h[2].select_below(0.0, || dry(k, 1), || wet(k, 0)),
+                || h[2].select_below(0.0, || all_wet(p)[k], || dry(2)),
+                || h[2].select_below(0.0, || dry(1), || wet(0)),
             )
         };
         let first_dry = || {
             h[1].select_below(
                 0.0,
-                || h[2].select_below(0.0, || dry(k, 0), || wet(k, 1)),
-                || h[2].select_below(0.0, || wet(k, 2), || S::ZERO),
+                || h[2].select_below(0.0, || dry(0), || wet(1)),
+                || h[2].select_below(0.0, || wet(2), || S::ZERO),
             )
         };
         h[0].select_below(0.0, first_wet, first_dry)
