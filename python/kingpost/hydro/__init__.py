@@ -4,5 +4,7 @@
 """
 
 from .database import Database, read, write
+from .memory import retardation
+from .radiation_fit import fit, impulse_response
 
-__all__ = ["Database", "read", "write"]
+__all__ = ["Database", "fit", "impulse_response", "read", "retardation", "write"]

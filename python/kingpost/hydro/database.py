@@ -307,7 +307,7 @@ def _mode(radiation: Fields, index: int, mode: object) -> RadiationMode:
 
 
 def to_tree(database: Database) -> dict[str, Any]:
-    """The database as plain values, numbers to seven significant digits: the contents of its file."""
+    """The database as plain values, to seven digits but for the memory: the contents of its file."""
     here, hull, plane = database, database.hull, database.hull.waterplane
     about, water, mesh = here.provenance, here.water, hull.mesh
     tree = {
@@ -328,12 +328,19 @@ def to_tree(database: Database) -> dict[str, Any]:
         "added_mass_infinite": here.added_mass_infinite,
         "froude_krylov": _parts(here.froude_krylov), "diffraction": _parts(here.diffraction),
         "mean_drift": here.mean_drift,
-        "radiation": None if here.radiation is None else {
-            "modes": [{"poles_rad_s": _pairs(mode.poles_rad_s), "residues": _pairs(mode.residues)}
-                      for mode in here.radiation.modes],
-            "fit_error": here.radiation.fit_error},
     }  # fmt: skip
-    return _plain(tree)
+    return {**_plain(tree), "radiation": _radiation_tree(here.radiation)}
+
+
+def _radiation_tree(radiation: Radiation | None) -> dict[str, Any] | None:
+    """Every digit: rounded residues would leave K(0) beside zero, a drag on a steady drift."""
+    if radiation is None:
+        return None
+    modes = [
+        {"poles_rad_s": _pairs(mode.poles_rad_s).tolist(), "residues": _pairs(mode.residues).tolist()}
+        for mode in radiation.modes
+    ]
+    return {"modes": modes, "fit_error": _plain(radiation.fit_error)}
 
 
 def _parts(values: NDArray[np.complex128]) -> dict[str, NDArray[np.float64]]:
