@@ -11,7 +11,7 @@ pub struct LocalWater<S = f64> {
     /// Of the surface over the point, above still water, m.
     pub elevation: S,
     /// What the waves add to the still water's `-rho g z` at the point, N/m^2. At the surface the
-    /// two should cancel: there the pressure is taken as 0.
+    /// two should cancel; above it they go on smoothly, as the neighbours of what is wet need it.
     pub dynamic_pressure: S,
 }
 

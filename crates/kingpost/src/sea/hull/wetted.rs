@@ -133,12 +133,12 @@ impl<S: Scalar> WettedHull<S> {
     }
 }
 
-/// For a p that is linear over what is wet of a triangle, with the values `p` at its wet corners
-/// and 0 at the water's surface, and any linear f:
-/// `Int p f dS = area / 12 (s_0 f_0 + s_1 f_1 + s_2 f_2)`; these are the s.
+/// For p and f that are linear over a triangle and have these values of p at its corners, what is
+/// wet of it gives `Int p f dS = area / 12 (s_0 f_0 + s_1 f_1 + s_2 f_2)`; these are the s.
 ///
-/// Over a triangle `Int p f dS = area / 12 Sum_i (p_i + p_0 + p_1 + p_2) f_i` (from the means of
-/// products of barycentric coordinates, 1/12 and 1/6).
+/// Over a whole triangle `Int p f dS = area / 12 Sum_i (p_i + p_0 + p_1 + p_2) f_i` (from the means
+/// of products of barycentric coordinates, 1/12 and 1/6). Of one that is cut, the tip at the corner
+/// that is alone is wet, or all but the tip.
 #[inline]
 pub(super) fn corner_shares<S: Scalar>(sides: [u8; 3], corners: [usize; 3], heights: &[S], p: &[S]) -> [S; 3] {
     let at = |values: &[S], corners: [usize; 3]| corners.map(|i| values[i]);
@@ -149,7 +149,8 @@ pub(super) fn corner_shares<S: Scalar>(sides: [u8; 3], corners: [usize; 3], heig
             let apex = apex_of(sides);
             let corners = from_corner(apex, corners);
             let (heights, p) = (at(heights, corners), at(p, corners));
-            from_corner(3 - apex, if wet == 1 { apex_wet(heights, p) } else { apex_dry(heights, p) })
+            let tip = tip(heights, p);
+            from_corner(3 - apex, if wet == 1 { tip } else { all_but(p, tip) })
         }
         _ => lane_by_lane(at(heights, corners), at(p, corners)),
     }
@@ -179,26 +180,21 @@ fn all_wet<S: Scalar>(p: [S; 3]) -> [S; 3] {
     p.map(|p| p + sum)
 }
 
-/// Only the first corner is wet: a triangle `t_b t_c` of the whole in area, p at the apex only.
 #[inline]
-fn apex_wet<S: Scalar>(heights: [S; 3], [p, ..]: [S; 3]) -> [S; 3] {
-    let [b, c] = cuts(heights);
-    let p = p * b * c;
-    [p * (S::constant(4.0) - b - c), p * b, p * c]
+fn all_but<S: Scalar>(p: [S; 3], tip: [S; 3]) -> [S; 3] {
+    let whole = all_wet(p);
+    [whole[0] - tip[0], whole[1] - tip[1], whole[2] - tip[2]]
 }
 
-/// Only the first corner is dry. The four-cornered rest is two triangles: both wet corners and the
-/// cut towards the second; the first wet corner and both cuts. What falls to a cut goes to the
-/// corners between which it lies.
+/// Between the first corner and the cuts: a triangle of `b c` of the whole's area. What falls to a
+/// cut goes to the corners between which it lies.
 #[inline]
-fn apex_dry<S: Scalar>(heights: [S; 3], [_, p_b, p_c]: [S; 3]) -> [S; 3] {
+fn tip<S: Scalar>(heights: [S; 3], [p_a, p_b, p_c]: [S; 3]) -> [S; 3] {
     let [b, c] = cuts(heights);
-    let (rest_b, rest_c) = (S::ONE - b, S::ONE - c);
-    let (sum, at_cut_b) = (p_b + p_c, c * rest_b * p_b);
-    let at_cut_c = rest_c * sum + at_cut_b;
-    let at_b = rest_c * (p_b + sum) + at_cut_b + at_cut_b;
-    let at_c = rest_c * (p_c + sum);
-    [at_cut_b * rest_b + at_cut_c * rest_c, at_b + at_cut_b * b, at_c + at_cut_c * c]
+    let (at_b, at_c) = (p_a + (p_b - p_a) * b, p_a + (p_c - p_a) * c);
+    let (part, sum) = (b * c, p_a + at_b + at_c);
+    let [at_a, at_b, at_c] = [p_a, at_b, at_c].map(|p| (p + sum) * part);
+    [at_a + at_b * (S::ONE - b) + at_c * (S::ONE - c), at_b * b, at_c * c]
 }
 
 /// Every lane by its own case. A lane's bits are those that it has alone.
@@ -207,11 +203,11 @@ fn lane_by_lane<S: Scalar>(h: [S; 3], p: [S; 3]) -> [S; 3] {
     [0, 1, 2].map(|k| {
         let wet = |apex: usize| {
             let (h, p) = turned(apex);
-            from_corner(3 - apex, apex_wet(h, p))[k]
+            from_corner(3 - apex, tip(h, p))[k]
         };
         let dry = |apex: usize| {
             let (h, p) = turned(apex);
-            from_corner(3 - apex, apex_dry(h, p))[k]
+            from_corner(3 - apex, all_but(p, tip(h, p)))[k]
         };
         let first_wet = || {
             h[1].select_below(
