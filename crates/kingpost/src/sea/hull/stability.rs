@@ -110,7 +110,7 @@ pub struct RightingArm {
 impl Equilibrium {
     /// Draught, heel and trim at which weight and buoyancy balance: a stationary point of
     /// `Phi / W = z0 + n . c - H / V` at constant displacement, by Newton's method from upright
-    /// that only goes down (c the centre of gravity; see [`WettedHull::buoyancy`]).
+    /// that only goes down (c the centre of gravity; see [`Buoyancy`]).
     ///
     /// # Errors
     /// [`StabilityError`].
