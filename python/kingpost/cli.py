@@ -14,6 +14,7 @@ from typing import NoReturn
 
 from . import __version__
 from .errors import KingpostError, RunError
+from .hydro import command as hydro_command
 from .scenario import Scenario, load
 from .simulate import Simulation
 
@@ -72,6 +73,10 @@ def parser() -> argparse.ArgumentParser:
     paper.add_argument("-o", "--output", metavar="DIR", default="paper-results",
                        help="folder to write (default: %(default)s)")  # fmt: skip
     paper.set_defaults(command=_paper)
+
+    hydro = commands.add_parser("hydro", help="compute the hydrodynamic database of a hull")
+    hydro_command.add_options(hydro)
+    hydro.set_defaults(command=_hydro)
 
     serve = commands.add_parser("serve", help="serve the browser app")
     serve.add_argument("scenario", nargs="?", metavar="SCENARIO", help="a file or a gallery name")
@@ -149,6 +154,11 @@ def _paper(options: argparse.Namespace) -> int:
     from . import paper
 
     return paper.command(options.output)
+
+
+def _hydro(options: argparse.Namespace) -> int:
+    hydro_command.run(options)
+    return DONE
 
 
 def _serve(options: argparse.Namespace) -> int:

@@ -185,9 +185,7 @@ def write(database: Database, path: str | Path) -> Path:
     HydrodynamicsError
         When a value is not allowed, or the file cannot be written.
     """
-    target = Path(path)
-    if not target.name.endswith(ENDING):
-        raise HydrodynamicsError("", repr(target.name), f"a name that ends with {ENDING}")
+    target = check_output(path)
     tree = to_tree(database)
     from_tree(tree, str(target))
     text = json.dumps(tree, separators=(",", ":"), ensure_ascii=False, allow_nan=False) + "\n"
@@ -205,6 +203,18 @@ def write(database: Database, path: str | Path) -> Path:
                 raise
     except OSError as error:
         raise HydrodynamicsError("", error.strerror, "a place that can be written to", str(target)) from None
+    return target
+
+
+def check_output(path: str | Path) -> Path:
+    """The place to write to, refused before any work where it cannot be."""
+    target = Path(path)
+    if not target.name.endswith(ENDING):
+        raise HydrodynamicsError("", repr(target.name), f"a name that ends with {ENDING}")
+    if not target.parent.is_dir():
+        raise HydrodynamicsError("", "no such folder", "a folder that exists", str(target.parent))
+    if target.is_dir():
+        raise HydrodynamicsError("", "a folder", "a file", str(target))
     return target
 
 

@@ -1,0 +1,131 @@
+"""From a hull's meshes to its checked database."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import __version__
+from ..errors import HydrodynamicsError
+from . import checks
+from .database import Database, Hull, Provenance, Water, Waterplane
+from .solve import PANELS_PER_WAVE, SHALLOWEST_LID, solve, wave_number
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from .meshes import HullMeshes
+
+FREQUENCIES, DIRECTIONS = 40, 24
+LOWEST, HIGHEST, CENTRE = 0.08, 3.5, 1.2
+"""The grid's ends and the frequency about which it is dense, in units of sqrt(g / V^(1/3))."""
+
+
+def default_frequencies(volume_m3: float, water: Water, count: int = FREQUENCIES) -> NDArray[np.float64]:
+    """Frequencies that follow the hull's size, rad/s: even in w / (w + c), dense about its waves."""
+    unit = np.sqrt(water.gravity_m_s2 / volume_m3 ** (1 / 3))
+    ends = np.array([LOWEST, HIGHEST])
+    part = np.linspace(*(ends / (ends + CENTRE)), count)
+    return np.array([float(f"{unit * CENTRE * s / (1 - s):.4g}") for s in part])
+
+
+def build(
+    hull: HullMeshes,
+    water: Water,
+    title: str,
+    frequencies_rad_s: NDArray[np.float64] | None = None,
+    directions: int = DIRECTIONS,
+    with_lid: bool | None = None,
+    update: Callable[[float], None] = lambda _done: None,
+) -> Database:
+    """Run the panel method and check what it gives.
+
+    Parameters
+    ----------
+    with_lid
+        `None` puts a lid where the draught allows one.
+
+    Raises
+    ------
+    HydrodynamicsError
+        When the panels are too large for the frequencies, the sea bed is above the keel, a lid is asked
+        for on too shallow a hull, or a result is unphysical.
+    """
+    if frequencies_rad_s is None:
+        frequencies_rad_s = default_frequencies(hull.particulars.volume_m3, water)
+    _check_depth(hull, water)
+    _check_panels(hull, water, float(frequencies_rad_s[-1]))
+    lid_wanted, notes = _lid(hull, with_lid)
+    found = solve(hull, water, frequencies_rad_s, directions, lid_wanted, update)
+    database = Database(
+        title=title,
+        provenance=Provenance(
+            tool=f"kingpost hydro {__version__}",
+            solver=found.solver,
+            source=hull.source,
+            panels=hull.panel_count,
+            lid_panels=found.lid_panels,
+            notes=("zero forward speed", *notes),
+        ),
+        water=water,
+        hull=_hull(hull),
+        frequencies_rad_s=frequencies_rad_s,
+        wave_directions_rad=2 * np.pi * np.arange(directions) / directions,
+        added_mass=found.added_mass,
+        radiation_damping=found.radiation_damping,
+        added_mass_infinite=found.added_mass_infinite,
+        froude_krylov=found.froude_krylov,
+        diffraction=found.diffraction,
+    )
+    checks.check(database)
+    return database
+
+
+def _check_depth(hull: HullMeshes, water: Water) -> None:
+    draught = hull.particulars.draught_m
+    if water.depth_m is not None and water.depth_m <= draught:
+        allowed = f"more than the draught of {draught:g} m"
+        raise HydrodynamicsError("water_depth_m", f"{water.depth_m:g}", allowed)
+
+
+def _check_panels(hull: HullMeshes, water: Water, highest: float) -> None:
+    wave_length = 2 * np.pi / wave_number(highest, water)
+    if wave_length < PANELS_PER_WAVE * hull.panel_size_m:
+        raise HydrodynamicsError(
+            "frequencies",
+            f"{highest:g} rad/s, a wave of {wave_length:.3g} m on panels of {hull.panel_size_m:.3g} m",
+            f"waves of {PANELS_PER_WAVE} panels or more: use more panels or lower frequencies",
+        )
+
+
+def _lid(hull: HullMeshes, wanted: bool | None) -> tuple[bool, tuple[str, ...]]:
+    least = SHALLOWEST_LID * hull.panel_size_m
+    possible = hull.particulars.draught_m >= least
+    if wanted and not possible:
+        raise HydrodynamicsError(
+            "lid", f"a draught of {hull.particulars.draught_m:g} m",
+            f"a draught of a panel's size, {least:.3g} m, or more: use more panels or --no-lid",
+        )  # fmt: skip
+    if wanted is None and not possible:
+        return False, ("no lid against irregular frequencies: the draught is less than a panel's size",)
+    return wanted is not False, () if wanted is not False else ("no lid against irregular frequencies",)
+
+
+def _hull(hull: HullMeshes) -> Hull:
+    found, plane = hull.particulars, hull.particulars.waterplane
+    kept = np.array([axis not in hull.reflections for axis in (0, 1)], dtype=float)
+    return Hull(
+        draught_m=found.draught_m,
+        length_m=found.length_m,
+        beam_m=found.beam_m,
+        volume_m3=found.volume_m3,
+        centre_of_buoyancy_m=found.centre_of_buoyancy_m * [*kept, 1.0],
+        waterplane=Waterplane(
+            plane.area_m2,
+            plane.first_moments_m3 * kept,
+            plane.second_moments_m4 * [1.0, kept[0] * kept[1], 1.0],
+        ),
+        mesh=hull.hull,
+    )

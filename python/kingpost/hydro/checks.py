@@ -1,0 +1,159 @@
+"""Checks that refuse an unphysical result, each with its limit and the numbers in the error."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import HydrodynamicsError
+from .solve import wave_number
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from .database import Database, Water
+
+MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+ASYMMETRY = 0.05
+"""Largest |A_ij - A_ji| as a fraction of sqrt(A_ii A_jj), each diagonal at its largest."""
+NEGATIVE_DAMPING = 0.05
+"""Lowest eigenvalue of the symmetric part of B, over the diagonal's largest, may be this much below 0."""
+HASKIND = 0.10
+"""Largest difference of B_ii from Haskind's relation as a fraction of the largest B_ii."""
+_REMEDY = "use more panels, a lid, or frequencies that the panels resolve"
+_SMALL = 1e-4
+"""Diagonals below this fraction of the displaced water's mass or inertia are counted as that."""
+
+
+def check(database: Database) -> None:
+    """Refuse a database whose coefficients no hull can have.
+
+    Raises
+    ------
+    HydrodynamicsError
+        When added mass or damping is not symmetric, added mass at infinite frequency has no positive
+        diagonal, damping takes energy from nowhere, or excitation and damping disagree.
+    """
+    check_symmetry(database)
+    check_damping(database)
+    check_haskind(database)
+
+
+def check_symmetry(database: Database) -> None:
+    """A_ij = A_ji and B_ij = B_ji at zero speed; A_ii at infinite frequency is not negative."""
+    scale = mass_scale(database)
+    diagonal = np.diagonal(database.added_mass_infinite)
+    if (diagonal < -ASYMMETRY * scale).any():
+        worst = int(np.argmin(diagonal / scale))
+        found = f"{diagonal[worst]:.3g} in {MOTIONS[worst]}"
+        raise HydrodynamicsError("added_mass_infinite", found, f"no negative diagonal: {_REMEDY}")
+    every = np.concatenate([database.added_mass, database.added_mass_infinite[None]])
+    _check_symmetric("added_mass", every, database, scale)
+    _check_symmetric("radiation_damping", database.radiation_damping, database, damping_scale(database))
+
+
+def _check_symmetric(field: str, matrices: NDArray, database: Database, scale: NDArray) -> None:
+    difference = np.abs(matrices - matrices.transpose(0, 2, 1)) / np.sqrt(np.outer(scale, scale))
+    n, i, j = np.unravel_index(np.argmax(difference), difference.shape)
+    if difference[n, i, j] > ASYMMETRY:
+        at = "infinite frequency"
+        if n < len(database.frequencies_rad_s):
+            at = f"{database.frequencies_rad_s[n]:g} rad/s"
+        back = f"{matrices[n, j, i]:.4g} back at {at}"
+        raise HydrodynamicsError(
+            field,
+            f"{matrices[n, i, j]:.4g} from {MOTIONS[j]} to {MOTIONS[i]} but {back}",
+            f"symmetric matrices, to {ASYMMETRY:g} of the diagonal's largest: {_REMEDY}",
+        )
+
+
+def check_damping(database: Database) -> None:
+    """The symmetric part of B is not negative: waves carry energy away."""
+    scale = np.sqrt(damping_scale(database))
+    damping = database.radiation_damping
+    symmetric = (damping + damping.transpose(0, 2, 1)) / 2 / np.outer(scale, scale)
+    lowest = np.linalg.eigvalsh(symmetric)[:, 0]
+    n = int(np.argmin(lowest))
+    if lowest[n] < -NEGATIVE_DAMPING:
+        raise HydrodynamicsError(
+            "radiation_damping",
+            f"an eigenvalue of {lowest[n]:.3g} of its symmetric part, over the diagonal's largest, at "
+            f"{database.frequencies_rad_s[n]:g} rad/s",
+            f"{-NEGATIVE_DAMPING:g} or more: {_REMEDY}",
+        )
+
+
+def check_haskind(database: Database) -> None:
+    """Damping agrees with the waves that the excitation says the hull makes; see `haskind_damping`.
+
+    Only frequencies for which the grid of directions resolves the integral are compared.
+    """
+    resolved = database.frequencies_rad_s <= highest_resolved(database)
+    if not resolved.any():
+        return
+    frequencies = database.frequencies_rad_s[resolved]
+    damping = np.diagonal(database.radiation_damping, axis1=1, axis2=2)
+    difference = np.abs(damping[resolved] - haskind_damping(database)[resolved]) / damping_scale(database)
+    n, i = np.unravel_index(np.argmax(difference), difference.shape)
+    if difference[n, i] > HASKIND:
+        raise HydrodynamicsError(
+            "radiation_damping",
+            f"a difference of {difference[n, i]:.1%} of its largest from Haskind's relation in {MOTIONS[i]} "
+            f"at {frequencies[n]:g} rad/s",
+            f"at most {HASKIND:.0%}: {_REMEDY}",
+        )
+
+
+def haskind_damping(database: Database) -> NDArray[np.float64]:
+    """Diagonal of B from the excitation, shape (frequencies, 6).
+
+    B_ii = k / (8 pi rho g v_g) Int |X_i|^2 db over the circle, v_g the group velocity
+    (J. N. Newman, The exciting forces on fixed bodies in waves, J. Ship Research 6(3), 1962).
+    """
+    water = database.water
+    mean_square = (np.abs(database.excitation) ** 2).mean(axis=1) * 2 * np.pi
+    factors = [_haskind_factor(frequency, water) for frequency in database.frequencies_rad_s]
+    return mean_square * np.array(factors)[:, None]
+
+
+def _haskind_factor(frequency: float, water: Water) -> float:
+    k = wave_number(frequency, water)
+    celerity = frequency / k
+    part = 0.5
+    if water.depth_m is not None and k * water.depth_m < 100:
+        part = 0.5 + k * water.depth_m / np.sinh(2 * k * water.depth_m)
+    return float(k / (8 * np.pi * water.density_kg_m3 * water.gravity_m_s2 * part * celerity))
+
+
+def highest_resolved(database: Database) -> float:
+    """Highest frequency whose |X|^2, of angular order up to 2 k R, m directions resolve; rad/s.
+
+    R is the radius of the hull's plan; a margin of four orders is kept.
+    """
+    radius = np.hypot(database.hull.length_m, database.hull.beam_m) / 2
+    most = (len(database.wave_directions_rad) - 4) / (2 * radius)
+    resolved = [w for w in database.frequencies_rad_s if wave_number(w, database.water) <= most]
+    return max(resolved, default=0.0)
+
+
+def mass_scale(database: Database) -> NDArray[np.float64]:
+    """The diagonal of A at its largest, not less than a small part of the displaced water's."""
+    largest = np.diagonal(database.added_mass, axis1=1, axis2=2).max(axis=0)
+    return np.maximum(largest, _SMALL * _displaced(database))
+
+
+def damping_scale(database: Database) -> NDArray[np.float64]:
+    """The diagonal of B at its largest, not less than a small part of the displaced water's mass times
+    sqrt(g / V^(1/3))."""
+    middle = np.sqrt(database.water.gravity_m_s2 / database.hull.volume_m3 ** (1 / 3))
+    largest = np.diagonal(database.radiation_damping, axis1=1, axis2=2).max(axis=0)
+    return np.maximum(largest, _SMALL * middle * _displaced(database))
+
+
+def _displaced(database: Database) -> NDArray[np.float64]:
+    """Mass and inertia of the displaced water, as of a block of the hull's length and beam."""
+    hull = database.hull
+    mass = database.water.density_kg_m3 * hull.volume_m3
+    inertia = mass * np.array([hull.beam_m, hull.length_m, hull.length_m]) ** 2 / 12
+    return np.array([mass, mass, mass, *inertia])

@@ -1,0 +1,171 @@
+"""`kingpost hydro HULL -o FILE`: from a hull to its hydrodynamic database."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from dataclasses import fields
+from pathlib import Path
+
+import numpy as np
+
+from .. import progress
+from ..errors import HydrodynamicsError
+from .build import DIRECTIONS, FREQUENCIES, build, default_frequencies
+from .database import Database, Water, check_output, write
+from .hull_files import HullFile
+from .meshes import HullMeshes, parametric
+from .shapes import Box, Hemisphere, Shape, Sphere, Wigley
+from .solve import capytaine
+from .vessel import OffshoreVessel
+
+SHAPES: dict[str, type[Shape]] = {
+    "box": Box,
+    "wigley": Wigley,
+    "sphere": Sphere,
+    "hemisphere": Hemisphere,
+    "offshore_vessel": OffshoreVessel,
+}
+PANELS = 900
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """The command's options."""
+    command.add_argument("hull", metavar="HULL", help=(
+        "a mesh file (STL, OBJ, GDF, what meshio reads) or a parametric hull such as "
+        f"box:length_m=20,beam_m=10,draught_m=2,depth_m=5; of {', '.join(SHAPES)}"))  # fmt: skip
+    command.add_argument("-o", "--output", metavar="FILE", required=True, help="database, NAME.hydro.json")
+    command.add_argument("--title", metavar="TEXT", help="title of the database (default: the hull)")
+    command.add_argument("--frequencies_rad_s", metavar="F", help=(
+        f"from:to:n or a list a,b,c (default: {FREQUENCIES} that follow the hull's size)"))  # fmt: skip
+    command.add_argument("--directions", metavar="N", type=int, default=DIRECTIONS,
+                         help="wave directions round the circle (default: %(default)s)")  # fmt: skip
+    command.add_argument("--panels", metavar="N", type=int, default=PANELS,
+                         help="about how many panels the wetted hull has (default: %(default)s)")  # fmt: skip
+    command.add_argument("--draught_m", metavar="T", type=float,
+                         help="draught of a mesh file's hull (default: the water is at z = 0)")  # fmt: skip
+    command.add_argument("--water_depth_m", metavar="H", type=float, help="water depth (default: infinite)")
+    command.add_argument("--density_kg_m3", metavar="RHO", type=float, default=Water.density_kg_m3,
+                         help="density of the water (default: %(default)s)")  # fmt: skip
+    command.add_argument("--lid", action=argparse.BooleanOptionalAction, default=None,
+                         help="lid against irregular frequencies (default: if deep enough)")  # fmt: skip
+    command.add_argument("--flip_normals", action="store_true", help="turn a mesh file's normals round")
+
+
+def run(options: argparse.Namespace) -> Database:
+    """Do what the options ask, print a summary and return the database."""
+    # What takes no time is checked before what takes minutes.
+    target = check_output(options.output)
+    water = _water(options)
+    given = options.frequencies_rad_s
+    frequencies = None if given is None else parse_frequencies(given)
+    _check_count("directions", options.directions, 4)
+    _check_count("panels", options.panels, 50)
+    hull = _hull(options)
+    capytaine()
+    if frequencies is None:
+        frequencies = default_frequencies(hull.particulars.volume_m3, water)
+    print(summary(hull, water))
+    with progress.bar(len(frequencies) + 1, "frequencies") as update:
+        title = options.title or hull.source
+        database = build(hull, water, title, frequencies, options.directions, options.lid, update)
+    print(f"written             {write(database, target)}")
+    return database
+
+
+def _water(options: argparse.Namespace) -> Water:
+    for name in ("density_kg_m3", "water_depth_m"):
+        value = getattr(options, name)
+        if value is not None and not (math.isfinite(value) and value > 0):
+            raise HydrodynamicsError(f"--{name}", f"{value:g}", "a number greater than 0")
+    return Water(density_kg_m3=options.density_kg_m3, depth_m=options.water_depth_m)
+
+
+def _check_count(name: str, found: int, least: int) -> None:
+    if found < least:
+        raise HydrodynamicsError(f"--{name}", str(found), f"a whole number from {least}")
+
+
+def parse_frequencies(text: str) -> np.ndarray:
+    """Frequencies from ``from:to:n`` or ``a,b,c``.
+
+    >>> parse_frequencies("0.5:1.5:3")
+    array([0.5, 1. , 1.5])
+    """
+    allowed = "from:to:n such as 0.1:3:30, or a list such as 0.2,0.5,1; increasing and greater than 0"
+    try:
+        if ":" in text:
+            start, end, count = text.split(":")
+            found = np.linspace(float(start), float(end), int(count))
+        else:
+            found = np.array([float(part) for part in text.split(",")])
+    except (ValueError, MemoryError):
+        raise HydrodynamicsError("--frequencies_rad_s", repr(text), allowed) from None
+    if len(found) == 0 or not np.isfinite(found).all() or found[0] <= 0 or (np.diff(found) <= 0).any():
+        raise HydrodynamicsError("--frequencies_rad_s", repr(text), allowed)
+    return found
+
+
+def _hull(options: argparse.Namespace) -> HullMeshes:
+    if Path(options.hull).is_file():
+        file = HullFile(Path(options.hull), options.draught_m, options.flip_normals)
+        return file.meshes(options.panels)
+    kind = options.hull.partition(":")[0]
+    if kind not in SHAPES and "=" not in options.hull:
+        kinds = ", ".join(SHAPES)
+        allowed = f"a mesh file, or a parametric hull: {kinds}"
+        raise HydrodynamicsError("hull", "no such file", allowed, options.hull)
+    if options.draught_m is not None:
+        allowed = "a mesh file; a parametric hull has its own draught"
+        raise HydrodynamicsError("--draught_m", "a parametric hull", allowed)
+    return parametric(parse_shape(options.hull), options.hull, options.panels)
+
+
+def parse_shape(text: str) -> Shape:
+    """A parametric hull from its description.
+
+    >>> parse_shape("sphere:radius_m=5")
+    Sphere(radius_m=5.0)
+    """
+    kind, _, description = text.partition(":")
+    if kind not in SHAPES:
+        raise HydrodynamicsError("hull", repr(kind), f"one of {', '.join(SHAPES)}")
+    names = [field.name for field in fields(SHAPES[kind])]
+    form = f"{kind}:" + ",".join(f"{name}=..." for name in names)
+    values: dict[str, float] = {}
+    for assignment in filter(None, description.split(",")):
+        name, _, value = assignment.partition("=")
+        if name not in names or name in values:
+            found = "given twice" if name in values else "an unknown dimension"
+            raise HydrodynamicsError(f"hull.{name}", found, form)
+        try:
+            values[name] = float(value)
+        except ValueError:
+            raise HydrodynamicsError(f"hull.{name}", repr(value), "a number") from None
+    missing = [name for name in names if name not in values]
+    if missing:
+        raise HydrodynamicsError("hull", f"no {missing[0]}", form)
+    return SHAPES[kind](**values)
+
+
+def summary(hull: HullMeshes, water: Water) -> str:
+    """What the hull is, before the long work."""
+    found, plane = hull.particulars, hull.particulars.waterplane
+    x, y = plane.first_moments_m3 / plane.area_m2
+    transverse = plane.second_moments_m4[2] - y**2 * plane.area_m2
+    longitudinal = plane.second_moments_m4[0] - x**2 * plane.area_m2
+    centre = ", ".join(f"{value + 0.0:.4g}" for value in found.centre_of_buoyancy_m.round(9))
+    heights = [moment / found.volume_m3 for moment in (transverse, longitudinal)]
+    planes = {(): "none", (1,): "y = 0", (0,): "x = 0", (0, 1): "x = 0 and y = 0"}[hull.reflections]
+    rows = [
+        ("hull", hull.source),
+        ("length, beam", f"{found.length_m:.4g} m, {found.beam_m:.4g} m"),
+        ("draught", f"{found.draught_m:.4g} m"),
+        ("volume", f"{found.volume_m3:.6g} m3, {found.volume_m3 * water.density_kg_m3 / 1000:.6g} t"),
+        ("block coefficient", f"{found.block_coefficient:.4f}"),
+        ("centre of buoyancy", f"{centre} m"),
+        ("waterplane", f"{plane.area_m2:.6g} m2"),
+        ("BM", f"{heights[0]:.4g} m transverse, {heights[1]:.4g} m longitudinal"),
+        ("panels", f"{hull.panel_count} of about {hull.panel_size_m:.3g} m; planes of symmetry: {planes}"),
+    ]
+    return "\n".join(f"{name:<20}{value}" for name, value in rows)

@@ -1,0 +1,181 @@
+"""Hulls from mesh files: STL, OBJ and whatever else meshio reads, and WAMIT's GDF."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import HydrodynamicsError
+from .database import Mesh
+from .meshes import HullMeshes, whole
+from .panels import of_triangles
+from .surface import Surface, check_closed, check_outward, open_edges, particulars
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+LARGEST_HULL = 2000
+"""Triangles of the largest hull that goes into a database."""
+MOST_PANELS = 6000
+"""Panels that the method solves for at most, of the part that is not mirrored."""
+INSTALL = 'pip install "meshio>=5.3"'
+
+
+@dataclass(frozen=True)
+class HullFile:
+    """A mesh file and how it floats.
+
+    Attributes
+    ----------
+    path
+        The file; metres, x forward, y to port, z up.
+    draught_m
+        Depth of the lowest point under the water plane; `None` where z = 0 is the water plane.
+    flip_normals
+        Turn all normals round first.
+    """
+
+    path: Path
+    draught_m: float | None = None
+    flip_normals: bool = False
+
+    def meshes(self, panels: int) -> HullMeshes:
+        """Panels, particulars and the closed hull, checked; with about so many panels or more."""
+        surface = self._placed()
+        closed = self._check(surface)
+        wetted = surface.below()
+        found = particulars(wetted)
+        reflections = tuple(axis for axis in (0, 1) if _symmetric(wetted, axis))
+        part = wetted
+        for axis in reflections:
+            part = part.mirrored(axis).below(0.0, axis).mirrored(axis)
+        # Triangles of this side have about the area that was asked for.
+        fine = part.refined(2 * (wetted.area / panels) ** 0.5)
+        if len(fine.triangles) > MOST_PANELS:
+            found_panels = f"{len(fine.triangles)} panels to solve for"
+            allowed = f"at most {MOST_PANELS}: use a coarser mesh"
+            raise HydrodynamicsError("hull", found_panels, allowed, str(self.path))
+        small = closed and len(surface.triangles) <= LARGEST_HULL
+        mesh = Mesh(surface.vertices, surface.triangles) if small else None
+        return HullMeshes(self.path.name, reflections, of_triangles(fine), found, mesh)
+
+    def _placed(self) -> Surface:
+        surface = read(self.path)
+        if self.flip_normals:
+            surface = Surface(surface.vertices, surface.triangles[:, ::-1])
+        if self.draught_m is None:
+            return surface
+        if not self.draught_m > 0:
+            raise HydrodynamicsError("draught_m", f"{self.draught_m:g}", "a number greater than 0")
+        lifted = surface.vertices - [0, 0, surface.vertices[:, 2].min() + self.draught_m]
+        return Surface(lifted, surface.triangles)
+
+    def _check(self, surface: Surface) -> bool:
+        """Refuse what cannot be solved; whether the hull is closed, deck and all."""
+        file = str(self.path)
+        lowest, highest = surface.vertices[:, 2].min(), surface.vertices[:, 2].max()
+        tolerance = 1e-6 * np.ptp(surface.vertices, axis=0).max()
+        if lowest > -tolerance:
+            raise HydrodynamicsError(
+                "hull", f"a hull above the water, its lowest point at z = {lowest:.4g} m",
+                "a hull that reaches below the water plane z = 0: give its draught with --draught_m", file,
+            )  # fmt: skip
+        edges = open_edges(surface)
+        at_water = np.abs(surface.vertices[edges, 2]).max(initial=0.0) < tolerance
+        if len(edges) and at_water and highest < tolerance:
+            check_outward(surface, particulars(surface).volume_m3, file)
+            return False
+        check_closed(surface, file)
+        if highest < tolerance:
+            raise HydrodynamicsError(
+                "hull", f"a hull that cannot float: all of it is under water, its top at z = {highest:.4g} m",
+                f"a draught less than its depth of {highest - lowest:.4g} m, set with --draught_m", file,
+            )  # fmt: skip
+        return True
+
+
+def read(path: Path) -> Surface:
+    """Triangles of a mesh file, equal points made one.
+
+    Raises
+    ------
+    HydrodynamicsError
+        When the file cannot be read or holds no surface.
+    """
+    if not path.is_file():
+        raise HydrodynamicsError("hull", "no such file", "a mesh file or a parametric hull", str(path))
+    surface = _read_gdf(path) if path.suffix.lower() == ".gdf" else _read_meshio(path)
+    if len(surface.triangles) == 0:
+        raise HydrodynamicsError("hull", "no triangles and no quadrangles", "a surface mesh", str(path))
+    if not np.isfinite(surface.vertices).all():
+        raise HydrodynamicsError("hull", "a point that is not finite", "finite coordinates", str(path))
+    return surface.welded()
+
+
+def _read_meshio(path: Path) -> Surface:
+    try:
+        import meshio
+    except ImportError:
+        raise HydrodynamicsError("meshio", "no such package", f"`{INSTALL}`, which installs it") from None
+    try:
+        # meshio reports some errors by printing and leaving.
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+            found = meshio.read(path)
+            cells = [found.get_cells_type(name) for name in ("triangle", "quad")]
+    except (Exception, SystemExit) as error:
+        reason = str(error).strip() or type(error).__name__
+        allowed = "STL, OBJ, GDF or another format that meshio reads"
+        raise HydrodynamicsError(
+            "hull", f"a file that cannot be read ({reason})", allowed, str(path)
+        ) from None
+    points = np.asarray(found.points, float)
+    faces = [_halved(np.asarray(some)) for some in cells if len(some)]
+    if not faces or points.ndim != 2 or points.shape[1] != 3:
+        return Surface(np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64))
+    return Surface(points, np.concatenate(faces))
+
+
+def _halved(cells: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Quadrangles as two triangles each."""
+    if cells.shape[1] == 3:
+        return cells.astype(np.int64)
+    return np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]]).astype(np.int64)
+
+
+def _read_gdf(path: Path) -> Surface:
+    """WAMIT's low-order geometry: title, ULEN and GRAV, ISX and ISY, number of panels, corners of each.
+
+    Its panels run counter-clockwise as the water sees them (WAMIT User Manual, version 7, chapter 6); ISX
+    and ISY say that x = 0 and y = 0 are planes of symmetry.
+    """
+    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()[1:]
+    allowed = "WAMIT's GDF: a title, ULEN GRAV, ISX ISY, the number of panels, twelve coordinates each"
+    words = [line.split() for line in lines]
+    try:
+        symmetric = [int(word) for word in words[1][:2]]
+        count = int(words[2][0])
+        numbers = np.array([float(word) for line in words[3:] for word in line][: 12 * count])
+        quads = numbers.reshape(count, 4, 3)
+    except (ValueError, IndexError):
+        found = "a file of another format or cut short"
+        raise HydrodynamicsError("hull", found, allowed, str(path)) from None
+    corners = np.arange(4 * count).reshape(count, 4)
+    part = Surface(quads.reshape(-1, 3), _halved(corners))
+    return whole(part.welded(), tuple(axis for axis in (0, 1) if symmetric[axis]))
+
+
+def _symmetric(surface: Surface, axis: int) -> bool:
+    """Whether the mirror image of a surface has the same triangles."""
+    return np.array_equal(_triangle_keys(surface), _triangle_keys(surface.mirrored(axis)))
+
+
+def _triangle_keys(surface: Surface) -> NDArray[np.int64]:
+    size = np.ptp(surface.vertices, axis=0).max()
+    values = np.concatenate([surface.corners.mean(axis=1) / size, surface.area_vectors / size**2], axis=1)
+    keys = np.round(values * 1e5).astype(np.int64)
+    return keys[np.lexsort(keys.T)]

@@ -1,0 +1,110 @@
+"""Hulls as meshes: panels of the wetted part and the closed hull with its deck."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .database import Mesh
+from .panels import Panels, of_patches
+from .surface import Particulars, Surface, check_closed, particulars
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from .shapes import Shape
+
+HULL_TRIANGLES = 530
+"""About how many triangles the closed hull of a database has."""
+PARTICULARS_PANELS = 20_000
+"""About how many panels the volume and the waterplane of a parametric hull are integrated over."""
+
+
+@dataclass(frozen=True)
+class HullMeshes:
+    """What the panel method and the database need of a hull, z = 0 on the water plane.
+
+    Attributes
+    ----------
+    source
+        What the hull is, for the provenance.
+    reflections
+        Axes (0 is x, 1 is y) along which `panels` are mirrored to give the whole wetted hull.
+    panels
+        The wetted part, or a half or a quarter of it.
+    particulars
+        Of the whole wetted hull.
+    hull
+        The closed hull with its deck, or `None` where the mesh ends at the water line.
+    """
+
+    source: str
+    reflections: tuple[int, ...]
+    panels: Panels
+    particulars: Particulars
+    hull: Mesh | None
+
+    @property
+    def panel_count(self) -> int:
+        """Panels of the whole wetted hull."""
+        return len(self.panels.faces) * 2 ** len(self.reflections)
+
+    @property
+    def panel_size_m(self) -> float:
+        """Side of a square with a panel's mean area."""
+        return (self.panels.surface.area / len(self.panels.faces)) ** 0.5
+
+
+def whole(part: Surface, reflections: tuple[int, ...]) -> Surface:
+    """A part with its mirror images."""
+    for axis in reflections:
+        part = part.joined(part.mirrored(axis))
+    return part
+
+
+def parametric(shape: Shape, source: str, panels: int) -> HullMeshes:
+    """Meshes of a parametric hull with about so many panels.
+
+    The particulars are those of a far finer mesh. The meshes for use are stretched by what their
+    chords cut off, so that they displace the same volume.
+    """
+    size, fine = ((shape.wetted_area_m2 / count) ** 0.5 for count in (panels, PARTICULARS_PANELS))
+    found = particulars(whole(_wetted(shape, fine).surface, shape.reflections))
+    coarse = _hull_size(shape)
+    stretch = _stretch(shape, coarse, found.volume_m3)
+    wet = [grid * stretch for grid in shape.wetted(coarse)]
+    dry = [grid * [*stretch[:2], 1.0] for grid in shape.dry(coarse)]
+    closed = whole(of_patches([*wet, *dry], _inside(shape)).surface, shape.reflections)
+    check_closed(closed, None)
+    wetted = _wetted(shape, size, _stretch(shape, size, found.volume_m3))
+    return HullMeshes(source, shape.reflections, wetted, found, Mesh(closed.vertices, closed.triangles))
+
+
+def _inside(shape: Shape) -> NDArray[np.float64]:
+    return np.array([0.0, 0.0, -0.5 * shape.draught_m])
+
+
+def _wetted(shape: Shape, size: float, stretch: NDArray[np.float64] | float = 1.0) -> Panels:
+    return of_patches([grid * stretch for grid in shape.wetted(size)], _inside(shape))
+
+
+def _stretch(shape: Shape, size: float, volume: float) -> NDArray[np.float64]:
+    """Factors along x, y, z that give a mesh of this size the volume."""
+    found = particulars(whole(_wetted(shape, size).surface, shape.reflections)).volume_m3
+    factors = np.ones(3)
+    factors[list(shape.stretched)] = (volume / found) ** (1 / len(shape.stretched))
+    return factors
+
+
+def _hull_size(shape: Shape) -> float:
+    """The smallest panel with which the closed hull has no more than the wanted triangles."""
+    size = (shape.wetted_area_m2 / 20) ** 0.5
+    while True:
+        finer = 0.95 * size
+        patches = [*shape.wetted(finer), *shape.dry(finer)]
+        part = of_patches(patches, _inside(shape)).surface
+        if len(part.triangles) * 2 ** len(shape.reflections) > HULL_TRIANGLES:
+            return size
+        size = finer

@@ -1,0 +1,133 @@
+"""Panels of four corners, as the panel method wants them, and a lid of panels inside the water line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .surface import SAME_POINT, Surface, open_edges
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Grid = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Panels:
+    """Panels by their corners, counter-clockwise as the water sees them; a triangle repeats its last."""
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int64]
+
+    @property
+    def surface(self) -> Surface:
+        """The panels cut into triangles."""
+        a, b, c, d = self.faces.T
+        halves = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+        return Surface(self.vertices, halves).welded()
+
+    @property
+    def corner_lists(self) -> list[list[int]]:
+        """Corners of each panel, three or four."""
+        return [face[:3] if face[2] == face[3] else face for face in self.faces.tolist()]
+
+
+def of_triangles(surface: Surface) -> Panels:
+    """Triangles as panels."""
+    return Panels(surface.vertices, surface.triangles[:, [0, 1, 2, 2]])
+
+
+def of_patches(patches: Sequence[Grid], inside: Grid) -> Panels:
+    """Grids of points as panels, their normals away from a point inside the hull."""
+    quads = np.concatenate([_quads(grid, inside) for grid in patches])
+    return _welded(quads)
+
+
+def _quads(grid: Grid, inside: Grid) -> Grid:
+    """Corners of a grid's panels, shape (panels, 4, 3)."""
+    corners = [grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]]
+    quads = np.stack([corner.reshape(-1, 3) for corner in corners], axis=1)
+    normals = np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
+    outward = np.einsum("pi,pi->", normals, quads.mean(axis=1) - inside) > 0
+    return quads if outward else quads[:, ::-1]
+
+
+def _welded(quads: Grid) -> Panels:
+    """Equal points made one, panels without an area left out."""
+    points = quads.reshape(-1, 3)
+    size = np.ptp(points, axis=0).max()
+    keys = np.round(points / (SAME_POINT * size)).astype(np.int64)
+    _, first, index = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+    faces = index.reshape(-1, 4)
+    repeated = faces == np.roll(faces, 1, axis=1)
+    triangle = repeated.sum(axis=1) == 1
+    # The three corners after the repeated one, and the last of them again.
+    after = repeated[triangle].argmax(axis=1)[:, None] + [1, 2, 3, 3]
+    faces[triangle] = np.take_along_axis(faces[triangle], after % 4, axis=1)
+    a, b, c, d = faces.T
+    kept = (a != b) & (b != c) & (a != c) & (a != d) & (b != d)
+    return Panels(points[first], faces[kept])
+
+
+def lid(wetted: Panels, size: float) -> Panels:
+    """Panels on the water plane inside the water line, against irregular frequencies.
+
+    Between stations along x the water line's crossings bound strips across, which are divided evenly.
+    A part of a hull that is to be mirrored along y ends at y = 0.
+    """
+    surface = wetted.surface
+    edges = surface.vertices[open_edges(surface)]
+    tolerance = SAME_POINT * np.ptp(surface.vertices, axis=0).max()
+    water_line = edges[np.abs(edges[:, :, 2]).max(axis=1) < tolerance][:, :, :2]
+    quads: list[Grid] = []
+    stations = _stations(water_line[:, :, 0], size)
+    for left, right in pairwise(stations):
+        quads += _strips(water_line, left, right, size)
+    return _welded(np.array(quads))
+
+
+def _stations(x: Grid, size: float) -> Grid:
+    """The water line's own corners, thinned or divided so that they stand about a size apart."""
+    kept = [x.min()]
+    for value in np.unique(x)[1:]:
+        if value - kept[-1] > 0.7 * size:
+            kept.append(value)
+    kept[-1] = x.max() if len(kept) > 1 else kept[-1]
+    if len(kept) == 1:
+        kept.append(x.max())
+    parts = [
+        np.linspace(start, end, max(1, round((end - start) / size)) + 1)[:-1] for start, end in pairwise(kept)
+    ]
+    return np.append(np.concatenate(parts), kept[-1])
+
+
+def _strips(water_line: Grid, left: float, right: float, size: float) -> list[Grid]:
+    inset = 1e-6 * (right - left)
+    at_left, at_right = _crossings(water_line, left + inset), _crossings(water_line, right - inset)
+    if len(at_left) != len(at_right):
+        at_left = at_right = _crossings(water_line, (left + right) / 2)
+    quads = []
+    for k in range(0, len(at_left) - 1, 2):
+        width = max(at_left[k + 1] - at_left[k], at_right[k + 1] - at_right[k])
+        part = np.linspace(0, 1, max(1, round(width / size)) + 1)
+        y_left = at_left[k] + part * (at_left[k + 1] - at_left[k])
+        y_right = at_right[k] + part * (at_right[k + 1] - at_right[k])
+        for i in range(len(part) - 1):
+            corners = [(left, y_left[i]), (left, y_left[i + 1]), (right, y_right[i + 1]), (right, y_right[i])]
+            quads.append(np.array([(*corner, 0.0) for corner in corners]))
+    return quads
+
+
+def _crossings(water_line: Grid, x: float) -> Grid:
+    """Where the line of constant x crosses the water line, from starboard to port, or from y = 0."""
+    start, end = water_line[:, 0], water_line[:, 1]
+    crossing = (start[:, 0] - x) * (end[:, 0] - x) < 0
+    start, end = start[crossing], end[crossing]
+    part = (x - start[:, 0]) / (end[:, 0] - start[:, 0])
+    y = np.sort(start[:, 1] + part * (end[:, 1] - start[:, 1]))
+    return np.insert(y, 0, 0.0) if len(y) % 2 else y

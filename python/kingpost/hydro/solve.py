@@ -1,0 +1,204 @@
+"""The linear potential flow about a hull at zero forward speed, by the panel method of Capytaine 3.
+
+M. Ancellin & F. Dias, Capytaine: a Python-based linear potential flow solver, J. Open Source Software
+4(36), 2019. The boundary integral equation is the direct one, for the potential: on equal panels its
+added masses are several times as accurate as those of the equation for sources.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import HydrodynamicsError
+from .database import Water
+from .meshes import HullMeshes
+from .panels import Panels, lid
+from .symmetry import allowed_couplings, independent_directions, whole_circle
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+SHALLOWEST_LID = 1.0
+"""A lid needs a draught of this many panel sizes: nearer the bottom it spoils the equations."""
+PANELS_PER_WAVE = 4
+"""Panels that the shortest wave needs along its length."""
+INSTALL = 'pip install "capytaine>=3"'
+
+
+@dataclass(frozen=True)
+class Coefficients:
+    """What the panel method gives; arrays as in `Database`."""
+
+    added_mass: NDArray[np.float64]
+    radiation_damping: NDArray[np.float64]
+    added_mass_infinite: NDArray[np.float64]
+    froude_krylov: NDArray[np.complex128]
+    diffraction: NDArray[np.complex128]
+    lid_panels: int
+    solver: str
+
+
+def capytaine() -> Any:
+    """The module, or one error that says how to install it."""
+    try:
+        import capytaine
+    except ImportError:
+        raise HydrodynamicsError("capytaine", "no such package", f"`{INSTALL}`, which installs it") from None
+    version = capytaine.__version__
+    if int(version.split(".")[0]) < 3:
+        raise HydrodynamicsError("capytaine", f"version {version}", f"3 or later: `{INSTALL}`")
+    logging.getLogger("capytaine").setLevel(logging.ERROR)
+    return capytaine
+
+
+def solve(
+    hull: HullMeshes,
+    water: Water,
+    frequencies_rad_s: NDArray[np.float64],
+    directions: int,
+    with_lid: bool,
+    update: Callable[[float], None] = lambda _done: None,
+) -> Coefficients:
+    """Solve radiation and diffraction.
+
+    Parameters
+    ----------
+    hull
+        The wetted panels and their symmetry.
+    water
+        Density, gravity and depth.
+    frequencies_rad_s
+        Increasing.
+    directions
+        How many wave directions the circle is divided into.
+    with_lid
+        Whether to close the inner water plane, which shifts irregular frequencies away.
+    update
+        Called with the number of frequencies done.
+    """
+    module = capytaine()
+    cover = lid(hull.panels, hull.panel_size_m) if with_lid else None
+    problem = _Problem(module, hull, water, cover)
+    chosen = independent_directions(directions, hull.reflections)
+    angles = 2 * np.pi * np.array(chosen) / directions
+    infinite = problem.infinite()
+    update(1)
+    rows = []
+    for done, frequency in enumerate(frequencies_rad_s):
+        rows.append(problem.at(frequency, angles))
+        update(done + 2)
+    added_mass, damping, diffraction = (np.array(part) for part in zip(*rows, strict=True))
+    incident = np.array([froude_krylov(hull, water, w, angles) for w in frequencies_rad_s])
+    couplings = allowed_couplings(hull.reflections)
+    return Coefficients(
+        added_mass=added_mass * couplings,
+        radiation_damping=damping * couplings,
+        added_mass_infinite=infinite * couplings,
+        froude_krylov=whole_circle(incident, chosen, directions, hull.reflections),
+        diffraction=whole_circle(diffraction, chosen, directions, hull.reflections),
+        lid_panels=0 if cover is None else len(cover.faces) * 2 ** len(hull.reflections),
+        solver=f"Capytaine {module.__version__}, direct boundary integral equation",
+    )
+
+
+class _Problem:
+    """A hull as Capytaine knows it."""
+
+    def __init__(self, module: Any, hull: HullMeshes, water: Water, cover: Panels | None) -> None:
+        self.module = module
+        self.solver = module.BEMSolver(method="direct")
+        self.depth = np.inf if water.depth_m is None else water.depth_m
+        self.water = {"rho": water.density_kg_m3, "g": water.gravity_m_s2, "water_depth": self.depth}
+        motions = module.rigid_body_dofs(rotation_center=(0, 0, 0))
+        mesh = _mesh(module, hull.panels, hull.reflections)
+        self.bare = module.FloatingBody(mesh=mesh, dofs=motions)
+        self.body = self.bare
+        if cover is not None:
+            lid_mesh = _mesh(module, cover, hull.reflections)
+            self.body = module.FloatingBody(mesh=mesh, lid_mesh=lid_mesh, dofs=motions)
+        self.motions = list(self.body.dofs)
+
+    def at(self, frequency: float, angles: NDArray[np.float64]) -> tuple[NDArray, NDArray, NDArray]:
+        """Added mass, damping and diffraction forces at one frequency."""
+        radiated = [self._solve(self._radiation(self.body, motion, frequency)) for motion in self.motions]
+        scattered = [
+            self._solve(
+                self.module.DiffractionProblem(
+                    body=self.body, omega=frequency, wave_direction=angle, **self.water
+                )
+            )
+            for angle in angles
+        ]
+        added_mass = self._matrix([result.added_masses for result in radiated])
+        damping = self._matrix([result.radiation_dampings for result in radiated])
+        forces = np.array([[result.forces[motion] for motion in self.motions] for result in scattered])
+        return added_mass, damping, forces
+
+    def infinite(self) -> NDArray[np.float64]:
+        """Added mass at infinite frequency, where the potential vanishes on the water plane."""
+        problems = [self._radiation(self.bare, motion, np.inf) for motion in self.motions]
+        return self._matrix([self._solve(problem).added_masses for problem in problems])
+
+    def _radiation(self, body: Any, motion: str, frequency: float) -> Any:
+        return self.module.RadiationProblem(body=body, omega=frequency, radiating_dof=motion, **self.water)
+
+    def _solve(self, problem: Any) -> Any:
+        return self.solver.solve(problem, keep_details=False, _check_wavelength=False)
+
+    def _matrix(self, by_motion: Sequence[dict[str, Any]]) -> NDArray[np.float64]:
+        """Rows are forces, columns motions."""
+        return np.array([[float(column[force]) for column in by_motion] for force in self.motions])
+
+
+def _mesh(module: Any, panels: Panels, reflections: Sequence[int]) -> Any:
+    mesh = module.Mesh(panels.vertices, panels.corner_lists, auto_clean=False, auto_check=False)
+    for axis in reflections:
+        mesh = module.ReflectionSymmetricMesh(mesh, plane="yOz" if axis == 0 else "xOz")
+    return mesh
+
+
+def wave_number(frequency: float, water: Water) -> float:
+    """Root k of w^2 = g k tanh(k h), by Newton's method; 1/m.
+
+    >>> round(wave_number(1.0, Water(gravity_m_s2=9.81)), 6)
+    0.101937
+    """
+    deep = frequency**2 / water.gravity_m_s2
+    if water.depth_m is None or deep * water.depth_m > 30:
+        return deep
+    wanted = deep * water.depth_m
+    kh = max(wanted, wanted**0.5)
+    for _ in range(50):
+        tanh = np.tanh(kh)
+        kh -= (kh * tanh - wanted) / (tanh + kh * (1 - tanh**2))
+    return float(kh / water.depth_m)
+
+
+def froude_krylov(
+    hull: HullMeshes, water: Water, frequency: float, angles: NDArray[np.float64]
+) -> NDArray[np.complex128]:
+    """Force of the undisturbed wave's pressure on the wetted hull, shape (directions, 6), per metre.
+
+    -Int p n dS over triangles of the panels, with
+    p = rho g cosh k(z + h) / cosh kh exp(i k (x cos b + y sin b)) at the midpoints of their edges.
+    """
+    from .meshes import whole
+
+    surface = whole(hull.panels.surface, hull.reflections)
+    points = surface.midpoints.reshape(-1, 3)
+    areas = np.repeat(surface.area_vectors / 3, 3, axis=0)
+    weights = np.concatenate([areas, np.cross(points, areas)], axis=1)
+    k = wave_number(frequency, water)
+    x, y, z = points.T
+    decay = np.exp(k * z)
+    if water.depth_m is not None:
+        # cosh k(z + h) / cosh kh without large numbers.
+        decay *= (1 + np.exp(-2 * k * (z + water.depth_m))) / (1 + np.exp(-2 * k * water.depth_m))
+    phase = k * (np.outer(np.cos(angles), x) + np.outer(np.sin(angles), y))
+    pressure = water.density_kg_m3 * water.gravity_m_s2 * decay * np.exp(1j * phase)
+    return -pressure @ weights

@@ -1,0 +1,244 @@
+"""Hulls as meshes: closed forms of their particulars, and what is refused of a file."""
+
+import meshio
+import numpy as np
+import pytest
+from kingpost.errors import HydrodynamicsError
+from kingpost.hydro import hull_files, surface
+from kingpost.hydro.command import parse_frequencies, parse_shape
+from kingpost.hydro.hull_files import HullFile
+from kingpost.hydro.meshes import HULL_TRIANGLES, parametric, whole
+from kingpost.hydro.panels import lid
+from kingpost.hydro.shapes import Box, Hemisphere, Sphere, Wigley
+from kingpost.hydro.surface import Surface
+from kingpost.hydro.vessel import OffshoreVessel
+
+BARGE = Box(length_m=20, beam_m=10, draught_m=2, depth_m=5)
+SHAPES = [
+    BARGE,
+    Wigley(length_m=10, beam_m=1, draught_m=0.625, depth_m=1),
+    Sphere(radius_m=5),
+    Hemisphere(radius_m=5, depth_m=7),
+    OffshoreVessel(length_m=80, beam_m=18, draught_m=5.5, depth_m=8, block_coefficient=0.68),
+]
+WHOLE_BARGE = parametric(BARGE, "barge", 100).hull
+
+
+def named(shape: object) -> str:
+    return type(shape).__name__
+
+
+def barge_surface() -> Surface:
+    return Surface(WHOLE_BARGE.vertices_m, WHOLE_BARGE.triangles)
+
+
+def moved(hull: Surface, x: float, z: float) -> Surface:
+    return Surface(hull.vertices + np.array([x, 0, z]), hull.triangles)
+
+
+def written(tmp_path, hull: Surface, name: str = "hull.stl"):
+    path = tmp_path / name
+    meshio.write(path, meshio.Mesh(hull.vertices, [("triangle", hull.triangles)]))
+    return path
+
+
+def test_a_box_barge_has_the_particulars_of_a_block():
+    found = parametric(BARGE, "barge", 900).particulars
+    assert found.volume_m3 == pytest.approx(20 * 10 * 2, rel=1e-12)
+    np.testing.assert_allclose(found.centre_of_buoyancy_m, [0, 0, -1], atol=1e-12)
+    assert found.waterplane.area_m2 == pytest.approx(200, rel=1e-12)
+    second = found.waterplane.second_moments_m4
+    np.testing.assert_allclose(second, [20**3 * 10 / 12, 0, 10**3 * 20 / 12], rtol=1e-12, atol=1e-9)
+    assert second[2] / found.volume_m3 == pytest.approx(10**2 / (12 * 2), rel=1e-12)  # BM = B^2 / 12 T
+
+
+def test_a_sphere_has_the_particulars_of_a_half_ball():
+    found = parametric(Sphere(5), "sphere", 900).particulars
+    # A grid of chords: relative error of second order in the angle between points, here 0.02 rad.
+    assert found.volume_m3 == pytest.approx(2 / 3 * np.pi * 5**3, rel=2e-4)
+    assert found.centre_of_buoyancy_m[2] == pytest.approx(-3 / 8 * 5, rel=2e-4)
+    assert found.waterplane.area_m2 == pytest.approx(np.pi * 5**2, rel=2e-4)
+
+
+def test_wigleys_hull_has_its_block_coefficient_of_four_ninths():
+    found = parametric(SHAPES[1], "wigley", 900).particulars
+    assert found.block_coefficient == pytest.approx(4 / 9, rel=5e-4)
+
+
+@pytest.mark.parametrize("wanted", [0.62, 0.68, 0.75, 0.85])
+def test_an_offshore_vessel_has_the_block_coefficient_that_was_asked(wanted):
+    found = parametric(OffshoreVessel(80, 18, 5.5, 8, wanted), "vessel", 900).particulars
+    assert found.block_coefficient == pytest.approx(wanted, abs=1e-3)
+    assert (found.length_m, found.beam_m, found.draught_m) == pytest.approx((80, 18, 5.5), rel=1e-9)
+
+
+def test_a_block_coefficient_that_the_vessel_cannot_have_is_refused_with_what_it_can():
+    with pytest.raises(HydrodynamicsError, match=r"found 0.95, allowed: a number from 0\.\d+ to 0\.\d+"):
+        OffshoreVessel(80, 18, 5.5, 8, 0.95)
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=named)
+def test_the_panels_and_the_closed_hull_displace_the_same_volume(shape):
+    meshes = parametric(shape, "a hull", 600)
+    closed = Surface(meshes.hull.vertices_m, meshes.hull.triangles)
+    surface.check_closed(closed, None)
+    assert 250 < len(closed.triangles) <= HULL_TRIANGLES
+    panels = whole(meshes.panels.surface, meshes.reflections)
+    for mesh in (panels, closed.below()):
+        found = surface.particulars(mesh)
+        assert found.volume_m3 == pytest.approx(meshes.particulars.volume_m3, rel=1e-9)
+        # Chords of about thirty stations: 2 percent at most, of a circle's area.
+        assert found.waterplane.area_m2 == pytest.approx(meshes.particulars.waterplane.area_m2, rel=0.02)
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=named)
+def test_the_lid_covers_the_waterplane_of_the_panels(shape):
+    meshes = parametric(shape, "a hull", 600)
+    cover = lid(meshes.panels, meshes.panel_size_m).surface
+    waterplane = surface.particulars(whole(meshes.panels.surface, meshes.reflections)).waterplane
+    # Stations between which the water line curves leave slivers.
+    assert cover.area * 2 ** len(meshes.reflections) == pytest.approx(waterplane.area_m2, rel=0.02)
+    np.testing.assert_array_equal(cover.vertices[:, 2], 0)
+    assert (cover.area_vectors[:, 2] < 0).all() or (cover.area_vectors[:, 2] > 0).all()
+
+
+@pytest.mark.parametrize("ending", ["stl", "obj", "ply"])
+def test_a_barge_from_a_file_is_the_parametric_barge(tmp_path, ending):
+    lifted = barge_surface()
+    keel_at_zero = moved(lifted, 0, 2)
+    path = written(tmp_path, keel_at_zero, f"hull.{ending}")
+    meshes = HullFile(path, draught_m=2).meshes(200)
+    assert meshes.particulars.volume_m3 == pytest.approx(400, rel=1e-5)
+    assert meshes.particulars.waterplane.area_m2 == pytest.approx(200, rel=1e-5)
+    assert meshes.panel_count >= 200
+    assert len(meshes.hull.triangles) == len(lifted.triangles)
+
+
+def test_a_symmetric_file_is_solved_in_part_and_another_whole(tmp_path):
+    barge = barge_surface()
+    meshes = HullFile(written(tmp_path, barge)).meshes(200)
+    assert meshes.reflections == (0, 1)
+    assert HullFile(written(tmp_path, moved(barge, 1, 0))).meshes(200).reflections == (1,)
+    turned = Surface(barge.vertices[:, [1, 0, 2]] * [1, -1, 1] + [1.0, 0.5, 0], barge.triangles)
+    meshes = HullFile(written(tmp_path, turned)).meshes(200)
+    assert meshes.reflections == ()
+    np.testing.assert_allclose(meshes.particulars.centre_of_buoyancy_m, [1, 0.5, -1], atol=1e-5)
+
+
+def test_panels_of_a_coarse_file_are_cut_to_size(tmp_path):
+    corners = np.array([[x, y, z] for x in (-10, 10) for y in (-5, 5) for z in (-2, 3)], float)
+    quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    path = tmp_path / "box.obj"
+    meshio.write(path, meshio.Mesh(corners, [("quad", np.array(quads))]))
+    meshes = HullFile(path).meshes(400)
+    assert meshes.particulars.volume_m3 == pytest.approx(400)
+    assert meshes.panel_count >= 400
+
+
+GDF = """a box of WAMIT's, a quarter of its wetted part
+1.0 9.80665
+1 1
+3
+0 0 -2  0 5 -2  10 5 -2  10 0 -2
+0 5 -2  0 5 0  10 5 0  10 5 -2
+10 0 -2  10 5 -2  10 5 0  10 0 0
+"""
+
+
+def test_a_gdf_file_is_read_with_its_symmetry_and_without_a_deck(tmp_path):
+    path = tmp_path / "box.gdf"
+    path.write_text(GDF)
+    meshes = HullFile(path).meshes(200)
+    assert meshes.particulars.volume_m3 == pytest.approx(400)
+    assert meshes.reflections == (0, 1)
+    assert meshes.hull is None
+
+
+def test_a_gdf_file_cut_short_is_refused(tmp_path):
+    path = tmp_path / "box.gdf"
+    for end in (5, 60, 90, len(GDF) - 20):
+        path.write_text(GDF[:end])
+        with pytest.raises(HydrodynamicsError, match="cut short"):
+            hull_files.read(path)
+
+
+def refused(tmp_path, hull: Surface, **options: object) -> str:
+    with pytest.raises(HydrodynamicsError) as caught:
+        HullFile(written(tmp_path, hull), **options).meshes(200)
+    return str(caught.value)
+
+
+def test_a_mesh_with_a_hole_is_refused_with_where_it_is(tmp_path):
+    barge = barge_surface()
+    message = refused(tmp_path, Surface(barge.vertices, barge.triangles[1:]))
+    assert "found a mesh with holes: 3 open edges, one at (" in message
+
+
+def test_half_a_hull_is_refused_with_what_to_do(tmp_path):
+    assert "on y = 0: mirror this half" in refused(tmp_path, barge_surface().below(0.0, 1))
+
+
+def test_inward_normals_are_refused_and_turned_when_asked(tmp_path):
+    barge = barge_surface()
+    inward = Surface(barge.vertices, barge.triangles[:, ::-1])
+    assert "found normals that point inwards" in refused(tmp_path, inward)
+    path = written(tmp_path, inward)
+    found = HullFile(path, flip_normals=True).meshes(200).particulars
+    assert found.volume_m3 == pytest.approx(400, rel=1e-5)
+
+
+def test_one_turned_triangle_is_refused_with_where_it_is(tmp_path):
+    barge = barge_surface()
+    triangles = barge.triangles.copy()
+    triangles[7] = triangles[7, ::-1]
+    assert "normals that disagree across 3 edges" in refused(tmp_path, Surface(barge.vertices, triangles))
+
+
+def test_a_hull_above_the_water_is_refused(tmp_path):
+    barge = barge_surface()
+    message = refused(tmp_path, moved(barge, 0, 4))
+    assert "a hull above the water" in message
+    assert "--draught_m" in message
+
+
+def test_a_hull_that_cannot_float_is_refused(tmp_path):
+    assert "cannot float" in refused(tmp_path, barge_surface(), draught_m=6)
+    for hull in ("box:length_m=20,beam_m=10,draught_m=5,depth_m=5", "hemisphere:radius_m=5,depth_m=4"):
+        with pytest.raises(HydrodynamicsError, match="cannot float"):
+            parse_shape(hull)
+
+
+@pytest.mark.parametrize("content", [b"", b"solid of nothing", b"\x00\x01\x02" * 50, b"v 1 2\nf 9 8 7\n"])
+@pytest.mark.parametrize("ending", ["stl", "obj", "gdf", "vtk", "xyz"])
+def test_a_file_that_is_no_mesh_is_refused(tmp_path, content, ending):
+    path = tmp_path / f"hull.{ending}"
+    path.write_bytes(content)
+    with pytest.raises(HydrodynamicsError):
+        HullFile(path).meshes(200)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("box", "hull: found no length_m, allowed: box:length_m=..."),
+        ("box:length=20", "hull.length: found an unknown dimension, allowed: box:length_m=..."),
+        ("box:length_m=20,length_m=2", "hull.length_m: found given twice"),
+        ("box:length_m=long", "hull.length_m: found 'long', allowed: a number"),
+        (
+            "box:length_m=20,beam_m=-1,draught_m=1,depth_m=2",
+            "hull.beam_m: found -1, allowed: a number greater",
+        ),
+        ("box:length_m=nan,beam_m=1,draught_m=1,depth_m=2", "hull.length_m: found nan"),
+        ("boat:length_m=20", "hull: found 'boat', allowed: one of box, wigley, sphere"),
+    ],
+)
+def test_a_wrong_parametric_hull_is_named(text, message):
+    with pytest.raises(HydrodynamicsError) as caught:
+        parse_shape(text)
+    assert str(caught.value).startswith(message)
+
+
+@pytest.mark.parametrize("text", ["", "0:1:3", "1:2", "2,1", "a,b", "nan", "1:2:0", "1,inf", "-1,2"])
+def test_wrong_frequencies_are_refused(text):
+    with pytest.raises(HydrodynamicsError, match="--frequencies_rad_s: found"):
+        parse_frequencies(text)
