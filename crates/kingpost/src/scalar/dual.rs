@@ -1,6 +1,7 @@
 //! Dual numbers: a value and its derivatives along N directions, exact to rounding.
 
 use super::Scalar;
+use core::f64::consts::TAU;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// `value + sum_k derivative[k] e_k` with `e_j e_k = 0` (Clifford 1873; Griewank & Walther,
@@ -123,6 +124,11 @@ impl<const N: usize> Scalar for Dual<N> {
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = libm::sincos(self.value);
         (self.chain(sin, cos), self.chain(cos, -sin))
+    }
+
+    fn sin_cos_of_turns(self) -> (Self, Self) {
+        let (sin, cos) = self.value.sin_cos_of_turns();
+        (self.chain(sin, TAU * cos), self.chain(cos, -TAU * sin))
     }
 
     fn atan2(self, x: Self) -> Self {

@@ -113,6 +113,12 @@ impl Scalar for Lanes {
         (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)))
     }
 
+    #[inline]
+    fn sin_cos_of_turns(self) -> (Self, Self) {
+        let both = self.to_array().map(f64::sin_cos_of_turns);
+        (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)))
+    }
+
     fn atan2(self, x: Self) -> Self {
         let (y, x) = (self.to_array(), x.to_array());
         Self::new(core::array::from_fn(|k| libm::atan2(y[k], x[k])))
@@ -156,7 +162,7 @@ mod tests {
         let root = (x * x + y * y).sqrt();
         let mut sum = root / (S::ONE + sin * sin) - cos.clipped(y, x + y);
         sum += x.atan2(y);
-        sum += (-x * x).exp();
+        sum += (-x * x).exp() * y.sin_cos_of_turns().1;
         sum -= -y;
         sum.select_less(x, || sum * y, || sum / root)
     }

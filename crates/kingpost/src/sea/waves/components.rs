@@ -74,6 +74,9 @@ impl WaveComponent {
     }
 }
 
+/// Most waves that are made of one input.
+pub const MOST_COMPONENTS: usize = 20_000;
+
 /// Angles that an input may have, rad.
 pub(crate) const ANGLES_RAD: [f64; 2] = [-1e4, 1e4];
 

@@ -1,5 +1,7 @@
 //! The field of linear waves: elevation, pressure, velocity and acceleration of the water.
 
+use core::f64::consts::TAU;
+
 use super::components::WaveComponent;
 use super::water::Water;
 use crate::scalar::Scalar;
@@ -22,19 +24,23 @@ use crate::spatial::Vector3;
 /// All of them are multiplied by [`WaveField::ramp`], whose own rate is left out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WaveField<S = f64> {
-    components: Vec<FieldComponent<S>>,
+    waves: Vec<WaveComponent<S>>,
     water: Water,
     ramp_s: f64,
+    amplitudes_m: Vec<S>,
+    turns: Turns<S>,
+    /// 1 / (1 + e^-2kh) of each wave.
+    bottom_scales: Vec<S>,
 }
 
-/// A component with what is computed once.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct FieldComponent<S> {
-    wave: WaveComponent<S>,
-    /// Cosine and sine of the direction.
-    heading: [S; 2],
-    /// g k / w, 1/s.
-    speed_per_amplitude: S,
+/// What the waves' phases are made of, in turns of 2 pi rad and one array each, so that a loop over
+/// the waves becomes SIMD code.
+#[derive(Clone, Debug, PartialEq)]
+struct Turns<S> {
+    x_per_m: Vec<S>,
+    y_per_m: Vec<S>,
+    time_per_s: Vec<S>,
+    phase: Vec<S>,
 }
 
 /// What the water does at a point.
@@ -50,17 +56,25 @@ pub struct WaveKinematics<S = f64> {
     pub acceleration_m_s2: Vector3<S>,
 }
 
+/// Waves whose sines are taken together.
+const BLOCK: usize = 16;
+
 impl<S: Scalar> WaveField<S> {
     /// The field of these waves in this water, growing from rest over this time; 0 for waves that are
     /// there at once.
-    pub fn new(components: &[WaveComponent<S>], water: Water, ramp_s: f64) -> Self {
-        let gravity = S::constant(water.gravity_m_s2);
-        let prepare = |&wave: &WaveComponent<S>| {
-            let (sin, cos) = wave.direction_rad.sin_cos();
-            let speed_per_amplitude = gravity * wave.wave_number_per_m / wave.angular_frequency_rad_s;
-            FieldComponent { wave, heading: [cos, sin], speed_per_amplitude }
+    pub fn new(waves: &[WaveComponent<S>], water: Water, ramp_s: f64) -> Self {
+        let turn = S::constant(1.0 / TAU);
+        let of_each = |f: &dyn Fn(&WaveComponent<S>) -> S| waves.iter().map(f).collect::<Vec<S>>();
+        let turns = Turns {
+            x_per_m: of_each(&|wave| wave.wave_number_per_m * wave.direction_rad.sin_cos().1 * turn),
+            y_per_m: of_each(&|wave| wave.wave_number_per_m * wave.direction_rad.sin_cos().0 * turn),
+            time_per_s: of_each(&|wave| wave.angular_frequency_rad_s * turn),
+            phase: of_each(&|wave| wave.phase_rad * turn),
         };
-        Self { components: components.iter().map(prepare).collect(), water, ramp_s }
+        let double_depth = S::constant(-2.0 * water.depth_m.unwrap_or(0.0));
+        let bottom_scales = of_each(&|wave| S::ONE / (S::ONE + (double_depth * wave.wave_number_per_m).exp()));
+        let amplitudes_m = of_each(&|wave| wave.amplitude_m);
+        Self { waves: waves.to_vec(), water, ramp_s, amplitudes_m, turns, bottom_scales }
     }
 
     /// Still water.
@@ -70,17 +84,17 @@ impl<S: Scalar> WaveField<S> {
 
     /// Number of waves.
     pub fn len(&self) -> usize {
-        self.components.len()
+        self.waves.len()
     }
 
     /// Whether the water is still.
     pub fn is_empty(&self) -> bool {
-        self.components.is_empty()
+        self.waves.is_empty()
     }
 
     /// The waves, in the order of [`Self::phasors`].
     pub fn components(&self) -> impl ExactSizeIterator<Item = &WaveComponent<S>> {
-        self.components.iter().map(|component| &component.wave)
+        self.waves.iter()
     }
 
     /// The water.
@@ -99,10 +113,14 @@ impl<S: Scalar> WaveField<S> {
     }
 
     /// Elevation of the surface, m, at a point (x, y), world, m.
-    pub fn elevation_m(&self, [x, y]: [S; 2], time_s: f64) -> S {
-        let mut sum = S::ZERO;
-        for component in &self.components {
-            sum += component.wave.amplitude_m * component.phase([x, y], time_s).sin_cos().1;
+    pub fn elevation_m(&self, point: [S; 2], time_s: f64) -> S {
+        let (mut sum, mut real, mut imaginary) = (S::ZERO, [S::ZERO; BLOCK], [S::ZERO; BLOCK]);
+        for first in (0..self.waves.len()).step_by(BLOCK) {
+            let count = BLOCK.min(self.waves.len() - first);
+            self.unit_phasors(first, point, time_s, &mut real[..count], &mut imaginary[..count]);
+            for (amplitude, cos) in self.amplitudes_m[first..].iter().zip(&real[..count]) {
+                sum += *amplitude * *cos;
+            }
         }
         sum * S::constant(self.ramp(time_s))
     }
@@ -112,14 +130,28 @@ impl<S: Scalar> WaveField<S> {
     /// Re{X a e^(i q)}.
     ///
     /// # Panics
-    /// When a slice has not the length of the field.
-    pub fn phasors(&self, [x, y]: [S; 2], time_s: f64, real: &mut [S], imaginary: &mut [S]) {
-        assert_eq!((real.len(), imaginary.len()), (self.len(), self.len()), "one entry a wave");
+    /// When a slice has not one entry a wave.
+    pub fn phasors(&self, point: [S; 2], time_s: f64, real: &mut [S], imaginary: &mut [S]) {
+        assert_eq!((real.len(), imaginary.len()), (self.waves.len(), self.waves.len()), "one entry a wave");
+        self.unit_phasors(0, point, time_s, real, imaginary);
         let ramp = S::constant(self.ramp(time_s));
-        for (component, (real, imaginary)) in self.components.iter().zip(real.iter_mut().zip(imaginary)) {
-            let (sin, cos) = component.phase([x, y], time_s).sin_cos();
-            let amplitude = component.wave.amplitude_m * ramp;
-            (*real, *imaginary) = (amplitude * cos, amplitude * sin);
+        for ((real, imaginary), amplitude) in real.iter_mut().zip(imaginary).zip(&self.amplitudes_m) {
+            let amplitude = *amplitude * ramp;
+            *real = *real * amplitude;
+            *imaginary = *imaginary * amplitude;
+        }
+    }
+
+    /// e^(i q) of the waves from the first given, as many as the slices are long.
+    fn unit_phasors(&self, first: usize, [x, y]: [S; 2], time_s: f64, real: &mut [S], imaginary: &mut [S]) {
+        let (time, count) = (S::constant(time_s), real.len());
+        let range = first..first + count;
+        let (kx, ky) = (&self.turns.x_per_m[range.clone()], &self.turns.y_per_m[range.clone()]);
+        let (f, phase) = (&self.turns.time_per_s[range.clone()], &self.turns.phase[range]);
+        let imaginary = &mut imaginary[..count];
+        for i in 0..count {
+            let turns = kx[i] * x + ky[i] * y - f[i] * time + phase[i];
+            (imaginary[i], real[i]) = turns.sin_cos_of_turns();
         }
     }
 
@@ -127,25 +159,37 @@ impl<S: Scalar> WaveField<S> {
     /// bottom; a point beyond gets the values there, so that short waves do not grow above it.
     pub fn linear_kinematics(&self, point: Vector3<S>, time_s: f64) -> WaveKinematics<S> {
         let [x, y, z] = point.0;
-        let (gravity, ramp) = (S::constant(self.water.gravity_m_s2), S::constant(self.ramp(time_s)));
-        let mut pressure_head = S::ZERO;
-        let mut sum = WaveKinematics::zero();
-        for component in &self.components {
-            let (sin, cos) = component.phase([x, y], time_s).sin_cos();
-            let [c, d] = self.decay(component.wave.wave_number_per_m, z);
-            let amplitude = component.wave.amplitude_m * ramp;
-            let [forward, left] = component.heading;
-            sum.elevation_m += amplitude * cos;
-            pressure_head += amplitude * c * cos;
-            let speed = amplitude * component.speed_per_amplitude;
-            let along = speed * c * cos;
-            sum.velocity_m_s += Vector3::new(along * forward, along * left, speed * d * sin);
-            let rate = amplitude * gravity * component.wave.wave_number_per_m;
-            let along = rate * c * sin;
-            sum.acceleration_m_s2 += Vector3::new(along * forward, along * left, -rate * d * cos);
+        let (mut real, mut imaginary) = ([S::ZERO; BLOCK], [S::ZERO; BLOCK]);
+        let (mut elevation, mut head) = (S::ZERO, S::ZERO);
+        let (mut velocity, mut acceleration) = (Vector3::zero(), Vector3::zero());
+        for (block, waves) in self.waves.chunks(BLOCK).enumerate() {
+            let first = BLOCK * block;
+            self.unit_phasors(first, [x, y], time_s, &mut real[..waves.len()], &mut imaginary[..waves.len()]);
+            for (i, wave) in waves.iter().enumerate() {
+                let (a, cos, sin) = (wave.amplitude_m, real[i], imaginary[i]);
+                let [kx, ky] = self.wave_vector(first + i);
+                let [c, d] = self.decay(first + i, z);
+                let upward = wave.wave_number_per_m * d;
+                elevation += a * cos;
+                head += a * c * cos;
+                velocity += Vector3::new(kx * c * cos, ky * c * cos, upward * sin) * (a / wave.angular_frequency_rad_s);
+                acceleration += Vector3::new(kx * c * sin, ky * c * sin, -upward * cos) * a;
+            }
         }
-        sum.dynamic_pressure_pa = pressure_head * S::constant(self.water.density_kg_m3) * gravity;
-        sum
+        let ramp = S::constant(self.ramp(time_s));
+        let gravity = S::constant(self.water.gravity_m_s2) * ramp;
+        WaveKinematics {
+            elevation_m: elevation * ramp,
+            dynamic_pressure_pa: head * gravity * S::constant(self.water.density_kg_m3),
+            velocity_m_s: velocity * gravity,
+            acceleration_m_s2: acceleration * gravity,
+        }
+    }
+
+    /// k (cos b, sin b) of a wave, 1/m.
+    fn wave_vector(&self, i: usize) -> [S; 2] {
+        let turn = S::constant(TAU);
+        [turn * self.turns.x_per_m[i], turn * self.turns.y_per_m[i]]
     }
 
     /// The field up to the moving surface by Wheeler's stretching: the linear field at
@@ -153,58 +197,58 @@ impl<S: Scalar> WaveField<S> {
     /// *Journal of Petroleum Technology* 22, 1970, p. 359; DNV-RP-C205, sec. 3.3). The pressure at the
     /// surface, static and dynamic, is then zero. A point above the surface gets the values there.
     pub fn kinematics(&self, point: Vector3<S>, time_s: f64) -> WaveKinematics<S> {
-        let [x, y, z] = point.0;
-        let elevation = self.elevation_m([x, y], time_s);
-        let below_surface = z - elevation;
-        let stretched = match self.water.depth_m {
-            Some(depth_m) => below_surface / (S::ONE + elevation / S::constant(depth_m)),
-            None => below_surface,
-        };
-        self.linear_kinematics(Vector3::new(x, y, stretched), time_s)
+        let elevation = self.elevation_m([point[0], point[1]], time_s);
+        self.linear_kinematics(self.stretched(point, elevation), time_s)
+    }
+
+    /// The dynamic pressure of [`Self::kinematics`] alone, Pa, where the elevation above the point is
+    /// known.
+    pub fn dynamic_pressure_pa(&self, point: Vector3<S>, elevation_m: S, time_s: f64) -> S {
+        let [x, y, z] = self.stretched(point, elevation_m).0;
+        let (mut head, mut real, mut imaginary) = (S::ZERO, [S::ZERO; BLOCK], [S::ZERO; BLOCK]);
+        for (block, waves) in self.waves.chunks(BLOCK).enumerate() {
+            let first = BLOCK * block;
+            self.unit_phasors(first, [x, y], time_s, &mut real[..waves.len()], &mut imaginary[..waves.len()]);
+            for (i, wave) in waves.iter().enumerate() {
+                head += wave.amplitude_m * self.decay(first + i, z)[0] * real[i];
+            }
+        }
+        let gravity = S::constant(self.water.gravity_m_s2) * S::constant(self.ramp(time_s));
+        head * gravity * S::constant(self.water.density_kg_m3)
     }
 
     /// Pressure above that of the air, Pa, at a point below the moving surface: static, and dynamic by
     /// Wheeler's stretching; zero above the surface.
     pub fn pressure_pa(&self, point: Vector3<S>, time_s: f64) -> S {
-        let field = self.kinematics(point, time_s);
+        let elevation = self.elevation_m([point[0], point[1]], time_s);
         let weight = S::constant(self.water.density_kg_m3 * self.water.gravity_m_s2);
-        point[2].select_less(field.elevation_m, || field.dynamic_pressure_pa - weight * point[2], || S::ZERO)
+        let below = || self.dynamic_pressure_pa(point, elevation, time_s) - weight * point[2];
+        point[2].select_less(elevation, below, || S::ZERO)
     }
 
-    /// cosh k(z + h) / cosh kh and sinh k(z + h) / cosh kh, both e^kz over infinite depth, written with
-    /// exponentials of negative numbers only.
-    fn decay(&self, wave_number: S, z: S) -> [S; 2] {
-        let above_bottom = |depth_m: f64| S::constant(-depth_m);
-        let lowest = above_bottom(self.water.depth_m.unwrap_or(f64::INFINITY));
-        let z = z.clipped(lowest, S::ZERO);
-        let deep = (wave_number * z).exp();
+    fn stretched(&self, point: Vector3<S>, elevation: S) -> Vector3<S> {
+        let below_surface = point[2] - elevation;
+        let height = match self.water.depth_m {
+            Some(depth_m) => {
+                // A trough below the bottom is no wave, but must not divide by zero.
+                let stretch = S::ONE + elevation / S::constant(depth_m);
+                below_surface / stretch.select_below(1e-3, || S::constant(1e-3), || stretch)
+            }
+            None => below_surface,
+        };
+        Vector3::new(point[0], point[1], height)
+    }
+
+    /// cosh k(z + h) / cosh kh and sinh k(z + h) / cosh kh of a wave, both e^kz over infinite depth, with
+    /// exponentials of negative numbers only: (e^kz +- e^-k(z + 2h)) / (1 + e^-2kh).
+    fn decay(&self, i: usize, z: S) -> [S; 2] {
+        let k = self.waves[i].wave_number_per_m;
         let Some(depth_m) = self.water.depth_m else {
+            let deep = (k * z.clipped(S::constant(f64::NEG_INFINITY), S::ZERO)).exp();
             return [deep, deep];
         };
-        let double = S::constant(-2.0) * wave_number;
-        let from_bottom = (double * (z + S::constant(depth_m))).exp();
-        let scale = deep / (S::ONE + (double * S::constant(depth_m)).exp());
-        [scale * (S::ONE + from_bottom), scale * (S::ONE - from_bottom)]
-    }
-}
-
-impl<S: Scalar> FieldComponent<S> {
-    /// k x cos b + k y sin b - w t + phase, rad.
-    #[inline]
-    fn phase(&self, [x, y]: [S; 2], time_s: f64) -> S {
-        let along = x * self.heading[0] + y * self.heading[1];
-        let turned = self.wave.angular_frequency_rad_s * S::constant(time_s);
-        self.wave.wave_number_per_m * along - turned + self.wave.phase_rad
-    }
-}
-
-impl<S: Scalar> WaveKinematics<S> {
-    fn zero() -> Self {
-        Self {
-            elevation_m: S::ZERO,
-            dynamic_pressure_pa: S::ZERO,
-            velocity_m_s: Vector3::zero(),
-            acceleration_m_s2: Vector3::zero(),
-        }
+        let z = z.clipped(S::constant(-depth_m), S::ZERO);
+        let (down, up) = ((k * z).exp(), (-k * (z + S::constant(2.0 * depth_m))).exp());
+        [self.bottom_scales[i] * (down + up), self.bottom_scales[i] * (down - up)]
     }
 }

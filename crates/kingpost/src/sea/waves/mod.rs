@@ -11,16 +11,18 @@ mod error;
 mod field;
 mod noise;
 mod realization;
+mod record;
 mod spectrum;
 mod spreading;
 mod water;
 
-pub use components::{WaveComponent, significant_height_of_components_m};
+pub use components::{MOST_COMPONENTS, WaveComponent, significant_height_of_components_m};
 pub use dispersion::{group_velocity_m_s, wave_number};
 pub use error::WaveError;
 pub use field::{WaveField, WaveKinematics};
 pub use noise::Noise;
-pub use realization::{Amplitudes, MOST_COMPONENTS, WaveSystem};
+pub use realization::{Amplitudes, WaveSystem};
+pub use record::{ElevationRecord, MOST_SAMPLES};
 pub use spectrum::{
     Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Torsethaugen,
 };

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::components::{ANGLES_RAD, WaveComponent};
+use super::components::{ANGLES_RAD, MOST_COMPONENTS, WaveComponent};
 use super::error::{WaveError, between};
 use super::noise::Noise;
 use super::spectrum::{Band, Spectrum, sub_intervals};
@@ -37,9 +37,6 @@ pub struct WaveSystem {
     /// Frequencies that are kept; none for [`Spectrum::usual_band`].
     pub band: Option<Band>,
 }
-
-/// Most waves of one system.
-pub const MOST_COMPONENTS: usize = 20_000;
 
 /// Share of the waves that are laid out evenly over frequency, whatever their energy.
 const EVEN_SHARE: f64 = 0.5;

@@ -1,0 +1,230 @@
+//! Random seas and measured records: energy, sampling, repetition, seeds.
+
+use kingpost::sea::waves::{
+    Amplitudes, Band, ElevationRecord, Jonswap, PiersonMoskowitz, Spectrum, Spreading, Water, WaveComponent, WaveField,
+    WaveSystem, significant_height_of_components_m,
+};
+use std::f64::consts::TAU;
+
+const THREE_HOURS_S: f64 = 10_800.0;
+
+fn system() -> WaveSystem {
+    WaveSystem {
+        spectrum: Spectrum::Jonswap(Jonswap::new(2.5, 8.0, 3.3).unwrap()),
+        spreading: Spreading::cos_2s(10.0).unwrap(),
+        direction_rad: 3.0,
+        components: 200,
+        amplitudes: Amplitudes::Deterministic,
+        band: None,
+    }
+}
+
+fn record(components: &[WaveComponent], interval_s: f64, duration_s: f64) -> Vec<f64> {
+    let field = WaveField::new(components, Water::default(), 0.0);
+    let samples = (duration_s / interval_s) as u32;
+    (0..samples).map(|i| field.elevation_m([0.0, 0.0], f64::from(i) * interval_s)).collect()
+}
+
+fn significant_height(record: &[f64]) -> f64 {
+    let mean = record.iter().sum::<f64>() / record.len() as f64;
+    4.0 * (record.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / record.len() as f64).sqrt()
+}
+
+/// The standard error of the variance of a Gaussian record of length T is sqrt((2 pi / T) int S^2 dw)
+/// (Bendat & Piersol, *Random Data*, 4th ed., sec. 8.2, with Parseval's theorem); that of Hs is half of
+/// it, relative: 2.1 % here. Three of them are allowed.
+#[test]
+fn three_hours_of_the_sea_have_its_significant_height() {
+    let system = system();
+    let band = system.spectrum.usual_band();
+    let (n, width) = (20_000, band.highest_rad_s - band.lowest_rad_s);
+    let middle = |i: u32| band.lowest_rad_s + (f64::from(i) + 0.5) * width / f64::from(n);
+    let square = (0..n).map(|i| system.spectrum.density_m2_s(middle(i)).powi(2)).sum::<f64>() * width / f64::from(n);
+    let standard_error = 0.5 * (TAU / THREE_HOURS_S * square).sqrt() / (2.5 * 2.5 / 16.0);
+    assert!((0.015..0.025).contains(&standard_error), "{standard_error}");
+    for seed in 0..3 {
+        let components = system.components(seed, 0, &Water::default()).unwrap();
+        let height = significant_height(&record(&components, 0.5, THREE_HOURS_S));
+        assert!((height / 2.5 - 1.0).abs() < 3.0 * standard_error, "seed {seed}: {height}");
+    }
+}
+
+/// By construction the waves together have the energy of the whole spectrum.
+#[test]
+fn deterministic_amplitudes_have_the_significant_height_of_the_spectrum() {
+    for components in [1, 2, 30, 200, 1000] {
+        let system = WaveSystem { components, ..system() };
+        let waves = system.components(1, 0, &Water::default()).unwrap();
+        assert_eq!(waves.len(), components);
+        assert!((significant_height_of_components_m(&waves) / 2.5 - 1.0).abs() < 1e-7);
+    }
+}
+
+/// Mean period of the realisation: the second moment of 200 waves against that of the band, which
+/// drawing a frequency within each bin moves by a fraction of the widest bin's share, below 1 %.
+#[test]
+fn the_waves_have_the_mean_period_of_the_band() {
+    let system = system();
+    let expected = system.spectrum.zero_crossing_period_s(system.spectrum.usual_band());
+    let waves = system.components(1, 0, &Water::default()).unwrap();
+    let moment = |n: i32| waves.iter().map(|c| c.amplitude_m.powi(2) * c.angular_frequency_rad_s.powi(n)).sum::<f64>();
+    let period = TAU * (moment(0) / moment(2)).sqrt();
+    assert!((period / expected - 1.0).abs() < 0.01, "{period} {expected}");
+}
+
+/// -ln u has mean 1 and variance 1, so m0 of one sea has the standard error sqrt(sum E_i^2), E_i the
+/// energies of the bins; over 200 seeds 1/sqrt(200) of that. Four of them are allowed.
+#[test]
+fn random_amplitudes_have_the_energy_of_the_spectrum_on_average() {
+    let deterministic = system().components(0, 0, &Water::default()).unwrap();
+    let energies: Vec<f64> = deterministic.iter().map(|c| 0.5 * c.amplitude_m * c.amplitude_m).collect();
+    let standard_error = energies.iter().map(|e| e * e).sum::<f64>().sqrt();
+    let system = WaveSystem { amplitudes: Amplitudes::Random, ..system() };
+    let variance = |seed| {
+        (significant_height_of_components_m(&system.components(seed, 0, &Water::default()).unwrap()) / 4.0).powi(2)
+    };
+    let variances: Vec<f64> = (0..200).map(variance).collect();
+    let mean = variances.iter().sum::<f64>() / 200.0;
+    assert!((mean - 2.5 * 2.5 / 16.0).abs() < 4.0 * standard_error / 200.0_f64.sqrt());
+    // The scatter itself has a standard error of about 1 / sqrt(2 * 200), 5 %, of itself.
+    let scatter = (variances.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / 199.0).sqrt();
+    assert!((scatter / standard_error - 1.0).abs() < 0.25, "{scatter} {standard_error}");
+}
+
+/// The autocorrelation of the sum, sum a^2 cos(w lag) / sum a^2, after the first ten periods: 1 at a lag
+/// at which the sea repeats. Waves without a common divisor leave a random sum with the standard
+/// deviation sqrt(sum a^4 / 2) / sum a^2, here 0.07; 21,600 lags see at most five of them. Equal
+/// frequency steps over the same band repeat after 2 pi / step, 370 s.
+#[test]
+fn the_sea_does_not_repeat_within_three_hours() {
+    let waves = system().components(11, 0, &Water::default()).unwrap();
+    let whole: f64 = waves.iter().map(|c| c.amplitude_m.powi(2)).sum();
+    let largest = |frequencies: &[f64]| {
+        let correlation = |lag: f64| {
+            let sum = |(c, w): (&WaveComponent, &f64)| c.amplitude_m.powi(2) * (w * lag).cos();
+            waves.iter().zip(frequencies).map(sum).sum::<f64>() / whole
+        };
+        (160..21_600).map(|i| correlation(0.5 * f64::from(i)).abs()).fold(0.0, f64::max)
+    };
+    let drawn: Vec<f64> = waves.iter().map(|c| c.angular_frequency_rad_s).collect();
+    let even: Vec<f64> = (0..200).map(|i| 0.393 + 0.017 * f64::from(i)).collect();
+    assert!(largest(&drawn) < 0.4, "{}", largest(&drawn));
+    assert!(largest(&even) > 0.9);
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bits_and_another_another_sea() {
+    let (system, water) = (system(), Water::default());
+    let sea = |seed, number| system.components(seed, number, &water).unwrap();
+    assert_eq!(sea(4, 0), sea(4, 0));
+    let differ = |a: &[WaveComponent], b: &[WaveComponent]| a.iter().zip(b).all(|(a, b)| a.phase_rad != b.phase_rad);
+    assert!(differ(&sea(4, 0), &sea(5, 0)));
+    assert!(differ(&sea(4, 0), &sea(4, 1)));
+}
+
+/// Of cos^2s, the standard deviation of b is about sqrt(2 / s), here 0.44 rad; the mean of 2000 is drawn
+/// within four standard errors.
+#[test]
+fn directions_scatter_about_the_mean_direction() {
+    let system = WaveSystem { components: 2000, ..system() };
+    let waves = system.components(2, 0, &Water::default()).unwrap();
+    let mean = waves.iter().map(|c| c.direction_rad).sum::<f64>() / 2000.0;
+    assert!((mean - 3.0).abs() < 4.0 * 0.44 / 2000.0_f64.sqrt());
+    let scatter = (waves.iter().map(|c| (c.direction_rad - mean).powi(2)).sum::<f64>() / 2000.0).sqrt();
+    assert!((0.40..0.48).contains(&scatter), "{scatter}");
+    let long_crested = WaveSystem { spreading: Spreading::LongCrested, ..system };
+    let waves = long_crested.components(2, 0, &Water::default()).unwrap();
+    assert!(waves.iter().all(|c| c.direction_rad == 3.0));
+}
+
+/// Independent seas add their variances.
+#[test]
+fn wind_sea_and_swell_join_in_one_list() {
+    let swell = WaveSystem {
+        spectrum: Spectrum::PiersonMoskowitz(PiersonMoskowitz::new(1.5, 14.0).unwrap()),
+        spreading: Spreading::LongCrested,
+        direction_rad: 0.5,
+        ..system()
+    };
+    let mut waves = system().components(1, 0, &Water::default()).unwrap();
+    waves.extend(swell.components(1, 1, &Water::default()).unwrap());
+    let both = (2.5_f64 * 2.5 + 1.5 * 1.5).sqrt();
+    assert!((significant_height_of_components_m(&waves) / both - 1.0).abs() < 1e-7);
+}
+
+#[test]
+fn frequencies_are_in_order_within_the_band_and_never_equal() {
+    let band = Band { lowest_rad_s: 0.5, highest_rad_s: 2.0 };
+    let waves = WaveSystem { band: Some(band), ..system() }.components(1, 0, &Water::default()).unwrap();
+    assert!(waves.windows(2).all(|pair| pair[0].angular_frequency_rad_s < pair[1].angular_frequency_rad_s));
+    assert!(waves[0].angular_frequency_rad_s >= 0.5 && waves[199].angular_frequency_rad_s <= 2.0);
+    assert!((significant_height_of_components_m(&waves) / 2.5 - 1.0).abs() < 1e-7);
+}
+
+fn measured(elevations_m: Vec<f64>, band: Option<Band>) -> ElevationRecord {
+    ElevationRecord {
+        elevations_m,
+        start_s: 12.0,
+        interval_s: 0.5,
+        position_m: [30.0, -40.0],
+        direction_rad: 2.0,
+        band,
+    }
+}
+
+/// The transform of a record of odd length is its inverse, but for the mean.
+#[test]
+fn a_measured_record_returns_where_and_when_it_was_measured() {
+    let waves = system().components(3, 0, &Water::default()).unwrap();
+    let taken = record(&waves, 0.5, 300.5);
+    let mean = taken.iter().sum::<f64>() / taken.len() as f64;
+    let water = Water { depth_m: Some(40.0), ..Water::default() };
+    let components = measured(taken.clone(), None).components(&water).unwrap();
+    let field = WaveField::new(&components, water, 0.0);
+    for (i, elevation) in taken.iter().enumerate() {
+        let back = field.elevation_m([30.0, -40.0], 12.0 + 0.5 * i as f64);
+        assert!((back - (elevation - mean)).abs() < 1e-11, "sample {i}");
+    }
+}
+
+/// Parseval's theorem: what a band cuts off is what the other harmonics hold.
+#[test]
+fn a_band_keeps_its_harmonics_of_a_record_only() {
+    let tone = |n: u32, cycles: f64| (TAU * cycles * f64::from(n) / 600.0).cos();
+    let taken: Vec<f64> = (0..600).map(|n| 0.3 + tone(n, 2.0) + 0.5 * tone(n, 30.0) + 0.2 * tone(n, 200.0)).collect();
+    let band = Band { lowest_rad_s: 0.2, highest_rad_s: 2.0 };
+    let components = measured(taken, Some(band)).components(&Water::default()).unwrap();
+    // Harmonics of 2 pi / 300 rad/s from 10 to 95.
+    assert_eq!(components.len(), 86);
+    for wave in &components {
+        let expected = if (wave.angular_frequency_rad_s - TAU / 10.0).abs() < 1e-9 { 0.5 } else { 0.0 };
+        assert!((wave.amplitude_m - expected).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn what_makes_no_sea_is_an_error_that_says_what_is_allowed() {
+    let water = Water::default();
+    let band = |lowest_rad_s, highest_rad_s| Some(Band { lowest_rad_s, highest_rad_s });
+    let of = |system: WaveSystem| system.components(0, 0, &water).unwrap_err().to_string();
+    let record = |record: ElevationRecord| record.components(&water).unwrap_err().to_string();
+    let messages = [
+        of(WaveSystem { components: 0, ..system() }),
+        of(WaveSystem { direction_rad: f64::INFINITY, ..system() }),
+        of(WaveSystem { band: band(2.0, 1.0), ..system() }),
+        of(WaveSystem { band: band(1e-4, 1e-3), ..system() }),
+        record(measured(vec![0.0; 3], None)),
+        record(measured(vec![0.0, f64::NAN, 0.0, 0.0], None)),
+        record(measured(vec![0.0; 100], band(0.01, 0.02))),
+    ];
+    let expected = [
+        "components: found 0, allowed: a number from 1 to 20000",
+        "direction_rad: found inf, allowed: a number from -10000 to 10000",
+        "highest_rad_s: found 1, allowed: a number above lowest_rad_s, which is 2",
+        "lowest_rad_s, highest_rad_s: found no energy from 0.0001 to 0.001 rad/s, allowed: a band in which S(w) is above 0",
+        "elevations_m: found 3 samples, allowed: 4 to 65536 samples",
+        "elevations_m[1]: found NaN, allowed: a number from -100 to 100",
+        "lowest_rad_s, highest_rad_s: found 0 harmonics of 0.125664 rad/s, allowed: a band with 1 to 20000 harmonics below half the sampling frequency",
+    ];
+    assert_eq!(messages, expected);
+}

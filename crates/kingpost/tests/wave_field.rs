@@ -1,0 +1,223 @@
+//! The field of linear waves against the equations that it solves.
+
+use kingpost::scalar::{Dual, Lanes, Scalar};
+use kingpost::sea::waves::{Noise, Water, WaveComponent, WaveField};
+use kingpost::spatial::Vector3;
+use std::f64::consts::TAU;
+
+const SHALLOW: Water = Water { density_kg_m3: 1000.0, gravity_m_s2: 9.81, depth_m: Some(25.0) };
+const TIME: f64 = 37.3;
+
+/// Twelve waves from 0.4 to 1.5 rad/s in all directions.
+fn waves(water: &Water) -> Vec<WaveComponent> {
+    let noise = Noise::new(5);
+    let draw = |i, channel| noise.uniform(channel, i);
+    let wave =
+        |i| WaveComponent::in_water(water, 0.2 + draw(i, 0), 0.4 + 0.1 * i as f64, TAU * draw(i, 1), TAU * draw(i, 2));
+    (0..12).map(wave).collect()
+}
+
+fn field(water: Water) -> WaveField {
+    WaveField::new(&waves(&water), water, 0.0)
+}
+
+fn points() -> Vec<Vector3> {
+    let noise = Noise::new(6);
+    (0..20)
+        .map(|i| {
+            let [x, y, z] = [0, 1, 2].map(|channel| noise.uniform(channel, i));
+            Vector3::new(100.0 * x - 50.0, 100.0 * y - 50.0, -0.01 - 24.98 * z)
+        })
+        .collect()
+}
+
+/// Central differences along the three axes.
+fn gradient(point: Vector3, step: f64, f: impl Fn(Vector3) -> f64) -> [f64; 3] {
+    [0, 1, 2].map(|axis| {
+        let mut moved = [Vector3::zero(); 2];
+        moved[0][axis] = step;
+        moved[1][axis] = -step;
+        (f(point + moved[0]) - f(point + moved[1])) / (2.0 * step)
+    })
+}
+
+/// Speeds are up to 10 m/s and wave numbers up to 0.23 1/m: with steps of 1 mm, central differences
+/// are off by k^3 h^2 / 6 = 2e-9 of the speed, and by rounding 1e-12.
+const STEP: f64 = 1e-3;
+const DIFFERENCES: f64 = 2e-7;
+
+/// Laplace's equation for the potential: no divergence and no curl of the velocity.
+#[test]
+fn the_water_keeps_its_volume_and_does_not_turn() {
+    for water in [SHALLOW, Water::default()] {
+        let field = field(water);
+        for point in points() {
+            let slope = [0, 1, 2].map(|i| gradient(point, STEP, |p| field.linear_kinematics(p, TIME).velocity_m_s[i]));
+            assert!((slope[0][0] + slope[1][1] + slope[2][2]).abs() < DIFFERENCES);
+            for [i, j] in [[0, 1], [1, 2], [2, 0]] {
+                assert!((slope[i][j] - slope[j][i]).abs() < DIFFERENCES);
+            }
+        }
+    }
+}
+
+/// Euler's equation, linear: rho dv/dt = -grad p, with dv/dt by differences too.
+#[test]
+fn pressure_accelerates_the_water() {
+    for water in [SHALLOW, Water::default()] {
+        let field = field(water);
+        for point in points() {
+            let at = field.linear_kinematics(point, TIME);
+            let slope = gradient(point, STEP, |p| field.linear_kinematics(p, TIME).dynamic_pressure_pa);
+            let (after, before) = (TIME + STEP, TIME - STEP);
+            for (i, slope) in slope.into_iter().enumerate() {
+                assert!((at.acceleration_m_s2[i] + slope / water.density_kg_m3).abs() < DIFFERENCES);
+                let velocity = |time| field.linear_kinematics(point, time).velocity_m_s[i];
+                let rate = (velocity(after) - velocity(before)) / (2.0 * STEP);
+                assert!((at.acceleration_m_s2[i] - rate).abs() < 1e-6); // 1.5^3 h^2 / 6 of 10 m/s
+            }
+        }
+    }
+}
+
+/// The linear conditions at z = 0, d elevation / dt = w and p = rho g elevation, and at the bottom, w = 0.
+#[test]
+fn the_surface_moves_with_the_water_and_the_bottom_holds_it() {
+    let field = field(SHALLOW);
+    for point in points() {
+        let [x, y, _] = point.0;
+        let surface = field.linear_kinematics(Vector3::new(x, y, 0.0), TIME);
+        let elevation = |time| field.elevation_m([x, y], time);
+        let rate = (elevation(TIME + STEP) - elevation(TIME - STEP)) / (2.0 * STEP);
+        assert!((surface.velocity_m_s[2] - rate).abs() < 1e-6);
+        assert!((surface.dynamic_pressure_pa / (1000.0 * 9.81) - elevation(TIME)).abs() < 1e-12);
+        assert_eq!(surface.elevation_m, elevation(TIME));
+        assert_eq!(field.linear_kinematics(Vector3::new(x, y, -25.0), TIME).velocity_m_s[2], 0.0);
+    }
+}
+
+/// cosh k(z + h) / cosh kh differs from e^kz by less than 2 e^-2kh e^-kz.
+#[test]
+fn deep_water_is_the_limit_of_finite_depth() {
+    let deep = Water { depth_m: None, ..SHALLOW };
+    let finite = Water { depth_m: Some(2000.0), ..SHALLOW };
+    let waves = waves(&deep);
+    let (deep, finite) = (WaveField::new(&waves, deep, 0.0), WaveField::new(&waves, finite, 0.0));
+    for point in points() {
+        let (a, b) = (deep.linear_kinematics(point, TIME), finite.linear_kinematics(point, TIME));
+        assert!((a.dynamic_pressure_pa - b.dynamic_pressure_pa).abs() < 1e-8);
+        assert!((a.velocity_m_s - b.velocity_m_s).norm() < 1e-12);
+        assert!((a.acceleration_m_s2 - b.acceleration_m_s2).norm() < 1e-12);
+    }
+}
+
+/// A wave of 1 rad/s over 25 m by hand: k = 0.10365 1/m from w^2 = g k tanh kh.
+#[test]
+fn a_regular_wave_has_the_closed_form() {
+    let wave = WaveComponent::regular(2.0, TAU, 0.0, 0.0, &SHALLOW).unwrap();
+    let field = WaveField::new(&[wave], SHALLOW, 0.0);
+    let (k, z) = (wave.wave_number_per_m, -5.0);
+    let crest = field.linear_kinematics(Vector3::new(0.0, 0.0, z), 0.0);
+    assert!((crest.elevation_m - 1.0).abs() < 1e-15);
+    let horizontal = (k * (z + 25.0)).cosh() / (k * 25.0).sinh();
+    assert!((crest.velocity_m_s - Vector3::new(horizontal, 0.0, 0.0)).norm() < 1e-14);
+    // A quarter of a period later the surface falls through zero where the crest was.
+    let falling = field.linear_kinematics(Vector3::new(0.0, 0.0, z), TAU / 4.0);
+    let vertical = (k * (z + 25.0)).sinh() / (k * 25.0).sinh();
+    assert!((falling.velocity_m_s - Vector3::new(0.0, 0.0, -vertical)).norm() < 1e-14);
+    // The crest goes to +x at w / k.
+    assert!((field.elevation_m([1.0 / k, 0.0], 1.0) - 1.0).abs() < 1e-15);
+}
+
+/// Wheeler (1970): the field at the surface is the linear one of still water, and the pressure there,
+/// static and dynamic, is that of the air. The bottom stays the bottom.
+#[test]
+fn the_pressure_at_the_moving_surface_is_zero() {
+    for water in [SHALLOW, Water::default()] {
+        let field = field(water);
+        for point in points() {
+            let [x, y, _] = point.0;
+            let elevation = field.elevation_m([x, y], TIME);
+            let just_below = Vector3::new(x, y, elevation - 1e-9);
+            assert!(field.pressure_pa(just_below, TIME).abs() < 1e-4); // rho g 1e-9
+            assert_eq!(field.pressure_pa(Vector3::new(x, y, elevation + 0.1), TIME), 0.0);
+            let whole = field.kinematics(point, TIME);
+            assert_eq!(whole.elevation_m, elevation);
+            assert_eq!(whole.dynamic_pressure_pa, field.dynamic_pressure_pa(point, elevation, TIME));
+            let stretched = field.kinematics(Vector3::new(x, y, elevation), TIME);
+            let linear = field.linear_kinematics(Vector3::new(x, y, 0.0), TIME);
+            assert!((stretched.velocity_m_s - linear.velocity_m_s).norm() < 1e-12);
+        }
+    }
+    let bottom = field(SHALLOW).kinematics(Vector3::new(3.0, 4.0, -25.0), TIME);
+    assert!(bottom.velocity_m_s[2].abs() < 1e-12);
+}
+
+/// Waves of a metre over kilometres, and points far above and below: no exponential overflows.
+#[test]
+fn short_waves_over_deep_water_stay_finite() {
+    for depth_m in [Some(0.5), Some(1e4), None] {
+        let water = Water { depth_m, ..SHALLOW };
+        let waves: Vec<WaveComponent> =
+            [0.01, 1.0, 30.0].map(|w| WaveComponent::in_water(&water, 0.2, w, 0.3, 0.0)).to_vec();
+        let field = WaveField::new(&waves, water, 0.0);
+        for z in [-1e6, -1e4, -1.0, 0.0, 0.3, 1e4] {
+            let point = Vector3::new(10.0, -20.0, z);
+            for at in [field.kinematics(point, 1e4), field.linear_kinematics(point, 1e4)] {
+                let numbers = [at.velocity_m_s.norm(), at.acceleration_m_s2.norm(), at.dynamic_pressure_pa];
+                assert!(numbers.iter().all(|number| number.is_finite()), "{at:?}");
+                assert!(at.acceleration_m_s2.norm() < 3.0 * 0.2 * 900.0);
+            }
+            assert!(field.pressure_pa(point, 1e4).is_finite());
+        }
+    }
+}
+
+/// The stated polynomial has value, slope and curvature 0, 0, 0 at its begin and 1, 0, 0 at its end;
+/// 0.5 in the middle.
+#[test]
+fn waves_grow_smoothly_from_rest() {
+    let field = WaveField::new(&waves(&SHALLOW), SHALLOW, 60.0);
+    assert_eq!([-1.0, 0.0, 30.0, 60.0, 1e3].map(|t| field.ramp(t)), [0.0, 0.0, 0.5, 1.0, 1.0]);
+    for (time, value) in [(0.0, 0.0), (60.0, 1.0)] {
+        // From s^3 (10 - ...): 10 (1/600)^3 at 0.1 s from either end.
+        assert!((field.ramp(time + 0.1) - value).abs() < 5e-8);
+        assert!((field.ramp(time - 0.1) - value).abs() < 5e-8);
+    }
+    let whole = WaveField::new(&waves(&SHALLOW), SHALLOW, 0.0);
+    assert!((field.elevation_m([3.0, 4.0], 30.0) - 0.5 * whole.elevation_m([3.0, 4.0], 30.0)).abs() < 1e-15);
+    assert_eq!(field.elevation_m([3.0, 4.0], 90.0), whole.elevation_m([3.0, 4.0], 90.0));
+    assert_eq!(WaveField::<f64>::calm(SHALLOW).elevation_m([0.0; 2], 5.0), 0.0);
+}
+
+/// elevation = Re of the sum of a e^(i q), and a quarter of a period later, Im of each.
+#[test]
+fn the_phasors_sum_to_the_elevation() {
+    let field = WaveField::new(&waves(&SHALLOW), SHALLOW, 60.0);
+    let (mut real, mut imaginary) = (vec![0.0; field.len()], vec![0.0; field.len()]);
+    field.phasors([7.0, -3.0], 45.0, &mut real, &mut imaginary);
+    assert!((real.iter().sum::<f64>() - field.elevation_m([7.0, -3.0], 45.0)).abs() < 1e-12);
+    for (i, wave) in field.components().enumerate() {
+        let one = WaveField::new(&[*wave], SHALLOW, 0.0);
+        let later = one.elevation_m([7.0, -3.0], 45.0 + TAU / 4.0 / wave.angular_frequency_rad_s);
+        assert!((imaginary[i] - field.ramp(45.0) * later).abs() < 1e-12);
+    }
+}
+
+/// Dual numbers: the derivative along x is the slope of the surface; lanes: the bits of plain numbers.
+#[test]
+fn the_field_passes_derivatives_and_lanes() {
+    let (plain, point) = (field(SHALLOW), Vector3::new(3.0, -8.0, -2.0));
+    let over = |waves: &[WaveComponent]| waves.iter().map(|wave| wave.constant()).collect::<Vec<_>>();
+    let dual: WaveField<Dual<1>> = WaveField::new(&over(&waves(&SHALLOW)), SHALLOW, 0.0);
+    let moved = Vector3::new(Dual::variable(3.0, 0), Dual::constant(-8.0), Dual::constant(-2.0));
+    let exact = dual.kinematics(moved, TIME).dynamic_pressure_pa.derivative[0];
+    let slope = gradient(point, STEP, |p| plain.kinematics(p, TIME).dynamic_pressure_pa)[0];
+    assert!((exact - slope).abs() < 1000.0 * DIFFERENCES * 10.0, "{exact} {slope}");
+
+    let waves = waves(&SHALLOW);
+    let lanes: Vec<WaveComponent<Lanes>> = waves.iter().map(|wave| wave.constant()).collect();
+    let lanes = WaveField::new(&lanes, SHALLOW, 0.0);
+    let together = lanes.pressure_pa(Vector3(point.0.map(Lanes::constant)), TIME).to_array();
+    assert_eq!(together, [plain.pressure_pa(point, TIME); 4]);
+}
