@@ -32,7 +32,8 @@ fn significant_height(record: &[f64]) -> f64 {
 
 /// The standard error of the variance of a Gaussian record of length T is sqrt((2 pi / T) int S^2 dw)
 /// (Bendat & Piersol, *Random Data*, 4th ed., sec. 8.2, with Parseval's theorem); that of Hs is half of
-/// it, relative: 2.1 % here. Three of them are allowed.
+/// it, relative: 1.7 % here. Three of them are allowed; with deterministic amplitudes the sea keeps to
+/// 0.5 % (measured).
 #[test]
 fn three_hours_of_the_sea_have_its_significant_height() {
     let system = system();
@@ -41,7 +42,7 @@ fn three_hours_of_the_sea_have_its_significant_height() {
     let middle = |i: u32| band.lowest_rad_s + (f64::from(i) + 0.5) * width / f64::from(n);
     let square = (0..n).map(|i| system.spectrum.density_m2_s(middle(i)).powi(2)).sum::<f64>() * width / f64::from(n);
     let standard_error = 0.5 * (TAU / THREE_HOURS_S * square).sqrt() / (2.5 * 2.5 / 16.0);
-    assert!((0.015..0.025).contains(&standard_error), "{standard_error}");
+    assert!((0.016..0.018).contains(&standard_error), "{standard_error}");
     for seed in 0..3 {
         let components = system.components(seed, 0, &Water::default()).unwrap();
         let height = significant_height(&record(&components, 0.5, THREE_HOURS_S));
@@ -93,7 +94,7 @@ fn random_amplitudes_have_the_energy_of_the_spectrum_on_average() {
 
 /// The autocorrelation of the sum, sum a^2 cos(w lag) / sum a^2, after the first ten periods: 1 at a lag
 /// at which the sea repeats. Waves without a common divisor leave a random sum with the standard
-/// deviation sqrt(sum a^4 / 2) / sum a^2, here 0.07; 21,600 lags see at most five of them. Equal
+/// deviation sqrt(sum a^4 / 2) / sum a^2, here 0.06; 21,600 lags see at most five of them (0.22 to 0.30 over six seeds). Equal
 /// frequency steps over the same band repeat after 2 pi / step, 370 s.
 #[test]
 fn the_sea_does_not_repeat_within_three_hours() {
