@@ -238,7 +238,9 @@ def test_a_wrong_parametric_hull_is_named(text, message):
     assert str(caught.value).startswith(message)
 
 
-@pytest.mark.parametrize("text", ["", "0:1:3", "1:2", "2,1", "a,b", "nan", "1:2:0", "1,inf", "-1,2"])
+@pytest.mark.parametrize(
+    "text", ["", "0:1:9", "1:2", "2:1:9", "a,b", "nan", "1:2:0", "1:inf:9", "-1:2:9", "1:2:7"]
+)
 def test_wrong_frequencies_are_refused(text):
     with pytest.raises(HydrodynamicsError, match="--frequencies_rad_s: found"):
         parse_frequencies(text)

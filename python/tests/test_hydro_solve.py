@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from kingpost import cli
 from kingpost.errors import HydrodynamicsError
-from kingpost.hydro import build, checks, database, symmetry
+from kingpost.hydro import build, checks, database, radiation_fit, symmetry
 from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Database, Water
 from kingpost.hydro.meshes import HullMeshes, parametric, whole
@@ -199,14 +199,15 @@ def command(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, 
 
 
 def test_the_command_writes_a_database_that_can_be_read(tmp_path, capsys):
-    target = tmp_path / "barge.hydro.json"
-    words = ("--panels", "400", "--directions", "8", "--frequencies_rad_s", "0.3:2:10")
-    status, out, err = command(capsys, BARGE, "-o", str(target), *words)
+    target = tmp_path / "sphere.hydro.json"
+    words = ("--panels", "400", "--directions", "8", "--title", "a sphere")
+    status, out, err = command(capsys, "sphere:radius_m=5", "-o", str(target), *words)
     assert (status, err) == (0, "")
-    assert "volume              400 m3, 410 t" in out
+    assert "volume              261.7" in out
     found = database.read(target)
-    assert found.provenance.source == BARGE
-    assert found.added_mass.shape == (10, 6, 6)
+    assert found.provenance.source == "sphere:radius_m=5"
+    assert found.added_mass.shape == (build.FREQUENCIES, 6, 6)
+    assert found.radiation.fit_error <= radiation_fit.LIMIT
 
 
 @pytest.mark.parametrize(

@@ -22,8 +22,8 @@ NEGATIVE_DAMPING = 0.05
 HASKIND = 0.10
 """Largest difference of B_ii from Haskind's relation as a fraction of the largest B_ii."""
 _REMEDY = "use more panels, a lid, or frequencies that the panels resolve"
-_SMALL = 1e-4
-"""Diagonals below this fraction of the displaced water's mass or inertia are counted as that."""
+_SMALL = 0.01
+"""Diagonals below this fraction of the displaced water's are counted as that: a sphere's roll is nothing."""
 
 
 def check(database: Database) -> None:

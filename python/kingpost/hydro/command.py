@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -12,9 +12,10 @@ import numpy as np
 from .. import progress
 from ..errors import HydrodynamicsError
 from .build import DIRECTIONS, FREQUENCIES, build, default_frequencies
-from .database import Database, Water, check_output, write
+from .database import Database, Radiation, Water, check_output, write
 from .hull_files import HullFile
 from .meshes import HullMeshes, parametric
+from .radiation_fit import FEWEST_FREQUENCIES, fit
 from .shapes import Box, Hemisphere, Shape, Sphere, Wigley
 from .solve import capytaine
 from .vessel import OffshoreVessel
@@ -69,8 +70,16 @@ def run(options: argparse.Namespace) -> Database:
     with progress.bar(len(frequencies) + 1, "frequencies") as update:
         title = options.title or hull.source
         database = build(hull, water, title, frequencies, options.directions, options.lid, update)
-    print(f"written             {write(database, target)}")
+    radiation = fit(database)
+    database = replace(database, radiation=radiation)
+    print(f"{'memory of the water':<20}{_states(radiation)} states, fitted to {radiation.fit_error:.2%}")
+    print(f"{'written':<20}{write(database, target)}")
     return database
+
+
+def _states(radiation: Radiation) -> int:
+    """Real states of the fit: one for a real pole, two for a complex one."""
+    return sum(int(np.where(mode.poles_rad_s.imag > 0, 2, 1).sum()) for mode in radiation.modes)
 
 
 def _water(options: argparse.Namespace) -> Water:
@@ -87,12 +96,15 @@ def _check_count(name: str, found: int, least: int) -> None:
 
 
 def parse_frequencies(text: str) -> np.ndarray:
-    """Frequencies from ``from:to:n`` or ``a,b,c``.
+    """Frequencies from ``from:to:n`` or ``a,b,c``, at least as many as the fit of the memory needs.
 
-    >>> parse_frequencies("0.5:1.5:3")
-    array([0.5, 1. , 1.5])
+    >>> parse_frequencies("0.5:2.25:8")
+    array([0.5 , 0.75, 1.  , 1.25, 1.5 , 1.75, 2.  , 2.25])
     """
-    allowed = "from:to:n such as 0.1:3:30, or a list such as 0.2,0.5,1; increasing and greater than 0"
+    allowed = (
+        f"from:to:n such as 0.1:3:30, or a list a,b,c,...; at least {FEWEST_FREQUENCIES}, increasing and "
+        "greater than 0"
+    )
     try:
         if ":" in text:
             start, end, count = text.split(":")
@@ -101,7 +113,8 @@ def parse_frequencies(text: str) -> np.ndarray:
             found = np.array([float(part) for part in text.split(",")])
     except (ValueError, MemoryError):
         raise HydrodynamicsError("--frequencies_rad_s", repr(text), allowed) from None
-    if len(found) == 0 or not np.isfinite(found).all() or found[0] <= 0 or (np.diff(found) <= 0).any():
+    few = len(found) < FEWEST_FREQUENCIES
+    if few or not np.isfinite(found).all() or found[0] <= 0 or (np.diff(found) <= 0).any():
         raise HydrodynamicsError("--frequencies_rad_s", repr(text), allowed)
     return found
 

@@ -173,7 +173,7 @@ class Sphere(Shape):
 
     @property
     def wetted_area_m2(self) -> float:
-        return 2 * math.pi * self.radius_m**2
+        return _SPHERICAL_AREA * self.radius_m**2
 
     def wetted(self, size_m: float) -> list[Grid]:
         return [_spherical(self.radius_m, size_m)]
@@ -202,7 +202,7 @@ class Hemisphere(Shape):
 
     @property
     def wetted_area_m2(self) -> float:
-        return 2 * math.pi * self.radius_m**2
+        return _SPHERICAL_AREA * self.radius_m**2
 
     def wetted(self, size_m: float) -> list[Grid]:
         return [_spherical(self.radius_m, size_m)]
@@ -216,6 +216,10 @@ class Hemisphere(Shape):
         wall = patch(angles, heights, lambda angle, z: (a * np.cos(angle), a * np.sin(angle), z))
         deck = patch(angles, rings, lambda angle, r: (r * np.cos(angle), r * np.sin(angle), freeboard))
         return [wall, deck]
+
+
+_SPHERICAL_AREA = math.pi**2
+"""Of a half sphere of radius 1, if its panels were as large everywhere as on the water line."""
 
 
 def _spherical(radius: float, size: float) -> Grid:
