@@ -62,6 +62,8 @@ export class FakeEngine implements Engine {
         { name: "ship", parent: "world", mass_kg: 1200, shape: { box: { length_m: 2, width_m: 1, height_m: 1 } }, colour: null },
       ],
       joints: [{ name: "ship", body: "ship", kind: "floating", free_coordinates: [] }],
+      loops: [],
+      cylinders: [],
       parameters: [
         { name: "load", label: "Load", unit: "", kind: "boolean", value: this.overrides.load ?? false, range: null, choices: null, live: false },
       ],

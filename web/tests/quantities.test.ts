@@ -10,7 +10,7 @@ function channel(variable: string, labels: string[], unit: string): Channel {
 function model(joints: ModelInfo["joints"]): ModelInfo {
   const bodies = joints.map(({ body }) => ({ name: body, parent: "world", shape: null, colour: null, mass_kg: 1 }));
   const settings = { duration_s: 1, step_s: 0.1, record_every_s: 0.1, integrator: "rk4" };
-  return { title: "", description: "", ...settings, bodies, joints, parameters: [] };
+  return { title: "", description: "", ...settings, bodies, joints, loops: [], cylinders: [], parameters: [] };
 }
 
 const SHIP = { name: "ship", body: "ship", kind: "floating" } as const;

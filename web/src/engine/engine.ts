@@ -37,6 +37,28 @@ export interface JointInfo {
   kind: "floating" | "revolute" | "prismatic" | "cylindrical" | "universal" | "planar" | "spherical" | "elastic" | "fixed";
 }
 
+/** A point on a body, seen from its centre of mass in body axes; or on the world. */
+export interface PointInfo {
+  body: string;
+  position_m: [number, number, number];
+}
+
+export interface LoopInfo {
+  name: string;
+  first: PointInfo;
+  second: PointInfo;
+  constraints: string[];
+}
+
+/** A hydraulic cylinder: the barrel is pinned to the first body, the rod to the second. */
+export interface CylinderInfo {
+  name: string;
+  first: PointInfo;
+  second: PointInfo;
+  shortest_m: number;
+  longest_m: number;
+}
+
 export interface ModelInfo {
   title: string;
   description: string;
@@ -47,6 +69,8 @@ export interface ModelInfo {
   bodies: BodyInfo[];
   /** In the order of the bodies. */
   joints: JointInfo[];
+  loops: LoopInfo[];
+  cylinders: CylinderInfo[];
   parameters: ParameterInfo[];
 }
 

@@ -9,6 +9,9 @@ export interface Palette {
   marking: Color;
   load: Color;
   plain: Color;
+  barrel: Color;
+  rod: Color;
+  pin: Color;
   grid: Color;
   axes: { x: Color; y: Color; z: Color };
   label: string;
@@ -28,6 +31,9 @@ export function readPalette(): Palette {
     marking: colour("--scene-marking"),
     load: colour("--scene-load"),
     plain: colour("--scene-plain"),
+    barrel: colour("--scene-barrel"),
+    rod: colour("--scene-rod"),
+    pin: colour("--scene-pin"),
     grid: colour("--scene-grid"),
     axes: { x: colour("--roll"), y: colour("--pitch"), z: colour("--yaw") },
     label: text("--ink"),

@@ -3,6 +3,7 @@ import type { Material, Object3D } from "three";
 import type { ModelInfo } from "../engine/engine";
 import { Eye } from "./camera";
 import { Ground } from "./ground";
+import { Linkages } from "./linkages";
 import { readPalette } from "./palette";
 import type { Palette } from "./palette";
 import { boxOf, halfSizes, solidOf } from "./solids";
@@ -25,6 +26,7 @@ export class View {
   private readonly sky = new HemisphereLight();
   private readonly world = new Group();
   private bodies: Group[] = [];
+  private linkages: Linkages | null = null;
   private palette: Palette = readPalette();
   private model: ModelInfo | null = null;
   private poses: ArrayLike<number> = [];
@@ -59,6 +61,8 @@ export class View {
       return group;
     });
     this.world.add(...this.bodies);
+    const thickness = model.bodies.map((body) => 2 * Math.min(...halfSizes(body)));
+    this.linkages = new Linkages(model, this.bodies, thickness, this.world, this.palette);
     const size = Math.max(...model.bodies.map((body) => 2 * Math.hypot(...halfSizes(body))));
     const frame = this.framesShown ? FRAME_LENGTH * size : 0;
     this.eye.watch(model.bodies.map((body) => boxOf(body, 1.3 * frame)), poses);
@@ -102,6 +106,7 @@ export class View {
       body.position.set(poses[at], poses[at + 1], poses[at + 2]);
       body.quaternion.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 3]);
     });
+    this.linkages?.place();
     this.lightFrom(poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0);
     this.stale = true;
   }
