@@ -247,6 +247,25 @@ fn prescribed_joints_keep_their_motion_with_every_integrator() {
 }
 
 #[test]
+fn implicit_schemes_keep_their_derivatives_over_many_steps() {
+    // Eight free coordinates: with new derivatives in every step it would take 20 evaluations. How far
+    // a step is from the next, and so how long they serve, goes with the step.
+    for integrator in ["newmark", "generalized_alpha", "implicit_midpoint"] {
+        for (step_s, allowed) in [(0.001, 6), (0.01, 12)] {
+            let mut simulation = paper(&[
+                ("hold_centre", json!(false)),
+                ("motor_2", json!(true)),
+                ("simulation.integrator", json!(integrator)),
+                ("simulation.step_s", json!(step_s)),
+            ]);
+            simulation.step(100).unwrap();
+            let evaluations = simulation.evaluations();
+            assert!(evaluations < 100 * allowed, "{integrator}, {step_s} s: {evaluations}");
+        }
+    }
+}
+
+#[test]
 fn a_newton_iteration_that_does_not_converge_says_so_and_keeps_the_rows() {
     // The paper's motors run the arm away; steps of 0.5 s soon ask for turns of more than a circle.
     for integrator in ["newmark", "generalized_alpha", "implicit_midpoint"] {

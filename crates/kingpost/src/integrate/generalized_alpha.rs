@@ -63,9 +63,9 @@ impl<S: Scalar> GeneralizedAlpha<S> {
         Self { rule: Rule::new(rho_infinity), rates, a0, a1, newton: Newton::new(sizes) }
     }
 
-    /// Numbers that the state's memory holds.
+    /// Numbers that the state's memory holds: the lags, then derivatives, kept from step to step.
     pub fn memory_len(&self) -> usize {
-        self.rates.len()
+        self.rates.len() + self.newton.memory_len()
     }
 
     /// Moves the state over the interval.
@@ -93,7 +93,9 @@ impl<S: Scalar> GeneralizedAlpha<S> {
             v_slope: h * rule.gamma * rule.slope(),
             rotation: RotationBy::Exponential,
         };
+        newton.recall(&state.memory[rates.len()..]);
         newton.solve(system, state, place)?;
+        newton.keep(&mut state.memory[rates.len()..]);
         state.q.copy_from_slice(&newton.q);
         state.v.copy_from_slice(&newton.v);
         self.end(h, state);
@@ -107,7 +109,7 @@ impl<S: Scalar> GeneralizedAlpha<S> {
         let (v_dot, s_dot) = self.rates.split_at_mut(v.len());
         system.rates(Stage { time_s: interval.start_s, interval, q, v, s, d }, v_dot, s_dot);
         self.a0.copy_from_slice(&self.rates);
-        accumulate(&mut self.a0, h, memory);
+        accumulate(&mut self.a0, h, &memory[..self.rates.len()]);
         self.a1.fill(S::ZERO);
         accumulate(&mut self.a1, rule.alpha_f / (1.0 - rule.alpha_m), &self.rates);
         accumulate(&mut self.a1, -rule.alpha_m / (1.0 - rule.alpha_m), &self.a0);

@@ -29,6 +29,11 @@ impl<S: Scalar> ImplicitMidpoint<S> {
         Self { newton: Newton::new(sizes) }
     }
 
+    /// Numbers that the state's memory holds: derivatives, kept from step to step.
+    pub fn memory_len(&self) -> usize {
+        self.newton.memory_len()
+    }
+
     /// Moves the state over the interval.
     pub fn step<Y: System<S>>(
         &mut self,
@@ -49,7 +54,9 @@ impl<S: Scalar> ImplicitMidpoint<S> {
             v_slope: 0.5 * h,
             rotation: RotationBy::HalfCayley,
         };
+        newton.recall(&state.memory);
         newton.solve(system, state, place)?;
+        newton.keep(&mut state.memory);
         let two = S::constant(2.0);
         newton.xi.iter_mut().for_each(|xi| *xi = two * *xi);
         system.retract(&state.q, &newton.xi, &mut newton.q);

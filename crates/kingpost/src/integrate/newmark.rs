@@ -33,6 +33,11 @@ impl<S: Scalar> Newmark<S> {
         Self { beta, gamma, a0, s_dot0, newton: Newton::new(sizes) }
     }
 
+    /// Numbers that the state's memory holds: derivatives, kept from step to step.
+    pub fn memory_len(&self) -> usize {
+        self.newton.memory_len()
+    }
+
     /// Moves the state over the interval.
     pub fn step<Y: System<S>>(
         &mut self,
@@ -57,7 +62,9 @@ impl<S: Scalar> Newmark<S> {
             v_slope: h * *gamma,
             rotation: RotationBy::Exponential,
         };
+        newton.recall(&state.memory);
         newton.solve(system, state, place)?;
+        newton.keep(&mut state.memory);
         state.q.copy_from_slice(&newton.q);
         state.v.copy_from_slice(&newton.v);
         accumulate(&mut state.s, h * (1.0 - *gamma), s_dot0);

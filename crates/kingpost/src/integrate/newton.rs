@@ -24,6 +24,10 @@ const SLOW: f64 = 0.25;
 /// system at rest, whose rates are rounding, converges as well.
 const REST: f64 = 1e-3;
 
+/// Numbers of the memory before the derivatives: whether there are any, the iterations with new ones,
+/// and those beyond since.
+const HEAD: usize = 3;
+
 /// How local coordinates move a rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum RotationBy {
@@ -62,34 +66,105 @@ pub(super) struct Newton<S> {
     /// `xi` before the Cayley transform.
     linear: Vec<S>,
     change: Vec<S>,
+    guess: Vec<S>,
     jacobian: Jacobian<S>,
     factors: Factors<S>,
+    kept: Kept,
+}
+
+/// What is known of derivatives that were taken in a step before.
+#[derive(Clone, Copy, Debug, Default)]
+struct Kept {
+    known: bool,
+    /// Iterations of the step in which they were new.
+    least: usize,
+    /// Iterations beyond those, in the steps since.
+    beyond: usize,
 }
 
 impl<S: Scalar> Newton<S> {
     pub(super) fn new(sizes: Sizes) -> Self {
         let n = sizes.velocities;
-        let [xi_start, v_start, v_dot, xi, v, linear, change] = core::array::from_fn(|_| vec![S::ZERO; n]);
+        let [xi_start, v_start, v_dot, xi, v, linear, change, guess] = core::array::from_fn(|_| vec![S::ZERO; n]);
         let (s_dot, q) = (vec![S::ZERO; sizes.extras], vec![S::ZERO; sizes.positions]);
         let (jacobian, factors) = (Jacobian::new(sizes), Factors::new(n));
-        Self { xi_start, v_start, v_dot, s_dot, xi, q, v, linear, change, jacobian, factors }
+        let kept = Kept::default();
+        Self { xi_start, v_start, v_dot, s_dot, xi, q, v, linear, change, guess, jacobian, factors, kept }
     }
 
-    /// Solves `v' = f(retract(q0, xi(v')), v(v'))` from the guess in `v_dot`. Derivatives are taken
-    /// once and again only where the iteration is slow: the change `d` of an iteration solves
-    /// `(1 - xi_slope df/dxi - v_slope df/dv) d = f - v'`. It ends where the next change would be
-    /// rounding.
+    /// Numbers that the state's memory holds.
+    pub(super) fn memory_len(&self) -> usize {
+        HEAD + self.jacobian.by_xi.len() + self.jacobian.by_v.len()
+    }
+
+    /// Takes up the derivatives that the state's memory holds.
+    pub(super) fn recall(&mut self, memory: &[S]) {
+        let (head, derivatives) = memory.split_at(HEAD);
+        let [known, least, beyond] = [0, 1, 2].map(|i| head[i].value());
+        self.kept = Kept { known: known != 0.0, least: least as usize, beyond: beyond as usize };
+        let (by_xi, by_v) = derivatives.split_at(self.jacobian.by_xi.len());
+        self.jacobian.by_xi.copy_from_slice(by_xi);
+        self.jacobian.by_v.copy_from_slice(by_v);
+    }
+
+    /// Leaves them in the state's memory.
+    pub(super) fn keep(&self, memory: &mut [S]) {
+        let Kept { known, least, beyond } = self.kept;
+        let (head, derivatives) = memory.split_at_mut(HEAD);
+        head.copy_from_slice(&[f64::from(known), least as f64, beyond as f64].map(S::constant));
+        let (by_xi, by_v) = derivatives.split_at_mut(self.jacobian.by_xi.len());
+        by_xi.copy_from_slice(&self.jacobian.by_xi);
+        by_v.copy_from_slice(&self.jacobian.by_v);
+    }
+
+    /// Solves `v' = f(retract(q0, xi(v')), v(v'))` from the guess in `v_dot`: the change `d` of an
+    /// iteration solves `(1 - xi_slope df/dxi - v_slope df/dv) d = f - v'`, and it ends where the next
+    /// change would be rounding.
+    ///
+    /// Derivatives are kept from step to step. New ones cost an evaluation a column: they are taken once
+    /// the iterations beyond those of a step with new ones add up to that, or where an iteration with the
+    /// kept ones is slow, which then begins again.
     pub(super) fn solve<Y: System<S>>(
         &mut self,
         system: &mut Y,
         state: &State<S>,
         place: Place,
     ) -> Result<(), StepError> {
-        let (mut residual, mut stale) = (f64::INFINITY, true);
+        let columns = 2 * (0..self.v_dot.len()).filter(|&i| system.is_free(i)).count();
+        if self.kept.known && self.kept.beyond < columns {
+            self.guess.copy_from_slice(&self.v_dot);
+            if let Ok(iterations) = self.iterate(system, state, place, false) {
+                self.kept.beyond += iterations.saturating_sub(self.kept.least);
+                return Ok(());
+            }
+            self.v_dot.copy_from_slice(&self.guess);
+        }
+        let least = self.iterate(system, state, place, true)?;
+        self.kept = Kept { known: true, least, beyond: 0 };
+        Ok(())
+    }
+
+    /// Iterations until the solution is there. With `renew` derivatives are taken at the first, and again
+    /// where it is slow; without, slow is an error.
+    fn iterate<Y: System<S>>(
+        &mut self,
+        system: &mut Y,
+        state: &State<S>,
+        place: Place,
+        renew: bool,
+    ) -> Result<usize, StepError> {
+        let (mut residual, mut stale) = (f64::INFINITY, renew);
+        let stalled = if renew { ALLOWED } else { SMALL };
         self.begin(place);
         for iteration in 1..=MOST_ITERATIONS {
             self.put(system, state, place);
-            self.evaluate(system, state, place, stale);
+            if stale {
+                self.differentiate(system, state, place);
+            }
+            if stale || iteration == 1 {
+                self.factor(place);
+            }
+            self.evaluate(system, state, place);
             self.factors.solve(&mut self.change);
             accumulate(&mut self.v_dot, 1.0, &self.change);
             accumulate(&mut self.v, place.v_slope, &self.change);
@@ -100,12 +175,15 @@ impl<S: Scalar> Newton<S> {
             }
             let contraction = if iteration == 1 { 1.0 } else { residual / before };
             let next_is_rounding = residual <= SMALL && residual * contraction <= ROUNDING;
-            let stalls = iteration > 1 && contraction > 0.5 && residual <= ALLOWED;
+            let stalls = iteration > 1 && contraction > 0.5 && residual <= stalled;
             if residual == 0.0 || next_is_rounding || stalls {
                 self.put(system, state, place);
-                return Ok(());
+                return Ok(iteration);
             }
             stale = iteration > 1 && contraction > SLOW;
+            if stale && !renew {
+                return Err(not_converged(place, residual, iteration));
+            }
         }
         Err(not_converged(place, residual, MOST_ITERATIONS))
     }
@@ -129,22 +207,29 @@ impl<S: Scalar> Newton<S> {
         system.retract(&state.q, &self.xi, &mut self.q);
     }
 
-    /// `change = f - v'`, and where asked for the factors of the derivatives. Those of the Cayley
-    /// transform are taken as one: it differs by the square of the angle of a step, and derivatives
-    /// set the speed of the iteration, not its end.
-    fn evaluate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place, fresh: bool) {
-        let Self { v_dot, s_dot, xi, q, v, change, jacobian, factors, .. } = self;
+    fn differentiate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
+        let Self { xi, q, v, jacobian, .. } = self;
         let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s: &state.s, d: &state.d };
-        if fresh {
-            system.jacobian(&state.q, xi, at, jacobian);
-            let (xi_slope, v_slope) = (S::constant(place.xi_slope), S::constant(place.v_slope));
-            for (k, entry) in factors.entries.iter_mut().enumerate() {
-                *entry = -(xi_slope * jacobian.by_xi[k] + v_slope * jacobian.by_v[k]);
-            }
-            let n = v_dot.len();
-            (0..n).for_each(|i| factors.entries[i * n + i] += S::ONE);
-            factors.factor();
+        system.jacobian(&state.q, xi, at, jacobian);
+    }
+
+    /// The factors of the derivatives. Those of the Cayley transform are taken as one: it differs by the
+    /// square of the angle of a step, and derivatives set the speed of the iteration, not its end.
+    fn factor(&mut self, place: Place) {
+        let Self { jacobian, factors, v_dot, .. } = self;
+        let (xi_slope, v_slope) = (S::constant(place.xi_slope), S::constant(place.v_slope));
+        for (k, entry) in factors.entries.iter_mut().enumerate() {
+            *entry = -(xi_slope * jacobian.by_xi[k] + v_slope * jacobian.by_v[k]);
         }
+        let n = v_dot.len();
+        (0..n).for_each(|i| factors.entries[i * n + i] += S::ONE);
+        factors.factor();
+    }
+
+    /// `change = f - v'`.
+    fn evaluate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
+        let Self { v_dot, s_dot, q, v, change, .. } = self;
+        let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s: &state.s, d: &state.d };
         system.rates(at, change, s_dot);
         change.iter_mut().zip(v_dot).for_each(|(change, v_dot)| *change -= *v_dot);
     }

@@ -72,7 +72,9 @@ impl<S: Scalar> Scheme<S> {
     pub fn memory_len(&self, discrete: usize) -> usize {
         match self {
             Self::DormandPrince(scheme) => scheme.memory_len(discrete),
+            Self::Newmark(scheme) => scheme.memory_len(),
             Self::GeneralizedAlpha(scheme) => scheme.memory_len(),
+            Self::ImplicitMidpoint(scheme) => scheme.memory_len(),
             _ => 0,
         }
     }
