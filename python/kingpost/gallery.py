@@ -47,7 +47,10 @@ def entries() -> list[Entry]:
 
 
 def _title(path: Path) -> str:
-    resolved: str = _engine.read(read_text(path), str(path), "[]")
+    text, file = read_text(path), str(path)
+    names = _engine.file_names(text, file, "[]")
+    files = {name: read_text(found) for name in names if (found := beside(file, name)) is not None}
+    resolved: str = _engine.read(text, file, "[]", files)
     return json.loads(resolved)["title"]
 
 
@@ -75,6 +78,17 @@ def find(path_or_name: str | Path) -> Path:
     near = difflib.get_close_matches(text, gallery, n=1)
     hint = f"did you mean {near[0]!r}?" if near else f"the gallery has: {', '.join(gallery)}"
     raise ScenarioError(f"{text}: neither a file nor a name of the gallery; {hint}", file=text)
+
+
+def beside(file: str, name: str) -> Path | None:
+    """Return the file of this name beside another, or in the gallery; `None` where there is neither.
+
+    >>> beside("nowhere.yaml", "paper.yaml").name
+    'paper.yaml'
+    >>> beside("nowhere.yaml", "missing.json")
+    """
+    candidates = (Path(file).parent / name, folder() / name)
+    return next((path for path in candidates if path.is_file()), None)
 
 
 def read_text(path: Path) -> str:

@@ -32,7 +32,7 @@ class Scenario:
 
     def __post_init__(self) -> None:
         # Validates: a scenario that exists is one that can run.
-        vars(self)["json"] = _engine.read(self.text, self.file, self._overrides_json)
+        vars(self)["json"] = _engine.read(self.text, self.file, self._overrides_json, self.files)
 
     @property
     def _overrides_json(self) -> str:
@@ -41,7 +41,18 @@ class Scenario:
     @cached_property
     def json(self) -> str:
         """The resolved scenario as JSON text: parameters applied, units SI."""
-        return _engine.read(self.text, self.file, self._overrides_json)
+        return _engine.read(self.text, self.file, self._overrides_json, self.files)
+
+    @cached_property
+    def files(self) -> dict[str, str]:
+        """Texts of the files that the scenario names, by name; those that are not there are left out.
+
+        >>> load("paper").files
+        {}
+        """
+        names = _engine.file_names(self.text, self.file, self._overrides_json)
+        paths = {name: gallery.beside(self.file, name) for name in names}
+        return {name: gallery.read_text(path) for name, path in paths.items() if path is not None}
 
     @cached_property
     def resolved(self) -> dict[str, Any]:
@@ -77,11 +88,13 @@ class Scenario:
 
     def _engine(self, extra: tuple[tuple[str, Any], ...] = ()) -> _engine.Simulation:
         overrides = json.dumps(self.overrides + extra)
-        return _engine.Simulation(self.text, self.file, overrides)
+        return _engine.Simulation(self.text, self.file, overrides, self.files)
 
     def _gradient(self, names: list[str], progress: Callable[[float], None] | None) -> tuple[Any, ...]:
         """Rows, their derivatives by name, the table of channels, the error that ended the run."""
-        found = _engine.gradient(self.text, self.file, self._overrides_json, names, progress)
+        found = _engine.gradient(
+            self.text, self.file, self._overrides_json, self.files, names, progress
+        )
         rows, derivatives, channels_json, error = found
         return rows, derivatives, json.loads(channels_json), error
 

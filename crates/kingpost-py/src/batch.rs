@@ -1,8 +1,9 @@
 //! The function `batch` of the module.
 
-use crate::errors;
+use crate::{Files, errors};
 use crate::simulation::{Matrix, matrix, report};
 use kingpost::batch::{BatchError, Variant, run};
+use kingpost::scenario;
 use pyo3::prelude::*;
 use std::sync::Mutex;
 
@@ -20,20 +21,22 @@ pub fn has_avx2() -> bool {
 
 /// Runs every variant: a JSON list of lists of `[name, value]`.
 #[pyfunction]
-#[pyo3(signature = (text, file, variants_json, threads, progress=None))]
+#[pyo3(signature = (text, file, files, variants_json, threads, progress=None))]
 pub fn batch<'py>(
     py: Python<'py>,
     text: &str,
     file: &str,
+    files: Files,
     variants_json: &str,
     threads: usize,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Runs<'py>> {
     let variants: Vec<Variant> =
         serde_json::from_str(variants_json).map_err(|error| errors::input(format!("variants: {error}")))?;
+    let files = scenario::Files::new(files);
     let stopped = Mutex::new(None);
     let found = py.detach(|| {
-        run(text, file, &variants, threads, |done| match report(done as f64, progress.as_ref()) {
+        run(text, file, &files, &variants, threads, |done| match report(done as f64, progress.as_ref()) {
             Ok(()) => true,
             Err(error) => {
                 *stopped.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = Some(error);

@@ -1,8 +1,8 @@
 //! The function `gradient` of the module.
 
 use crate::simulation::{Matrix, matrix, report};
-use crate::{errors, overrides};
-use kingpost::{analysis, scenario};
+use crate::{Files, errors, read_with};
+use kingpost::analysis;
 use pyo3::prelude::*;
 
 /// Rows, the derivatives of the rows along each name, the channels as JSON, and the error that
@@ -10,17 +10,17 @@ use pyo3::prelude::*;
 type Gradient<'py> = (Matrix<'py>, Vec<Matrix<'py>>, String, Option<PyErr>);
 
 #[pyfunction]
-#[pyo3(signature = (text, file, overrides_json, names, progress=None))]
+#[pyo3(signature = (text, file, overrides_json, files, names, progress=None))]
 pub fn gradient<'py>(
     py: Python<'py>,
     text: &str,
     file: &str,
     overrides_json: &str,
+    files: Files,
     names: Vec<String>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Gradient<'py>> {
-    let pairs = overrides(overrides_json)?;
-    let scenario = scenario::read(text, file, &pairs).map_err(errors::scenario)?;
+    let scenario = read_with(text, file, overrides_json, files)?;
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let mut stopped = None;
     let found = py.detach(|| {

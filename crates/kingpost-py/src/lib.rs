@@ -8,20 +8,35 @@ mod errors;
 mod gradient;
 mod simulation;
 
-use kingpost::scenario;
+use kingpost::scenario::{self, Scenario};
 use pyo3::prelude::*;
 use serde_json::Value;
+use std::collections::HashMap;
 
 /// Overrides as they come from Python: a JSON list of `[name, value]`, in order.
 fn overrides(json: &str) -> PyResult<Vec<(String, Value)>> {
     serde_json::from_str(json).map_err(|error| errors::input(format!("overrides: {error}")))
 }
 
+/// Texts of the files that a scenario names, by name.
+type Files = HashMap<String, String>;
+
+/// A scenario with the files that it names.
+fn read_with(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<Scenario> {
+    let pairs = overrides(overrides_json)?;
+    scenario::read_with(text, file, &pairs, &scenario::Files::new(files)).map_err(errors::scenario)
+}
+
 /// The resolved scenario as JSON.
 #[pyfunction]
-fn read(text: &str, file: &str, overrides_json: &str) -> PyResult<String> {
-    let pairs = overrides(overrides_json)?;
-    scenario::read(text, file, &pairs).map(|scenario| scenario.to_json()).map_err(errors::scenario)
+fn read(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<String> {
+    Ok(read_with(text, file, overrides_json, files)?.to_json())
+}
+
+/// Names of the files that a scenario stands on.
+#[pyfunction]
+fn file_names(text: &str, file: &str, overrides_json: &str) -> PyResult<Vec<String>> {
+    scenario::file_names(text, file, &overrides(overrides_json)?).map_err(errors::scenario)
 }
 
 /// `name=value` as a name and the value in JSON.
@@ -33,7 +48,7 @@ fn parse_assignment(text: &str) -> PyResult<(String, String)> {
 #[pymodule]
 mod _engine {
     #[pymodule_export]
-    use super::{parse_assignment, read};
+    use super::{file_names, parse_assignment, read};
 
     #[pymodule_export]
     use super::batch::{batch, has_avx2};

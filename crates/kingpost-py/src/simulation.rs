@@ -1,9 +1,9 @@
 //! The class `Simulation` of the module.
 
-use crate::{errors, overrides};
-use kingpost::analysis::{self, Linearizer, NoEquilibrium};
+use crate::{Files, errors, read_with};
+use kingpost::analysis::Linearizer;
 use kingpost::dynamics::moving_frame::{Naming, Symbols};
-use kingpost::scenario::{self, Scenario};
+use kingpost::scenario::Scenario;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -32,9 +32,8 @@ pub struct Simulation {
 #[pymethods]
 impl Simulation {
     #[new]
-    fn new(text: &str, file: &str, overrides_json: &str) -> PyResult<Self> {
-        let pairs = overrides(overrides_json)?;
-        let scenario = scenario::read(text, file, &pairs).map_err(errors::scenario)?;
+    fn new(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<Self> {
+        let scenario = read_with(text, file, overrides_json, files)?;
         Ok(Self { inner: scenario.simulation().map_err(errors::scenario)?, scenario })
     }
 
@@ -194,10 +193,9 @@ impl Simulation {
 
     /// Moves to an equilibrium: Newton's iterations, and the largest acceleration that is left.
     fn settle(&mut self, py: Python<'_>) -> PyResult<(usize, f64)> {
-        let found = py.detach(|| analysis::settle(&self.scenario, &mut self.inner));
+        let found = py.detach(|| self.inner.settle());
         match found {
             Ok(found) => Ok((found.iterations, found.residual)),
-            Err(NoEquilibrium::Scenario(error)) => Err(errors::scenario(error)),
             Err(error) => Err(errors::input(error)),
         }
     }

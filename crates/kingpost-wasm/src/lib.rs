@@ -5,8 +5,9 @@
 mod thrown;
 
 use js_sys::JsString;
-use kingpost::scenario::{self, Scenario};
+use kingpost::scenario::{self, Files, Scenario};
 use serde_json::{Map, Value};
+use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
 
 /// A simulation of one scenario, at time 0 when it is made.
@@ -19,12 +20,12 @@ pub struct Simulation {
 #[wasm_bindgen]
 impl Simulation {
     /// Reads a scenario's text; `file` is its name in errors, `overrides_json` an object of values
-    /// by parameter name or field path.
+    /// by parameter name or field path, `files_json` one of texts by the names of [`file_names`].
     #[wasm_bindgen(constructor)]
-    pub fn new(text: &str, file: &str, overrides_json: &str) -> Result<Simulation, JsValue> {
-        let overrides: Map<String, Value> = serde_json::from_str(overrides_json).map_err(thrown::input)?;
-        let overrides: Vec<(String, Value)> = overrides.into_iter().collect();
-        let scenario = scenario::read(text, file, &overrides).map_err(thrown::scenario)?;
+    pub fn new(text: &str, file: &str, overrides_json: &str, files_json: &str) -> Result<Simulation, JsValue> {
+        let files: HashMap<String, String> = serde_json::from_str(files_json).map_err(thrown::input)?;
+        let (overrides, files) = (overrides(overrides_json)?, Files::new(files));
+        let scenario = scenario::read_with(text, file, &overrides, &files).map_err(thrown::scenario)?;
         let inner = scenario.simulation().map_err(thrown::scenario)?;
         Ok(Self { scenario, inner })
     }
@@ -95,6 +96,17 @@ impl Simulation {
     pub fn resolved_json(&self) -> JsString {
         self.scenario.to_json().into()
     }
+}
+
+/// Names of the files that a scenario stands on, as a list.
+#[wasm_bindgen]
+pub fn file_names(text: &str, file: &str, overrides_json: &str) -> Result<JsString, JsValue> {
+    json(&scenario::file_names(text, file, &overrides(overrides_json)?).map_err(thrown::scenario)?)
+}
+
+fn overrides(json: &str) -> Result<Vec<(String, Value)>, JsValue> {
+    let overrides: Map<String, Value> = serde_json::from_str(json).map_err(thrown::input)?;
+    Ok(overrides.into_iter().collect())
 }
 
 fn json<T: serde::Serialize + ?Sized>(value: &T) -> Result<JsString, JsValue> {

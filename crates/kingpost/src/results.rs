@@ -3,6 +3,7 @@
 mod loops;
 
 use crate::drives::Drive;
+use crate::forces::Force;
 use crate::ledger;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::plant::Observation;
@@ -35,6 +36,8 @@ pub enum Dimension {
     Constraint,
     /// Hydraulic cylinders by name.
     Cylinder,
+    /// Hulls in the water by the name of their force.
+    Hull,
 }
 
 /// The frame of a vector's components.
@@ -49,6 +52,8 @@ pub enum Components {
     Joint,
     /// The axes of a closed loop's first attachment.
     Loop,
+    /// Level axes that turn slowly with the hull.
+    SlowFrame,
     /// Not a vector.
     None,
 }
@@ -103,9 +108,9 @@ enum Unit {
     Coordinate([&'static str; 3]),
 }
 
-use Components::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, World};
+use Components::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, SlowFrame as InSlowFrame, World};
 use Dimension::{
-    Axis, Body, Component, Constraint, Coordinate, Cylinder, Joint, Loop, Point, Quaternion as QuaternionDim,
+    Axis, Body, Component, Constraint, Coordinate, Cylinder, Hull, Joint, Loop, Point, Quaternion as QuaternionDim,
 };
 use Unit::{Coordinate as By, Plain};
 
@@ -114,7 +119,7 @@ struct Table<S>(PhantomData<S>);
 #[rustfmt::skip]
 impl<S: Scalar> Table<S> {
     /// Every channel: the single source of names, units and frames.
-    const ENTRIES: [Entry<S>; 31] = [
+    const ENTRIES: [Entry<S>; 35] = [
         Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
         Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
             write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
@@ -145,11 +150,18 @@ impl<S: Scalar> Table<S> {
             write: |x, out| out.extend(x.observed.cylinders.iter().map(|cylinder| cylinder.rate)) },
         Entry { variable: "cylinder_force", long_name: "force of a cylinder, positive where it pushes, stops included", unit: Plain("N"), frame: Number, dims: &[Cylinder],
             write: |x, out| out.extend(x.observed.cylinders.iter().map(|cylinder| cylinder.force)) },
+        Entry { variable: "wave_elevation", long_name: "elevation of the incident waves where the hull is on average", unit: Plain("m"), frame: Number, dims: &[Hull],
+            write: |x, out| out.extend(x.observed.hulls.iter().map(|hull| hull.wave_elevation)) },
+        Entry { variable: "excitation_force", long_name: "force and moment of the incident waves, about the hull's reference point", unit: Plain("N, N m"), frame: InSlowFrame, dims: &[Hull, Component],
+            write: |x, out| out.extend(x.observed.hulls.iter().flat_map(|hull| hull.excitation_force)) },
+        Entry { variable: "radiation_force", long_name: "force and moment of the waves that the hull has made, added mass apart, about its reference point", unit: Plain("N, N m"), frame: InSlowFrame, dims: &[Hull, Component],
+            write: |x, out| out.extend(x.observed.hulls.iter().flat_map(|hull| hull.radiation_force)) },
         Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
             write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
         Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
             write: |x, out| each_point(x, out, |frame, twist, p| frame.rotation * (twist.linear + twist.angular.cross(p))) },
-        Entry { variable: "kinetic_energy", long_name: "kinetic energy", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.kinetic_energy) },
+        Entry { variable: "water_kinetic_energy", long_name: "the water's part of the kinetic energy, by the infinite-frequency added mass", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.water_kinetic_energy) },
+        Entry { variable: "kinetic_energy", long_name: "kinetic energy, the water's part included", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.kinetic_energy) },
         Entry { variable: "potential_energy", long_name: "potential energy", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.potential_energy) },
         Entry { variable: "work_done", long_name: "work by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(work_done(x)) },
         Entry { variable: "work_by_drives", long_name: "work by motors, servos and prescribed motions", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
@@ -165,11 +177,11 @@ impl<S: Scalar> Table<S> {
     ];
 }
 
-/// The channels of a model and its drives, in the order of a row.
-pub fn channels<S: Scalar>(model: &Model<S>, drives: &[Drive<S>]) -> Vec<Channel> {
+/// The channels of a model, its drives and forces, in the order of a row.
+pub fn channels<S: Scalar>(model: &Model<S>, drives: &[Drive<S>], forces: &[Force<S>]) -> Vec<Channel> {
     let mut offset = 0;
     let place = |entry: &Entry<S>| {
-        let labels: Vec<Vec<String>> = entry.dims.iter().map(|dimension| dimension.labels(model, drives)).collect();
+        let labels: Vec<Vec<String>> = entry.dims.iter().map(|dimension| dimension.labels(model, drives, forces)).collect();
         let len = labels.iter().map(Vec::len).product();
         let channel = Channel {
             variable: entry.variable,
@@ -195,7 +207,7 @@ pub fn write_row<S: Scalar>(sample: &Sample<'_, S>, out: &mut Vec<S>) {
 }
 
 impl Dimension {
-    fn labels<S: Scalar>(self, model: &Model<S>, drives: &[Drive<S>]) -> Vec<String> {
+    fn labels<S: Scalar>(self, model: &Model<S>, drives: &[Drive<S>], forces: &[Force<S>]) -> Vec<String> {
         let fixed = |labels: &[&str]| labels.iter().map(|s| (*s).to_owned()).collect();
         match self {
             Body => model.bodies.iter().map(|body| body.name.clone()).collect(),
@@ -215,6 +227,7 @@ impl Dimension {
             }
             Loop => loops::names(model),
             Constraint => model.constraint_names(),
+            Hull => forces.iter().filter_map(Force::hull).map(|hull| hull.name.clone()).collect(),
             Cylinder => drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.name.clone()).collect(),
         }
     }

@@ -4,9 +4,9 @@
 mod common;
 
 use common::{every_joint, everything};
-use kingpost::analysis::{Linearizer, NoEquilibrium, gradient, settle};
+use kingpost::analysis::{Linearizer, gradient};
 use kingpost::scenario::{Scenario, read};
-use kingpost::simulation::Simulation;
+use kingpost::simulation::{NoEquilibrium, Simulation};
 use serde_json::{Value, json};
 
 fn scenario(text: &str) -> Scenario {
@@ -114,7 +114,7 @@ fn a_pendulum_settles_downwards_from_anywhere_but_the_top() {
     for angle in [0.01, 1.0, core::f64::consts::FRAC_PI_2, 3.0, -2.5] {
         let scenario = scenario(&pendulum(angle));
         let mut simulation = simulation(&scenario);
-        let found = settle(&scenario, &mut simulation).expect("a pendulum rests");
+        let found = simulation.settle().expect("a pendulum rests");
         assert!(simulation.state().q[0].abs() < 1e-10, "from {angle}: {found:?}");
         assert!(found.iterations < 60, "from {angle}: {found:?}");
     }
@@ -150,7 +150,7 @@ forces:
 fn a_closed_loop_settles_closed_and_a_keeps_to_its_tangents() {
     let scenario = scenario(SWING);
     let mut simulation = simulation(&scenario);
-    let found = settle(&scenario, &mut simulation).expect("a swing rests");
+    let found = simulation.settle().expect("a swing rests");
     assert!(simulation.state().q.iter().all(|q| q.abs() < 1e-9), "{found:?}: {:?}", simulation.state().q);
     let j = simulation.moving_frame().j;
     let motion = nalgebra::DVector::from_column_slice(&[1.0, -1.0, 1.0]);
@@ -188,7 +188,7 @@ fn what_is_stiff_does_not_keep_what_is_soft_from_settling() {
     let text = include_str!("../../../scenarios/flexible_boom.yaml");
     let scenario = read(text, "flexible_boom.yaml", &[]).expect("the gallery reads");
     let mut simulation = simulation(&scenario);
-    let found = settle(&scenario, &mut simulation).expect("a boom rests");
+    let found = simulation.settle().expect("a boom rests");
     assert!(found.iterations < 60, "{found:?}");
     let accelerations = simulation.acceleration(None).expect("no forces beside its own");
     assert!(accelerations.iter().all(|a| a.abs() < 1e-9), "{accelerations:?}");
@@ -204,7 +204,7 @@ fn the_length_that_a_cylinder_wants_is_a_state_that_settling_keeps() {
     simulation.step(1000).expect("a second of motion");
     simulation.set_input("luffing", 0.0).expect("a lever");
     let wanted = *simulation.state().s.last().expect("the length wanted");
-    settle(&scenario, &mut simulation).expect("it rests on its cylinder");
+    simulation.settle().expect("it rests on its cylinder");
     assert_eq!(simulation.state().s.last(), Some(&wanted));
     let cos = simulation.state().q[0].cos();
     let length = (25.0 + 24.0 * simulation.state().q[0].sin()).sqrt();
@@ -227,12 +227,12 @@ fn what_falls_has_no_equilibrium_and_stays_where_it_was() {
     let (free, falling) = (setup(false), setup(true));
     let mut simulation = simulation(&falling);
     let before = simulation.snapshot();
-    let error = settle(&falling, &mut simulation).expect_err("it falls");
+    let error = simulation.settle().expect_err("it falls");
     assert!(matches!(&error, NoEquilibrium::NotFound { residual, .. } if *residual > 1.0), "{error}");
     assert_eq!(simulation.snapshot(), before);
     // Without gravity every place is one: nothing moves.
     let mut simulation = Simulation::new(free.setup().expect("it builds"));
-    assert_eq!(settle(&free, &mut simulation).expect("it rests").iterations, 0);
+    assert_eq!(simulation.settle().expect("it rests").iterations, 0);
 }
 
 fn read_paper(overrides: &[(&str, Value)]) -> Scenario {

@@ -4,6 +4,7 @@ mod common;
 
 use common::paper_setup;
 use kingpost::batch::{self, BatchError, Variant};
+use kingpost::scenario::Files;
 use kingpost::simulation::{Run, Simulation};
 use serde_json::{Value, json};
 
@@ -40,13 +41,13 @@ fn every_run_has_the_bits_that_it_has_alone_whatever_the_number_of_threads() {
     let variants = variants();
     let expected: Vec<Vec<u64>> = variants.iter().map(|variant| bits(&alone(variant))).collect();
     for threads in [1, 2, 5] {
-        let batch = batch::run(TEXT, "paper.yaml", &variants[..13], threads, |_| true);
+        let batch = batch::run(TEXT, "paper.yaml", &Files::default(), &variants[..13], threads, |_| true);
         let with_load = matches!(batch, Err(BatchError::Channels { run: 10 }));
         assert!(with_load, "a body more has other channels");
         let same_bodies: Vec<usize> = (0..variants.len()).filter(|run| !(10..13).contains(run)).collect();
         for group in [same_bodies, (10..13).collect()] {
             let chosen: Vec<Variant> = group.iter().map(|&run| variants[run].clone()).collect();
-            let batch = batch::run(TEXT, "paper.yaml", &chosen, threads, |_| true).expect("the variants build");
+            let batch = batch::run(TEXT, "paper.yaml", &Files::default(), &chosen, threads, |_| true).expect("the variants build");
             for (run, &original) in batch.runs.iter().zip(&group) {
                 assert!(bits(run) == expected[original], "variant {original} with {threads} threads");
                 assert!(run.status.is_ok());
@@ -64,7 +65,7 @@ fn a_run_that_diverges_is_marked_and_the_others_go_on() {
         variant
     };
     let variants = [torque(50_000.0), torque(100_000.0), torque(60_000.0), torque(20_000.0)];
-    let batch = batch::run(TEXT, "paper.yaml", &variants, 1, |_| true).expect("the variants build");
+    let batch = batch::run(TEXT, "paper.yaml", &Files::default(), &variants, 1, |_| true).expect("the variants build");
     let diverged: Vec<bool> = batch.runs.iter().map(|run| run.status.is_err()).collect();
     assert_eq!(diverged, [false, true, false, false]);
     for (run, variant) in batch.runs.iter().zip(&variants) {
@@ -80,15 +81,15 @@ fn a_run_that_diverges_is_marked_and_the_others_go_on() {
 fn a_variant_that_is_wrong_is_named_before_anything_runs() {
     let variants = [variant(&[]), variant(&[("crane_x_m", json!(70))])];
     let error =
-        batch::run(TEXT, "paper.yaml", &variants, 1, |_| panic!("nothing runs")).expect_err("it is out of range");
+        batch::run(TEXT, "paper.yaml", &Files::default(), &variants, 1, |_| panic!("nothing runs")).expect_err("it is out of range");
     assert!(error.to_string().starts_with("run 1: --set crane_x_m: found 70"), "{error}");
-    let none = batch::run(TEXT, "paper.yaml", &[], 1, |_| true).expect("nothing to do");
+    let none = batch::run(TEXT, "paper.yaml", &Files::default(), &[], 1, |_| true).expect("nothing to do");
     assert!(none.runs.is_empty() && none.channels.is_empty());
 }
 
 #[test]
 fn a_batch_can_be_stopped() {
-    let stopped = batch::run(TEXT, "paper.yaml", &variants()[..8], 2, |done| done < 4);
+    let stopped = batch::run(TEXT, "paper.yaml", &Files::default(), &variants()[..8], 2, |done| done < 4);
     assert!(matches!(stopped, Err(BatchError::Stopped)));
 }
 
@@ -102,7 +103,7 @@ fn runs_with_closed_loops_and_cylinders_have_the_bits_that_they_have_alone() {
     for (file, text, cylinder) in cranes {
         let mut variants: Vec<Variant> = (0..7).map(|k| variant(&[("load_t", json!(3 + k))])).collect();
         variants.push(variant(&[(cylinder, json!(7.1))]));
-        let batch = batch::run(text, file, &variants, 2, |_| true).expect("the variants build");
+        let batch = batch::run(text, file, &Files::default(), &variants, 2, |_| true).expect("the variants build");
         for (run, variant) in batch.runs.iter().zip(&variants) {
             let scenario = kingpost::scenario::read(text, file, variant).unwrap();
             let alone = Simulation::new(scenario.setup().unwrap()).run(|_| true);
@@ -119,7 +120,7 @@ fn histories_with_the_same_edges_do_not_go_side_by_side() {
         variant(&[("torque_history", json!("pulse")), ("drives.motor_1.motor.pulse", times)])
     };
     let variants = [pulse(0.08, 0.0), pulse(0.0, 0.08)];
-    let batch = batch::run(TEXT, "paper.yaml", &variants, 1, |_| true).expect("the variants build");
+    let batch = batch::run(TEXT, "paper.yaml", &Files::default(), &variants, 1, |_| true).expect("the variants build");
     for (run, variant) in batch.runs.iter().zip(&variants) {
         assert!(bits(run) == bits(&alone(variant)));
     }

@@ -13,7 +13,7 @@ interface WorkerScope {
 const scope = self as unknown as WorkerScope;
 const ready = init({ module_or_path: moduleUrl });
 const runner = new Runner(
-  (text, file, overrides) => new Simulation(text, file, overrides),
+  (text, file, overrides) => new Simulation(text, file, overrides, "{}"),
   () => performance.now(),
 );
 

@@ -1,6 +1,7 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::drives::{Clock, Cylinder, Drive, PrescribedMotion};
+use crate::drives::{Drive, PrescribedMotion};
+use crate::dynamics::Clock;
 use crate::integrate::Stage;
 use crate::ledger;
 use crate::model::Mode;
@@ -144,7 +145,8 @@ impl Linearizer {
 
     /// Prescribed coordinates that have a rate at a stage, or an acceleration.
     fn moving(&self, at: Stage<'_>) -> Vec<String> {
-        let clock = Clock { time_s: at.time_s, middle_s: 0.5 * (at.interval.start_s + at.interval.end_s) };
+        let Stage { time_s, interval, .. } = at;
+        let clock = Clock { time_s, start_s: interval.start_s, middle_s: interval.middle_s() };
         let moves = |motion: &PrescribedMotion<Number>| {
             let rates = [at.v[motion.coordinate], motion.rate_at(clock).value, motion.acceleration_at(clock).value];
             rates.iter().any(|rate| *rate != 0.0)
@@ -163,16 +165,14 @@ fn prescribed(plant: &Plant<Number>) -> Vec<(String, PrescribedMotion<Number>)> 
     plant.drives.iter().filter_map(motion).collect()
 }
 
-/// Names and meaning of the states of a plant: what the drives keep stands behind the ledger's
+/// Names and meaning of the states of a plant: those of drives and forces stand behind the ledger's
 /// entries in s.
 fn states(plant: &Plant<Number>) -> (Vec<String>, Vec<Along>) {
     let (model, names) = (&plant.model, plant.model.coordinate_names());
     let free: Vec<usize> = (0..names.len()).filter(|&i| model.modes[i] == Mode::Free).collect();
     let positions = free.iter().map(|&i| (names[i].clone(), Along::Position(i)));
     let rates = free.iter().map(|&i| (format!("{}{RATE}", names[i]), Along::Velocity(i)));
-    let kept = plant.drives.iter().filter(|drive| drive.has_state()).filter_map(Drive::cylinder);
-    let wanted = |(i, cylinder): (usize, &Cylinder<Number>)| {
-        (format!("{}.wanted_length", cylinder.name), Along::Extra(ledger::COUNT + i))
-    };
-    positions.chain(rates).chain(kept.enumerate().map(wanted)).unzip()
+    let extras = plant.state_names().into_iter().enumerate();
+    let extras = extras.map(|(i, name)| (name, Along::Extra(ledger::COUNT + i)));
+    positions.chain(rates).chain(extras).unzip()
 }

@@ -10,7 +10,7 @@ mod structure;
 use crate::plant::Form;
 use crate::results::{Channel, channels};
 use crate::scalar::LANES;
-use crate::scenario::{Scenario, ScenarioError, read};
+use crate::scenario::{Files, Scenario, ScenarioError, read_with};
 use crate::simulation::{Run, SchemeName, Setup, Simulation};
 use core::sync::atomic::{AtomicUsize, Ordering};
 use indexmap::IndexMap;
@@ -61,9 +61,10 @@ pub struct Batch {
 /// has. `progress` hears how many runs are done; it may stop the batch by returning false.
 ///
 /// ```
+/// use kingpost::scenario::Files;
 /// let text = include_str!("../../../../scenarios/paper.yaml");
 /// let variant = |x: f64| vec![("crane_x_m".to_owned(), x.into()), ("simulation.duration_s".to_owned(), 0.1.into())];
-/// let batch = kingpost::batch::run(text, "paper.yaml", &[variant(0.0), variant(-5.0)], 2, |_| true)?;
+/// let batch = kingpost::batch::run(text, "paper.yaml", &Files::default(), &[variant(0.0), variant(-5.0)], 2, |_| true)?;
 /// assert!(batch.runs.iter().all(|run| run.status.is_ok()));
 /// # Ok::<(), kingpost::batch::BatchError>(())
 /// ```
@@ -73,6 +74,7 @@ pub struct Batch {
 pub fn run(
     text: &str,
     file: &str,
+    files: &Files,
     variants: &[Variant],
     threads: usize,
     progress: impl Fn(usize) -> bool + Sync,
@@ -80,9 +82,9 @@ pub fn run(
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.map_err(|_| BatchError::Threads(threads))?;
     pool.install(|| {
-        let members = members(text, file, variants)?;
+        let members = members(text, file, files, variants)?;
         let channels =
-            members.first().map_or_else(Vec::new, |member| channels(&member.setup.model, &member.setup.drives));
+            members.first().map_or_else(Vec::new, |member| channels(&member.setup.model, &member.setup.drives, &member.setup.forces));
         let done = AtomicUsize::new(0);
         let run_group = |group: &[usize]| {
             let runs = run_group(group, &members, &|| progress(done.load(Ordering::Relaxed)));
@@ -114,16 +116,16 @@ impl Member {
     }
 }
 
-fn members(text: &str, file: &str, variants: &[Variant]) -> Result<Vec<Member>, BatchError> {
+fn members(text: &str, file: &str, files: &Files, variants: &[Variant]) -> Result<Vec<Member>, BatchError> {
     let member = |(run, variant): (usize, &Variant)| {
         let wrong = |error| BatchError::Variant { run, error };
-        let scenario = read(text, file, variant).map_err(wrong)?;
+        let scenario = read_with(text, file, variant, files).map_err(wrong)?;
         let setup = scenario.setup().map_err(wrong)?;
         let structure = Structure::of(&setup);
         Ok(Member { scenario, setup, structure })
     };
     let members: Vec<Member> = variants.par_iter().enumerate().map(member).collect::<Result<_, _>>()?;
-    let names = |member: &Member| channels(&member.setup.model, &member.setup.drives);
+    let names = |member: &Member| channels(&member.setup.model, &member.setup.drives, &member.setup.forces);
     if let Some(first) = members.first().map(names)
         && let Some(run) = members.par_iter().position_first(|member| names(member) != first)
     {

@@ -1,15 +1,17 @@
 //! When runs may go side by side: everything but the numbers of the mechanics is the same.
 
+use crate::forces::Force;
 use crate::simulation::Setup;
 
-/// A setup without its real numbers, but with those that are no scalar: settings, and the times and
-/// histories of drives.
+/// A setup without its real numbers, but with those that are no scalar: settings, the times and
+/// histories of drives, and all of the water.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Structure {
     /// The setup as text, real numbers left out; names, kinds, indices and counts stand.
     shape: String,
     settings: String,
     histories: String,
+    hulls: String,
 }
 
 impl Structure {
@@ -19,6 +21,7 @@ impl Structure {
             shape: without_numbers(&format!("{setup:?}")),
             settings: format!("{:?}", setup.settings),
             histories: format!("{histories:?}"),
+            hulls: format!("{:?}", setup.forces.iter().filter_map(Force::hull).collect::<Vec<_>>()),
         }
     }
 }

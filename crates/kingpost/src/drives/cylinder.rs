@@ -1,8 +1,7 @@
 //! A hydraulic cylinder between two pins: it keeps a length, or goes to another at a limited speed.
 
-use super::Moment;
 use crate::dynamics::loops::Row;
-use crate::dynamics::{LinkKinematics, Loads};
+use crate::dynamics::{LinkKinematics, Loads, Moment};
 use crate::forces::hunt_crossley;
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;

@@ -13,31 +13,12 @@ pub use brake::Brake;
 pub use cylinder::{Aim, Cylinder, CylinderReading};
 pub use motor::Motor;
 pub use prescribed::PrescribedMotion;
-pub use profile::{Clock, Profile, Pulse};
+pub use profile::{Profile, Pulse};
 pub use servo::Servo;
 
-use crate::dynamics::{LinkKinematics, Loads};
+use crate::dynamics::{LinkKinematics, Loads, Moment};
 use crate::model::Model;
 use crate::scalar::Scalar;
-
-/// What drives act on, and when.
-#[derive(Clone, Copy, Debug)]
-pub struct Moment<'a, S = f64> {
-    /// When.
-    pub clock: Clock,
-    /// The mechanical model.
-    pub model: &'a Model<S>,
-    /// Kinematics of its links.
-    pub links: &'a LinkKinematics<S>,
-    /// Positions.
-    pub q: &'a [S],
-    /// Velocities.
-    pub v: &'a [S],
-    /// Values of the input table.
-    pub inputs: &'a [S],
-    /// Extra states of the drives.
-    pub states: &'a [S],
-}
 
 /// The kinds of drive.
 #[derive(Clone, Debug)]
@@ -58,9 +39,9 @@ impl<S: Scalar> Drive<S> {
     /// Adds this drive to the loads.
     pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         match self {
-            Drive::Motor(motor) => motor.apply(at.clock, at.v, at.inputs, loads),
+            Drive::Motor(motor) => motor.apply(at.clock, at.v, at.held, loads),
             Drive::Servo(servo) => servo.apply(at.q, at.v, loads),
-            Drive::Brake(brake) => brake.apply(at.v, at.inputs, loads),
+            Drive::Brake(brake) => brake.apply(at.v, at.held, loads),
             Drive::Prescribed(motion) => motion.apply(at.clock, loads),
             Drive::Cylinder(cylinder) => cylinder.apply(at, loads),
         }

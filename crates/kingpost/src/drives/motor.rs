@@ -1,7 +1,7 @@
 //! A motor: torque (or force) on a joint's coordinate, its reaction on the parent (eq. 59).
 
-use super::{Clock, Profile};
-use crate::dynamics::Loads;
+use super::Profile;
+use crate::dynamics::{Clock, Loads};
 use crate::scalar::Scalar;
 
 /// A torque or force history on one coordinate.

@@ -1,7 +1,7 @@
 //! A prescribed motion: the joint's rate is given, the force follows.
 
-use super::{Clock, Profile};
-use crate::dynamics::Loads;
+use super::Profile;
+use crate::dynamics::{Clock, Loads};
 use crate::scalar::Scalar;
 
 /// The rate of one coordinate over time. The profile must be continuous: a jump would take an

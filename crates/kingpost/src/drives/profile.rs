@@ -1,14 +1,6 @@
 //! Histories: a number from -1 to 1 over time, piecewise linear.
 
-/// When a law is evaluated: the time, and the middle of the interval that is being stepped. At an
-/// edge the middle decides which piece holds, so that no step mixes two pieces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Clock {
-    /// Time, s.
-    pub time_s: f64,
-    /// Middle of the interval, s.
-    pub middle_s: f64,
-}
+use crate::dynamics::Clock;
 
 /// A pulse: up, hold, through zero to the reverse, hold, and back to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +83,7 @@ mod tests {
     use super::*;
 
     fn at(time_s: f64) -> Clock {
-        Clock { time_s, middle_s: time_s + 1e-9 }
+        Clock { time_s, start_s: time_s, middle_s: time_s + 1e-9 }
     }
 
     #[test]
@@ -117,7 +109,7 @@ mod tests {
     #[test]
     fn an_edge_belongs_to_the_interval_that_is_stepped() {
         let profile = Profile::pulse(Pulse { rise_s: 0.0, hold_s: 1.0, reverse_s: 1.0 });
-        assert_eq!(profile.value(Clock { time_s: 1.0, middle_s: 0.95 }), 1.0);
-        assert_eq!(profile.value(Clock { time_s: 1.0, middle_s: 1.05 }), -1.0);
+        assert_eq!(profile.value(Clock { time_s: 1.0, start_s: 0.9, middle_s: 0.95 }), 1.0);
+        assert_eq!(profile.value(Clock { time_s: 1.0, start_s: 1.0, middle_s: 1.05 }), -1.0);
     }
 }

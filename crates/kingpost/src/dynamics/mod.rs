@@ -17,9 +17,11 @@ mod kinematics;
 mod link_kinematics;
 mod loads;
 pub mod loops;
+mod moment;
 pub mod moving_frame;
 pub mod pivots;
 
 pub use kinematics::Kinematics;
 pub use link_kinematics::LinkKinematics;
 pub use loads::{Loads, Power};
+pub use moment::{Clock, Moment};

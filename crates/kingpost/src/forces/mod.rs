@@ -4,6 +4,7 @@
 
 mod coulomb_friction;
 mod gravity;
+pub mod hull;
 mod joint_damping;
 mod joint_spring;
 mod joint_stop;
@@ -11,12 +12,13 @@ mod viscous_damping;
 
 pub use coulomb_friction::CoulombFriction;
 pub use gravity::Gravity;
+pub use hull::Hull;
 pub use joint_damping::JointDamping;
 pub use joint_spring::JointSpring;
 pub use joint_stop::{JointStop, StopSide, hunt_crossley};
 pub use viscous_damping::ViscousDamping;
 
-use crate::dynamics::{LinkKinematics, Loads};
+use crate::dynamics::{LinkKinematics, Loads, Moment};
 use crate::model::Model;
 use crate::scalar::Scalar;
 
@@ -35,28 +37,52 @@ pub enum Force<S = f64> {
     JointSpring(JointSpring<S>),
     /// A stop in a joint.
     JointStop(JointStop<S>),
+    /// The water on a hull.
+    Hull(Box<Hull<S>>),
 }
 
 impl<S: Scalar> Force<S> {
-    /// Adds this force to the loads; `links` is the kinematics of `model.links`.
-    pub fn apply(&self, model: &Model<S>, links: &LinkKinematics<S>, q: &[S], v: &[S], loads: &mut Loads<S>) {
+    /// Adds this force to the loads.
+    pub fn apply(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         match self {
-            Force::Gravity(gravity) => gravity.apply(model, links, loads),
-            Force::ViscousDamping(damping) => damping.apply(model, links, loads),
-            Force::JointDamping(damping) => damping.apply(v, loads),
-            Force::CoulombFriction(friction) => friction.apply(v, loads),
-            Force::JointSpring(spring) => spring.apply(q, loads),
-            Force::JointStop(stop) => stop.apply(q, v, loads),
+            Force::Gravity(gravity) => gravity.apply(at.model, at.links, loads),
+            Force::ViscousDamping(damping) => damping.apply(at.model, at.links, loads),
+            Force::JointDamping(damping) => damping.apply(at.v, loads),
+            Force::CoulombFriction(friction) => friction.apply(at.v, loads),
+            Force::JointSpring(spring) => spring.apply(at.q, loads),
+            Force::JointStop(stop) => stop.apply(at.q, at.v, loads),
+            Force::Hull(hull) => hull.apply(at, loads),
         }
     }
 
     /// Potential energy, J; zero for forces that have none.
-    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>, q: &[S]) -> S {
+    pub fn potential_energy(&mut self, model: &Model<S>, links: &LinkKinematics<S>, q: &[S]) -> S {
         match self {
             Force::Gravity(gravity) => gravity.potential_energy(model, links),
             Force::JointSpring(spring) => spring.potential_energy(q),
             Force::JointStop(stop) => stop.potential_energy(q),
+            Force::Hull(hull) => hull.potential_energy(model, links),
             Force::ViscousDamping(_) | Force::JointDamping(_) | Force::CoulombFriction(_) => S::ZERO,
         }
+    }
+
+    /// The hull, where it is the water on one.
+    pub fn hull(&self) -> Option<&Hull<S>> {
+        if let Force::Hull(hull) = self { Some(hull) } else { None }
+    }
+
+    /// The hull, to be asked what changes nothing but its working memory.
+    pub fn hull_mut(&mut self) -> Option<&mut Hull<S>> {
+        if let Force::Hull(hull) = self { Some(hull) } else { None }
+    }
+
+    /// Number of its extra states.
+    pub fn state_count(&self) -> usize {
+        self.hull().map_or(0, Hull::state_count)
+    }
+
+    /// Number of the values that it holds over a step.
+    pub fn held_count(&self) -> usize {
+        self.hull().map_or(0, |_| hull::SLOW_FRAME_LEN)
     }
 }

@@ -45,6 +45,13 @@ pub struct Interval {
     pub end_s: f64,
 }
 
+impl Interval {
+    /// Its middle, s.
+    pub fn middle_s(self) -> f64 {
+        0.5 * (self.start_s + self.end_s)
+    }
+}
+
 /// Sizes of the arrays that a scheme works on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {

@@ -88,6 +88,9 @@ pub struct Model<S = f64> {
     pub rotor_inertia: Vec<S>,
     /// What ties bodies together beside their joints.
     pub loops: Vec<Loop<S>>,
+    /// By body: the part of its inertia that is the water's, which its weight does not count, in
+    /// body axes about the centre of mass.
+    pub added_inertias: Vec<(usize, SpatialInertia<S>)>,
 }
 
 impl<S: Scalar> Model<S> {
@@ -128,7 +131,7 @@ impl<S: Scalar> Model<S> {
         }
         let link_inertias = links::centred(&mut links, &mut bodies, rigid);
         let (position_count, velocity_count) = (positions, velocities);
-        let (rotor_inertia, loops) = (vec![S::ZERO; velocity_count], Vec::new());
+        let (rotor_inertia, loops, added_inertias) = (vec![S::ZERO; velocity_count], Vec::new(), Vec::new());
         Self {
             bodies,
             joints,
@@ -141,6 +144,7 @@ impl<S: Scalar> Model<S> {
             modes,
             rotor_inertia,
             loops,
+            added_inertias,
         }
     }
 
@@ -154,6 +158,21 @@ impl<S: Scalar> Model<S> {
         let tied = |tie: Attachment<S>, bodies: &[Body<S>]| tie.on_link(bodies);
         let close = |l: Loop<S>| Loop { first: tied(l.first, &self.bodies), second: tied(l.second, &self.bodies), ..l };
         self.loops = loops.into_iter().map(close).collect();
+        self
+    }
+
+    /// The same model with the water's share in the inertia of a body: the infinite-frequency added
+    /// mass, in body axes about the centre of mass. It moves with the body, so the velocity terms are
+    /// those of Kirchhoff's equations.
+    ///
+    /// # Panics
+    /// When the body is fixed to the world.
+    pub fn with_added_inertia(mut self, body: usize, added: SpatialInertia<S>) -> Self {
+        let link = self.bodies[body].link.expect("added inertia is of a body that moves");
+        self.tree.nodes[body].inertia += added;
+        self.links.nodes[link].inertia += added.to_parent(&self.bodies[body].in_link);
+        self.link_inertias[link] = LinkInertia::Full;
+        self.added_inertias.push((body, added));
         self
     }
 

@@ -1,14 +1,16 @@
 //! The right-hand side: model, forces and drives put together for an integrator.
 
+mod shares;
 mod tangent;
 
+use shares::{Moments, Shares};
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
-use crate::drives::{Clock, CylinderReading, Drive, Moment};
+use crate::drives::{CylinderReading, Drive};
 use crate::dynamics::loops::{LoopFault, LoopSolver, Projection};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
-use crate::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
-use crate::forces::Force;
+use crate::dynamics::{Clock, Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
+use crate::forces::{Force, hull::HullReading};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{Mode, Model, Node};
@@ -46,6 +48,7 @@ pub struct Plant<S = f64> {
     inverse: InverseDynamics<S>,
     loops: LoopSolver<S>,
     cylinders: Vec<CylinderReading<S>>,
+    hulls: Vec<HullReading<S>>,
     rotation_rates: Vec<bool>,
     /// Evaluations of the right-hand side so far.
     pub evaluations: u64,
@@ -81,6 +84,7 @@ impl<S: Scalar> Plant<S> {
             inverse: InverseDynamics::new(&model),
             loops: LoopSolver::new(&model),
             cylinders: Vec::with_capacity(drives.len()),
+            hulls: Vec::with_capacity(forces.len()),
             rotation_rates,
             evaluations: 0,
             model,
@@ -96,21 +100,26 @@ impl<S: Scalar> Plant<S> {
     /// Kinematics of the links and loads at a stage.
     fn evaluate_loads(&mut self, at: Stage<'_, S>) {
         self.links.update(&self.model, at.q, at.v);
-        let ledger = self.ledger_entries();
+        let shares = self.shares();
         let Self { model, links, forces, drives, loads, .. } = self;
         loads.clear();
-        for force in forces.iter() {
-            force.apply(model, links, at.q, at.v, loads);
+        let moments = shares.moments(model, links, at);
+        for force in forces.iter_mut() {
+            force.apply(&moments.of_forces, loads);
         }
-        let moment = moment(model, links, at, ledger);
         for drive in drives.iter() {
-            drive.apply(&moment, loads);
+            drive.apply(&moments.of_drives, loads);
         }
     }
 
-    /// Entries of s that are the ledger's; those of the drives follow.
-    fn ledger_entries(&self) -> usize {
-        if self.keeps_ledger { ledger::COUNT } else { 0 }
+    /// How s and d are shared.
+    fn shares(&self) -> Shares {
+        Shares {
+            ledger: if self.keeps_ledger { ledger::COUNT } else { 0 },
+            drives: self.drives.iter().filter(|drive| drive.has_state()).count(),
+            forces: self.forces.iter().map(Force::state_count).sum(),
+            held: self.held_count(),
+        }
     }
 
     /// Accelerations of all coordinates under the loads that were evaluated last.
@@ -138,12 +147,14 @@ impl<S: Scalar> Plant<S> {
         self.bodies.update(&self.model.tree, at.q, at.v);
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
         let totals = self.totals_here(at.q, at.v);
-        let ledger = self.ledger_entries();
-        let Self { model, links, bodies, inverse, loops, drives, cylinders, .. } = self;
-        let moment = moment(model, links, at, ledger);
+        let shares = self.shares();
+        let Self { model, links, bodies, inverse, loops, forces, drives, cylinders, hulls, .. } = self;
+        let Moments { of_drives, of_forces } = shares.moments(model, links, at);
         cylinders.clear();
-        cylinders.extend(drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.reading(&moment)));
-        Observation { model, bodies, inverse, loops, cylinders, totals }
+        cylinders.extend(drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.reading(&of_drives)));
+        hulls.clear();
+        hulls.extend(forces.iter_mut().filter_map(Force::hull_mut).map(|hull| hull.reading(&of_forces)));
+        Observation { model, bodies, inverse, loops, cylinders, hulls, totals }
     }
 
     /// Frames and twists of the bodies at a state.
@@ -163,10 +174,10 @@ impl<S: Scalar> Plant<S> {
 
     /// Gives prescribed coordinates the rate that they have at the start of an interval.
     pub fn prescribe(&self, interval: Interval, v: &mut [S]) {
-        let middle_s = 0.5 * (interval.start_s + interval.end_s);
+        let middle_s = interval.middle_s();
         for drive in &self.drives {
             if let Drive::Prescribed(motion) = drive {
-                v[motion.coordinate] = motion.rate_at(Clock { time_s: interval.start_s, middle_s });
+                v[motion.coordinate] = motion.rate_at(Clock { time_s: interval.start_s, start_s: interval.start_s, middle_s });
             }
         }
     }
@@ -207,14 +218,15 @@ impl<S: Scalar> Plant<S> {
     }
 
     /// The same, where the kinematics stands.
-    fn totals_here(&self, q: &[S], v: &[S]) -> Totals<S> {
+    fn totals_here(&mut self, q: &[S], v: &[S]) -> Totals<S> {
         let Self { model, forces, drives, links, bodies, .. } = self;
         let stored = drives.iter().fold(S::ZERO, |sum, drive| sum + drive.potential_energy(model, links));
         let centre = ledger::reference_point(model, q);
         let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
         Totals {
             kinetic_energy: energy::kinetic_energy(&model.tree, bodies) + energy::rotor_energy(model, v),
-            potential_energy: forces.iter().fold(stored, |sum, force| sum + force.potential_energy(model, links, q)),
+            water_kinetic_energy: energy::water_energy(model, bodies),
+            potential_energy: forces.iter_mut().fold(stored, |sum, force| sum + force.potential_energy(model, links, q)),
             linear_momentum,
             angular_momentum,
         }
@@ -229,15 +241,9 @@ impl<S: Scalar> Plant<S> {
         totals.angular_momentum.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
         let cylinders = self.drives.iter().filter_map(Drive::cylinder);
         s.extend(cylinders.filter_map(|cylinder| cylinder.first_state(&self.model, &self.links)));
+        s.resize(self.shares().extras(), S::ZERO);
         s
     }
-}
-
-/// What the drives see at a stage whose kinematics stands, with so many entries of s before theirs.
-fn moment<'a, S>(model: &'a Model<S>, links: &'a LinkKinematics<S>, at: Stage<'a, S>, ledger: usize) -> Moment<'a, S> {
-    let clock = Clock { time_s: at.time_s, middle_s: 0.5 * (at.interval.start_s + at.interval.end_s) };
-    let states = at.s.get(ledger..).unwrap_or_default();
-    Moment { clock, model, links, q: at.q, v: at.v, inputs: at.d, states }
 }
 
 impl Plant {
@@ -299,6 +305,8 @@ pub struct Observation<'a, S = f64> {
     pub loops: &'a LoopSolver<S>,
     /// The hydraulic cylinders, in the order of the drives.
     pub cylinders: &'a [CylinderReading<S>],
+    /// The sea at the hulls, in the order of the forces.
+    pub hulls: &'a [HullReading<S>],
     /// Energy and momentum.
     pub totals: Totals<S>,
 }
@@ -306,8 +314,10 @@ pub struct Observation<'a, S = f64> {
 /// Energy and momentum of all bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Totals<S = f64> {
-    /// J.
+    /// The water's part included, J.
     pub kinetic_energy: S,
+    /// Of it the part of the water that moves with hulls, J.
+    pub water_kinetic_energy: S,
     /// J.
     pub potential_energy: S,
     /// kg m/s, world.
@@ -321,7 +331,7 @@ impl<S: Scalar> System<S> for Plant<S> {
         Sizes {
             positions: self.model.position_count,
             velocities: self.model.velocity_count,
-            extras: self.ledger_entries() + self.drives.iter().filter(|drive| drive.has_state()).count(),
+            extras: self.shares().extras(),
         }
     }
 
@@ -329,11 +339,7 @@ impl<S: Scalar> System<S> for Plant<S> {
         self.evaluations += 1;
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
-        let (s_dot, drives_dot) = s_dot.split_at_mut(self.ledger_entries());
-        let states = at.s.get(s_dot.len()..).unwrap_or_default();
-        for (state, rate) in self.drives.iter().filter_map(|drive| drive.cylinder()?.state_rate(at.d, states)) {
-            drives_dot[state] = rate;
-        }
+        let s_dot = self.shares().state_rates(self, at, s_dot);
         if !self.keeps_ledger {
             return;
         }

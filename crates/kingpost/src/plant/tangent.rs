@@ -48,13 +48,13 @@ impl Tangent {
         let Sizes { positions, velocities, extras } = plant.sizes();
         let zeros = |n| vec![Number::ZERO; n];
         Self {
-            plant,
             base: zeros(positions),
             q: zeros(positions),
             xi: zeros(velocities),
             v: zeros(velocities),
             s: zeros(extras),
-            d: zeros(inputs),
+            d: zeros(inputs + plant.held_count()),
+            plant,
             xi_dot: zeros(velocities),
             v_dot: zeros(velocities),
             s_dot: zeros(extras),

@@ -4,9 +4,12 @@ mod axes;
 mod bodies;
 mod cylinders;
 mod drives;
+mod equilibrium;
 pub(super) mod flexible;
 mod loops;
 pub mod reading;
+mod water;
+mod waves;
 
 pub use super::error::FieldError;
 use super::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenario};
@@ -34,6 +37,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     check_mass_matrix(scenario, &setup)?;
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
+    equilibrium::settle(scenario, &mut setup)?;
     Ok(setup)
 }
 
@@ -42,6 +46,10 @@ pub fn assemble<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, F
     let mut setup = open(scenario)?;
     loops::close(scenario.first(), &mut setup)?;
     cylinders::begin(&mut setup)?;
+    if scenario.first().simulation.begin_at_equilibrium {
+        equilibrium::follow(scenario, &mut setup)?;
+        loops::close(scenario.first(), &mut setup)?;
+    }
     Ok(setup)
 }
 
@@ -54,8 +62,10 @@ fn open<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldErro
     }
     let bodies::Bodies { model, q, mut v, forces: in_joints } = bodies::build(scenario)?;
     let model = loops::build(scenario, model)?;
+    let (model, in_water) = water::build(scenario, model)?;
     let mut forces = forces(scenario, &model)?;
     forces.extend(in_joints);
+    forces.extend(in_water);
     let drives::Drives { drives, inputs } = drives::build(scenario, &model, &mut v)?;
     Ok(Setup { model, forces, drives, inputs, settings, q, v })
 }
@@ -118,7 +128,7 @@ fn scheme(given: &schema::SimulationSettings) -> Result<SchemeName, FieldError> 
 /// What a run records must fit in memory.
 fn check_recording(setup: &Setup) -> Result<(), FieldError> {
     let Settings { step_s, duration_s, record_every_s, .. } = setup.settings;
-    let columns: usize = channels(&setup.model, &setup.drives).iter().map(|channel| channel.len).sum();
+    let columns: usize = channels(&setup.model, &setup.drives, &setup.forces).iter().map(|channel| channel.len).sum();
     let rows = duration_s / record_every_s.max(step_s);
     if rows * columns as f64 > MOST_NUMBERS {
         let least = duration_s * columns as f64 / MOST_NUMBERS;
@@ -155,6 +165,8 @@ fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result
                     forces.push(Force::ViscousDamping(ViscousDamping { body, linear, angular }));
                 }
             }
+            // With what it does to the model: see `water`.
+            ForceSchema::Hydrodynamics(_) => {}
         }
     }
     Ok(forces)

@@ -7,6 +7,7 @@ mod assignment;
 pub mod build;
 pub mod describe;
 mod error;
+mod files;
 #[cfg(feature = "schema")]
 pub mod json_schema;
 mod neighbour;
@@ -22,6 +23,7 @@ pub mod wording;
 
 pub use assignment::parse_assignment;
 pub use error::{FieldError, ScenarioError};
-pub use read::read;
+pub use files::{Databases, Files};
+pub use read::{file_names, read, read_with};
 pub use schema::Scenario;
 pub use units::{UNIT_ALIASES, UnitAlias};

@@ -4,7 +4,8 @@ use serde_json::Value;
 use serde_path_to_error::Segment;
 
 use super::build::reading::{Gathered, Reading};
-use super::error::{Fault, FieldError, ScenarioError};
+use super::error::{Fault, ScenarioError};
+use super::files::Files;
 use super::parameters::{self, Target};
 use super::schema::Scenario;
 use super::tree::{Node, segments, value_at};
@@ -23,10 +24,35 @@ use super::{parse, units, wording};
 /// The first thing that is wrong, with its place: syntax, an unknown field, a wrong type, a value out of range, or
 /// bodies, joints and drives that do not fit together.
 pub fn read(text: &str, file: &str, overrides: &[(String, Value)]) -> Result<Scenario, ScenarioError> {
-    read_tree(text, overrides).map_err(|fault| fault.in_file(file))
+    read_with(text, file, overrides, &Files::default())
 }
 
-fn read_tree(text: &str, overrides: &[(String, Value)]) -> Result<Scenario, Fault> {
+/// The same for a scenario that names files; see [`file_names`].
+///
+/// # Errors
+/// As [`read`], and a file that is not there or holds something else.
+pub fn read_with(
+    text: &str,
+    file: &str,
+    overrides: &[(String, Value)],
+    files: &Files,
+) -> Result<Scenario, ScenarioError> {
+    let (mut scenario, tree) = read_tree(text, overrides).map_err(|fault| fault.in_file(file))?;
+    let checked = scenario.take_files(files).and_then(|()| super::build::build(&scenario).map(drop));
+    checked.map_err(|error| Fault { place: tree.place_of(&segments(&error.field)), error }.in_file(file))?;
+    Ok(scenario)
+}
+
+/// Names of the files that a scenario's forces stand on, as they are written there.
+///
+/// # Errors
+/// As [`read`], but for bodies, joints and drives that do not fit together.
+pub fn file_names(text: &str, file: &str, overrides: &[(String, Value)]) -> Result<Vec<String>, ScenarioError> {
+    let (scenario, _) = read_tree(text, overrides).map_err(|fault| fault.in_file(file))?;
+    Ok(scenario.file_names().into_iter().map(str::to_owned).collect())
+}
+
+fn read_tree(text: &str, overrides: &[(String, Value)]) -> Result<(Scenario, Node), Fault> {
     let mut tree = parse::parse(text)?;
     check_version(&tree)?;
     units::to_si(&mut tree)?;
@@ -38,11 +64,7 @@ fn read_tree(text: &str, overrides: &[(String, Value)]) -> Result<Scenario, Faul
     for parameter in &mut scenario.parameters {
         parameter.default = None;
     }
-    validate(&scenario).map_err(|error| {
-        let place = tree.place_of(&segments(&error.field));
-        Fault { place, error }
-    })?;
-    Ok(scenario)
+    Ok((scenario, tree))
 }
 
 fn check_version(tree: &Node) -> Result<(), Fault> {
@@ -54,10 +76,6 @@ fn check_version(tree: &Node) -> Result<(), Fault> {
             Err(Fault::new(&node.place, "version", found, wording::VERSION))
         }
     }
-}
-
-fn validate(scenario: &Scenario) -> Result<(), FieldError> {
-    super::build::build(scenario).map(drop)
 }
 
 /// The types of a scenario over a tree, with the place of the first error.

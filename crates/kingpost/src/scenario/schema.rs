@@ -8,15 +8,19 @@ mod cylinder;
 mod drives;
 mod flexible;
 mod forces;
+mod hydrodynamics;
 mod integrators;
 mod joints;
 mod joints_of_several_axes;
 mod loops;
 mod parameter;
+mod sea;
+mod waves;
 
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
+pub use super::files::Databases;
 pub use super::range::{Direction, Fraction, NonNegative, Positive};
 pub use super::text::{Colour, CoordinateName, Name, Version, WORLD};
 pub use axes::{
@@ -33,11 +37,14 @@ pub use flexible::{
     CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
 };
 pub use forces::{Force, Gravity, ViscousDamping};
+pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
 pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
 pub use loops::{Attachment, Constraint, Distance, Loop};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
+pub use sea::Sea;
+pub use waves::{Jonswap, PiersonMoskowitz, RegularWave, WaveAmplitudes, WaveRealisation, Waves};
 
 /// One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -62,12 +69,19 @@ pub struct Scenario {
     /// What ties bodies together beside their joints, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub loops: IndexMap<Name, Loop>,
+    /// The water, its depth and its waves.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sea: Option<Sea>,
     /// What acts on the bodies from outside, by name.
     #[serde(default)]
     pub forces: IndexMap<Name, Force>,
     /// What acts between the bodies, in their joints, by name.
     #[serde(default)]
     pub drives: IndexMap<Name, Drive>,
+    /// The files that the forces name, once they are read.
+    #[serde(skip)]
+    #[cfg_attr(feature = "schema", schemars(skip))]
+    pub databases: Databases,
 }
 
 /// Time stepping and recording.
@@ -85,6 +99,9 @@ pub struct SimulationSettings {
     pub duration_s: Positive,
     /// Interval between recorded rows, s.
     pub record_every_s: Positive,
+    /// Whether the run begins at the equilibrium near where the bodies are put, found with the waves off: a ship at its
+    /// draught, heel and trim.
+    pub begin_at_equilibrium: bool,
     /// A run diverges when a rate passes this, rad/s or m/s.
     pub rate_limit: Positive,
     /// Seed of every random number in the run.
@@ -105,6 +122,7 @@ impl Default for SimulationSettings {
             step_s: Positive::literal(0.001),
             duration_s: Positive::literal(10.0),
             record_every_s: Positive::literal(0.01),
+            begin_at_equilibrium: false,
             rate_limit: Positive::literal(1.0e4),
             seed: 0,
             dormand_prince: DormandPrinceSettings::default(),

@@ -3,9 +3,11 @@
 mod edges;
 mod errors;
 mod recording;
+mod settle;
 mod setup;
 
 pub use errors::{InputError, RunError};
+pub use settle::{Equilibrium, NoEquilibrium};
 pub use setup::{Input, SchemeName, Settings, Setup};
 
 use crate::dynamics::moving_frame::MovingFrame;
@@ -72,14 +74,15 @@ impl<S: Scalar> Simulation<S> {
         let fingerprint = setup.fingerprint();
         let Setup { model, forces, drives, inputs, settings, q, v } = setup;
         let edges = Edges::new(&drives, settings.step_s);
-        let channels = results::channels(&model, &drives);
+        let channels = results::channels(&model, &drives, &forces);
         let mut plant = Plant::new(model, forces, drives);
-        let d = inputs.iter().map(|input| S::constant(input.value)).collect();
+        let mut d = inputs.iter().map(|input| S::constant(input.value)).collect();
+        plant.first_held(&q, &v, &mut d);
         let s = plant.open_ledger(&q, &v);
         plant.watch_loops(&q, &v);
         let v_dot = vec![S::ZERO; v.len()];
         let scheme: Scheme<S> = settings.scheme.scheme(plant.sizes(), settings.step_s);
-        let memory = vec![S::ZERO; scheme.memory_len(inputs.len())];
+        let memory = vec![S::ZERO; scheme.memory_len(d.len())];
         let state = State { steps: 0, q, v, s, d, memory };
         let (initial, last_good) = (state.clone(), state.clone());
         Self { plant, scheme, settings, inputs, channels, state, initial, last_good, v_dot, edges, fingerprint }
@@ -172,6 +175,8 @@ impl<S: Scalar> Simulation<S> {
             closed.map_err(|fault| RunError::of_loop(end_s, &self.plant.model, fault))?;
             from = interval.end_s;
         }
+        let State { q, v, d, .. } = &mut self.state;
+        self.plant.hold(end_s - start_s, q, v, d);
         Ok(())
     }
 
@@ -307,6 +312,8 @@ impl Simulation {
             None => self.plant.open_ledger(&next.q, v),
         };
         check_array("s", &next.s, self.state.s.len())?;
+        next.d.truncate(self.inputs.len());
+        self.plant.first_held(&next.q, v, &mut next.d);
         next.memory.fill(0.0);
         self.state = next;
         Ok(())

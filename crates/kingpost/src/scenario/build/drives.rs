@@ -6,7 +6,8 @@ use super::bodies::joint_name;
 use super::flexible::owner;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, cylinders, known};
-use crate::drives::{Brake, Clock, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use crate::drives::{Brake, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use crate::dynamics::Clock;
 use crate::forces::CoulombFriction;
 use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
@@ -60,7 +61,7 @@ pub fn build<S: Gathered>(
         });
     }
     for motion in prescribed(scenario, model)? {
-        v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
+        v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, start_s: 0.0, middle_s: 0.0 });
         drives.push(Drive::Prescribed(motion));
     }
     Ok(Drives { drives, inputs })

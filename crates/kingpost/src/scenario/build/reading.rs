@@ -26,6 +26,8 @@ pub struct Neighbour {
 pub trait Gathered: Scalar {
     /// How many scenarios stand side by side, neighbours apart.
     const WIDTH: usize;
+    /// Whether it carries derivatives.
+    const HAS_DERIVATIVES: bool = false;
     /// From the number in each scenario.
     fn gather(numbers: &[f64], neighbours: &[Neighbour]) -> Self;
 }
@@ -62,10 +64,20 @@ impl<'a, T> Reading<'a, T> {
     /// A number of this part.
     pub fn number<S: Gathered>(&self, read: impl Fn(&T) -> f64) -> S {
         let numbers: Vec<f64> = self.parts.iter().map(|part| read(part)).collect();
+        self.gathered(&numbers)
+    }
+
+    /// This part in every scenario, the first one first.
+    pub fn all(&self) -> &[&'a T] {
+        &self.parts
+    }
+
+    /// A number that is known in every scenario, in the order of [`all`](Self::all).
+    pub fn gathered<S: Gathered>(&self, numbers: &[f64]) -> S {
         for (neighbour, number) in self.neighbours.iter().zip(&numbers[1..]) {
             neighbour.seen.set(neighbour.seen.get() || *number != numbers[0]);
         }
-        S::gather(&numbers, self.neighbours)
+        S::gather(numbers, self.neighbours)
     }
 
     /// Several numbers of this part.
@@ -104,6 +116,7 @@ impl Gathered for Lanes {
 /// quotient of differences is the derivative, to rounding.
 impl<const N: usize> Gathered for Dual<N> {
     const WIDTH: usize = 1;
+    const HAS_DERIVATIVES: bool = true;
 
     fn gather(numbers: &[f64], neighbours: &[Neighbour]) -> Self {
         let along = |k: usize| neighbours.get(k).map_or(0.0, |n| (numbers[k + 1] - numbers[0]) / n.moved);

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Name, NonNegative, yes};
+use super::{Hydrodynamics, Name, NonNegative, yes};
 
 /// What acts on the bodies from outside.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -13,6 +13,8 @@ pub enum Force {
     Gravity(Gravity),
     /// Damping proportional to a body's own rates.
     ViscousDamping(ViscousDamping),
+    /// The water on a hull.
+    Hydrodynamics(Hydrodynamics),
 }
 
 /// Weight of every body, downwards along the world's z axis.

@@ -1,0 +1,100 @@
+//! Where a hull is, how it moves, and the slow frame that its loads by the sea are seen from.
+
+use crate::dynamics::{LinkKinematics, Moment};
+use crate::model::Model;
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Matrix3, Twist, Vector3, Wrench};
+
+/// A body and the origin of its hull's hydrodynamic data.
+#[derive(Clone, Copy, Debug)]
+pub struct HullFrame<S = f64> {
+    /// The body.
+    pub body: usize,
+    /// The origin from the body's centre of mass, body axes, m. The data's axes are the body's.
+    pub origin: Vector3<S>,
+}
+
+/// A hull at one moment.
+#[derive(Clone, Copy, Debug)]
+pub struct HullMotion<S = f64> {
+    /// The frame of the hull's data in the world.
+    pub frame: Frame<S>,
+    /// Its twist, in its own axes about its origin.
+    pub twist: Twist<S>,
+}
+
+impl<S: Scalar> HullFrame<S> {
+    /// The frame of the data in the world.
+    pub fn frame(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Frame<S> {
+        links.body_frame(model, self.body).times(&self.in_body())
+    }
+
+    /// Where the hull is and how it moves.
+    pub fn motion(&self, at: &Moment<'_, S>) -> HullMotion<S> {
+        let twist = self.in_body().twist_to_child(&at.links.body_twist(at.model, self.body));
+        HullMotion { frame: self.frame(at.model, at.links), twist }
+    }
+
+    /// A wrench about the data's origin, in body axes, about the centre of mass.
+    pub fn about_centre(&self, wrench: &Wrench<S>) -> Wrench<S> {
+        self.in_body().wrench_to_parent(wrench)
+    }
+
+    fn in_body(&self) -> Frame<S> {
+        Frame::translation(self.origin)
+    }
+}
+
+/// The frame that first-order loads are seen from: level, where the hull is and heads on average.
+///
+/// Waves at the hull's own place would drag it along by their phase, which is an effect of second
+/// order. Position and heading pass a filter of first order, `x_slow' = omega_c (x - x_slow)`,
+/// stepped exactly for a place that is constant over a step, and held in between.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlowFrame<S = f64> {
+    /// x and y in the world, m.
+    pub position: [S; 2],
+    /// Heading, rad, without jumps at a full turn.
+    pub heading: S,
+}
+
+/// Numbers of a [`SlowFrame`] among what forces hold.
+pub const SLOW_FRAME_LEN: usize = 3;
+
+impl<S: Scalar> SlowFrame<S> {
+    /// Where a hull is and heads.
+    pub fn of(frame: &Frame<S>) -> Self {
+        Self { position: [frame.position[0], frame.position[1]], heading: heading(&frame.rotation) }
+    }
+
+    /// From what a force holds.
+    pub fn read(held: &[S]) -> Self {
+        Self { position: [held[0], held[1]], heading: held[2] }
+    }
+
+    /// Into what a force holds.
+    pub fn write(&self, held: &mut [S]) {
+        held[..SLOW_FRAME_LEN].copy_from_slice(&[self.position[0], self.position[1], self.heading]);
+    }
+
+    /// After a step of `step_s` to the place `now`, by a filter that cuts off at `cutoff_rad_s`.
+    pub fn stepped(&self, now: &Self, cutoff_rad_s: f64, step_s: f64) -> Self {
+        let share = S::constant(-libm::expm1(-cutoff_rad_s * step_s));
+        let along = |k: usize| self.position[k] + share * (now.position[k] - self.position[k]);
+        let (sin, cos) = (now.heading - self.heading).sin_cos();
+        Self { position: [along(0), along(1)], heading: self.heading + share * sin.atan2(cos) }
+    }
+
+    /// A turn about the vertical, from the slow frame's axes to the world's.
+    pub fn rotation(&self) -> Matrix3<S> {
+        let (sin, cos) = self.heading.sin_cos();
+        let (o, i) = (S::ZERO, S::ONE);
+        Matrix3([[cos, -sin, o], [sin, cos, o], [o, o, i]])
+    }
+}
+
+/// Yaw of an orientation, rad.
+fn heading<S: Scalar>(rotation: &Matrix3<S>) -> S {
+    let forward = rotation.column(0);
+    forward[1].atan2(forward[0])
+}

@@ -1,0 +1,105 @@
+//! The memory of the water: waves that the hull has made act on it later.
+
+use crate::scalar::Scalar;
+use crate::sea::database::RadiationModel;
+
+/// Radiation as a linear system in state-space form.
+///
+/// Cummins' equation has the force `-integral_0^t K(t - tau) nu(tau) dtau` beside that of the
+/// infinite-frequency added mass (Cummins, *Schiffstechnik* 9, 1962). With K fitted by poles p and
+/// residues r, `K_ij(s) = sum r_ij / (s - p) + conjugate`, each pole of each mode j carries one
+/// complex state:
+///
+/// ```text
+/// z' = p z + nu_j,        F_i = -sum 2 Re(r_ij z)          (a real pole: F_i = -sum r_ij z)
+/// ```
+///
+/// nu is the velocity of the hull's reference point relative to the water, and F acts there, both in
+/// the axes of the slow frame. For zero forward speed.
+#[derive(Clone, Debug)]
+pub struct Radiation {
+    complex: Vec<ComplexPole>,
+    real: Vec<RealPole>,
+}
+
+/// p and 2 r of one mode.
+#[derive(Clone, Copy, Debug)]
+struct ComplexPole {
+    mode: usize,
+    pole: [f64; 2],
+    twice_residue: [[f64; 2]; 6],
+}
+
+/// p and r of one mode.
+#[derive(Clone, Copy, Debug)]
+struct RealPole {
+    mode: usize,
+    pole: f64,
+    residue: [f64; 6],
+}
+
+impl Radiation {
+    /// From a database's model.
+    pub fn new(model: &RadiationModel) -> Self {
+        let (mut complex, mut real) = (Vec::new(), Vec::new());
+        for (mode, fitted) in model.modes.iter().enumerate() {
+            for (&pole, residues) in fitted.poles_rad_s.iter().zip(&fitted.residues) {
+                if pole[1] == 0.0 {
+                    real.push(RealPole { mode, pole: pole[0], residue: residues.map(|[re, _]| re) });
+                } else {
+                    let twice_residue = residues.map(|[re, im]| [2.0 * re, 2.0 * im]);
+                    complex.push(ComplexPole { mode, pole, twice_residue });
+                }
+            }
+        }
+        Self { complex, real }
+    }
+
+    /// Number of states.
+    pub fn state_count(&self) -> usize {
+        2 * self.complex.len() + self.real.len()
+    }
+
+    /// Names of the states, by mode and pole.
+    pub fn state_names(&self) -> Vec<String> {
+        let of = |mode: usize| crate::sea::database::MODES[mode];
+        let mut names = Vec::with_capacity(self.state_count());
+        for (k, pole) in self.complex.iter().enumerate() {
+            names.extend(["re", "im"].map(|part| format!("radiation.{}.{k}.{part}", of(pole.mode))));
+        }
+        names.extend(self.real.iter().enumerate().map(|(k, pole)| format!("radiation.{}.real_{k}", of(pole.mode))));
+        names
+    }
+
+    /// The force (N) and moment (N m) of the waves made so far.
+    pub fn force<S: Scalar>(&self, states: &[S]) -> [S; 6] {
+        let (pairs, singles) = states.split_at(2 * self.complex.len());
+        let mut force = [S::ZERO; 6];
+        for (pole, z) in self.complex.iter().zip(pairs.chunks_exact(2)) {
+            for (force, r) in force.iter_mut().zip(&pole.twice_residue) {
+                *force = *force - S::constant(r[0]) * z[0] + S::constant(r[1]) * z[1];
+            }
+        }
+        for (pole, z) in self.real.iter().zip(singles) {
+            for (force, r) in force.iter_mut().zip(&pole.residue) {
+                *force -= S::constant(*r) * *z;
+            }
+        }
+        force
+    }
+
+    /// Writes the rates of the states under a velocity (m/s) and angular velocity (rad/s).
+    pub fn rates<S: Scalar>(&self, velocity: &[S; 6], states: &[S], rates: &mut [S]) {
+        let (pairs, singles) = states.split_at(2 * self.complex.len());
+        let (pair_rates, single_rates) = rates.split_at_mut(pairs.len());
+        let pairs = pairs.chunks_exact(2).zip(pair_rates.chunks_exact_mut(2));
+        for (pole, (z, rate)) in self.complex.iter().zip(pairs) {
+            let [re, im] = pole.pole.map(S::constant);
+            rate[0] = re * z[0] - im * z[1] + velocity[pole.mode];
+            rate[1] = im * z[0] + re * z[1];
+        }
+        for (pole, (z, rate)) in self.real.iter().zip(singles.iter().zip(single_rates)) {
+            *rate = S::constant(pole.pole) * *z + velocity[pole.mode];
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! How the extra states s and the discrete states d are shared among ledger, drives and forces.
+//!
+//! s: the ledger's entries, then the states of the drives, then those of the forces. d: the table of
+//! inputs, then what the forces hold over a step.
+
+use super::Plant;
+use crate::drives::Drive;
+use crate::dynamics::{Clock, LinkKinematics, Moment};
+use crate::forces::Force;
+use crate::integrate::Stage;
+use crate::model::Model;
+use crate::scalar::Scalar;
+
+/// Numbers of entries.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shares {
+    /// Of s: the ledger's.
+    pub(super) ledger: usize,
+    /// Of s: the drives'.
+    pub(super) drives: usize,
+    /// Of s: the forces'.
+    pub(super) forces: usize,
+    /// Of d: the forces'.
+    pub(super) held: usize,
+}
+
+/// What drives and forces see at a stage whose kinematics stands.
+pub(super) struct Moments<'a, S> {
+    pub(super) of_drives: Moment<'a, S>,
+    pub(super) of_forces: Moment<'a, S>,
+}
+
+impl Shares {
+    /// Length of s.
+    pub(super) fn extras(self) -> usize {
+        self.ledger + self.drives + self.forces
+    }
+
+    pub(super) fn moments<'a, S: Copy>(
+        self,
+        model: &'a Model<S>,
+        links: &'a LinkKinematics<S>,
+        at: Stage<'a, S>,
+    ) -> Moments<'a, S> {
+        let Stage { time_s, interval, .. } = at;
+        let clock = Clock { time_s, start_s: interval.start_s, middle_s: interval.middle_s() };
+        let (drives, forces) = at.s.get(self.ledger..).unwrap_or_default().split_at_checked(self.drives).unwrap_or_default();
+        let (inputs, held) = at.d.split_at(at.d.len().saturating_sub(self.held));
+        let of_drives = Moment { clock, model, links, q: at.q, v: at.v, held: inputs, states: drives };
+        Moments { of_drives, of_forces: Moment { held, states: forces, ..of_drives } }
+    }
+
+    /// Writes the rates of the states of drives and forces; returns the ledger's, which are left.
+    pub(super) fn state_rates<'a, S: Scalar>(
+        self,
+        plant: &Plant<S>,
+        at: Stage<'_, S>,
+        s_dot: &'a mut [S],
+    ) -> &'a mut [S] {
+        let (ledger, rest) = s_dot.split_at_mut(self.ledger);
+        let (drives, forces) = rest.split_at_mut(self.drives);
+        let moments = self.moments(&plant.model, &plant.links, at);
+        let Moment { held, states, .. } = moments.of_drives;
+        for (state, rate) in plant.drives.iter().filter_map(|drive| drive.cylinder()?.state_rate(held, states)) {
+            drives[state] = rate;
+        }
+        for hull in plant.forces.iter().filter_map(Force::hull) {
+            hull.state_rates(&moments.of_forces, forces);
+        }
+        ledger
+    }
+}
+
+impl<S: Scalar> Plant<S> {
+    /// Number of discrete states that forces hold.
+    pub fn held_count(&self) -> usize {
+        self.forces.iter().map(Force::held_count).sum()
+    }
+
+    /// Number of extra states of the drives, which stand behind the ledger's.
+    pub fn drive_state_count(&self) -> usize {
+        self.shares().drives
+    }
+
+    /// Takes the waves out of the sea, or lets them come back.
+    pub fn set_calm(&mut self, calm: bool) {
+        self.forces.iter_mut().filter_map(Force::hull_mut).for_each(|hull| hull.calm = calm);
+    }
+
+    /// Appends to the inputs what forces hold where a run begins.
+    pub fn first_held(&mut self, q: &[S], v: &[S], d: &mut Vec<S>) {
+        let inputs = d.len();
+        d.resize(inputs + self.held_count(), S::ZERO);
+        self.links.update(&self.model, q, v);
+        for hull in self.forces.iter().filter_map(Force::hull) {
+            hull.first_held(&self.model, &self.links, &mut d[inputs..]);
+        }
+    }
+
+    /// After a step of this length: what forces hold over the next.
+    pub fn hold(&mut self, step_s: f64, q: &[S], v: &[S], d: &mut [S]) {
+        let held = self.held_count();
+        if held == 0 {
+            return;
+        }
+        self.links.update(&self.model, q, v);
+        let first = d.len() - held;
+        for hull in self.forces.iter().filter_map(Force::hull) {
+            hull.hold(&self.model, &self.links, step_s, &mut d[first..]);
+        }
+    }
+
+    /// Names of the extra states behind the ledger's.
+    pub fn state_names(&self) -> Vec<String> {
+        let kept = self.drives.iter().filter(|drive| drive.has_state()).filter_map(Drive::cylinder);
+        let of_drives = kept.map(|cylinder| format!("{}.wanted_length", cylinder.name));
+        let of = |hull: &crate::forces::Hull<S>| {
+            let names = hull.radiation.iter().flat_map(crate::forces::hull::Radiation::state_names);
+            names.map(|name| format!("{}.{name}", hull.name)).collect::<Vec<_>>()
+        };
+        of_drives.chain(self.forces.iter().filter_map(Force::hull).flat_map(of)).collect()
+    }
+}

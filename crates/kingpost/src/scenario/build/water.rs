@@ -1,0 +1,211 @@
+//! The sea and the hulls in it.
+
+use super::super::schema::{self, Force as ForceSchema, Hydrostatics as HydrostaticsSchema, Scenario};
+use super::reading::{Gathered, Reading};
+use super::{FieldError, gravity_of, known, waves};
+use crate::forces::hull::{Excitation, FloatingMesh, HullFrame, Hydrostatics, Radiation};
+use crate::forces::{Force, Hull};
+use crate::model::{JointKind, Model};
+use crate::scalar::Scalar;
+use crate::sea::database::{Database, SixBySix};
+use crate::sea::hull::{HullMesh, LinearHydrostatics};
+use crate::sea::waves::{Water, WaveComponent, WaveField};
+use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
+
+/// The model with the water's inertia, and the water's loads.
+pub fn build<S: Gathered>(
+    scenario: &Reading<Scenario>,
+    mut model: Model<S>,
+) -> Result<(Model<S>, Vec<Force<S>>), FieldError> {
+    let mut hulls = Vec::new();
+    let (mut first_held, mut first_state) = (0, 0);
+    for (name, force) in &scenario.first().forces {
+        let Some(given) = hydrodynamics_of(force).filter(|given| given.enabled) else { continue };
+        let field = |rest: &str| format!("forces.{name}.hydrodynamics.{rest}");
+        let body = floating_body(scenario.first(), &model, &field("body"), &given.body)?;
+        let Some(database) = scenario.first().databases.get(&given.database) else { continue };
+        let sea = Sea::of(scenario, &field("database"), database)?;
+        let all = scenario.part(|scenario| &scenario.forces[name]).kind(hydrodynamics_of);
+        let drawn = scenario.part(|scenario| &scenario.bodies[&given.body]);
+        let origin = all.vector(|given| given.origin_m) - drawn.vector(|body| body.centre_of_mass_m);
+        if given.added_mass {
+            let added = inertia(&database.added_mass_infinite).to_parent(&Frame::translation(origin));
+            model = model.with_added_inertia(body, added);
+        }
+        let hull = Hull {
+            name: name.to_string(),
+            frame: HullFrame { body, origin },
+            specific_weight: sea.specific_weight,
+            hydrostatics: hydrostatics(given, &field("hydrostatics"), database)?,
+            radiation: radiation(given, &field("radiation"), database)?,
+            excitation: sea.excitation(given, &field("database"), database)?,
+            calm: false,
+            current: sea.current,
+            cutoff_rad_s: given.slow_motion_cutoff_rad_s.get(),
+            first_held,
+            first_state,
+        };
+        let hull = Force::Hull(Box::new(hull));
+        first_held += hull.held_count();
+        first_state += hull.state_count();
+        hulls.push(hull);
+    }
+    Ok((model, hulls))
+}
+
+fn hydrodynamics_of(force: &ForceSchema) -> Option<&schema::Hydrodynamics> {
+    if let ForceSchema::Hydrodynamics(water) = force { Some(water) } else { None }
+}
+
+/// A hull floats: its body's joint leaves it to the water.
+fn floating_body<S: Scalar>(
+    scenario: &Scenario,
+    model: &Model<S>,
+    field: &str,
+    name: &str,
+) -> Result<usize, FieldError> {
+    known(field, name, scenario.bodies.keys().map(|body| body.as_str()))?;
+    let body = model.body(name).filter(|&body| matches!(model.joints[body].kind, JointKind::Floating(_)));
+    body.ok_or_else(|| FieldError::new(field, name, "a body that is enabled and has a floating joint"))
+}
+
+/// The whole 6x6 of added mass, force first in the database, moment first here.
+fn inertia<S: Scalar>(added: &SixBySix) -> SpatialInertia<S> {
+    let entry = |i: usize, j: usize| S::constant(0.5 * (added[i][j] + added[j][i]));
+    let block = |row: usize, column: usize| Matrix3::from_fn(|i, j| entry(row + i, column + j));
+    SpatialInertia {
+        angular: Symmetric3::from_upper(&block(3, 3)),
+        coupling: block(3, 0),
+        linear: Symmetric3::from_upper(&block(0, 0)),
+    }
+}
+
+fn hydrostatics<S: Scalar>(
+    given: &schema::Hydrodynamics,
+    field: &str,
+    database: &Database,
+) -> Result<Hydrostatics<S>, FieldError> {
+    match given.hydrostatics {
+        HydrostaticsSchema::None => Ok(Hydrostatics::None),
+        HydrostaticsSchema::Linear => {
+            let (hull, plane) = (&database.hull, &database.hull.waterplane);
+            Ok(Hydrostatics::Linear(LinearHydrostatics {
+                volume: hull.volume_m3,
+                centre_of_buoyancy: Vector3(hull.centre_of_buoyancy_m),
+                waterplane_area: plane.area_m2,
+                first_moments: plane.first_moments_m3,
+                second_moments: plane.second_moments_m4,
+            }))
+        }
+        HydrostaticsSchema::Mesh => {
+            let Some(mesh) = &database.hull.mesh else {
+                return Err(FieldError::new(field, "mesh, with a database that holds none", "linear, or none"));
+            };
+            let mesh = HullMesh::new(mesh.vertices_m.clone(), mesh.triangles.clone());
+            let mesh = mesh.map_err(|error| FieldError::new(field, error, "a closed mesh whose normals point out"))?;
+            Ok(Hydrostatics::Mesh(Box::new(FloatingMesh::new(mesh))))
+        }
+    }
+}
+
+fn radiation(
+    given: &schema::Hydrodynamics,
+    field: &str,
+    database: &Database,
+) -> Result<Option<Radiation>, FieldError> {
+    match &database.radiation {
+        _ if !given.radiation => Ok(None),
+        Some(fitted) => Ok(Some(Radiation::new(fitted))),
+        None => Err(FieldError::new(field, "true, with a database that holds no model of radiation", "false")),
+    }
+}
+
+/// The water that a hull floats in, as the scenario has it.
+struct Sea<'a, S> {
+    scenario: Reading<'a, Scenario>,
+    specific_weight: S,
+    current: Vector3<S>,
+    water: Water,
+    ramp_s: f64,
+}
+
+impl<'a, S: Gathered> Sea<'a, S> {
+    fn of(scenario: &Reading<'a, Scenario>, field: &str, database: &Database) -> Result<Self, FieldError> {
+        let sea = sea_of(scenario.first()).unwrap_or_default();
+        let gravity = gravity(scenario.first())?;
+        let water = &database.water;
+        same(field, "density of", water.density_kg_m3, "kg/m^3", sea.density_kg_m3.get())?;
+        same(field, "gravity of", water.gravity_m_s2, "m/s^2", gravity)?;
+        let infinite = f64::INFINITY;
+        let depth = sea.depth_m.map_or(infinite, |depth| depth.get());
+        same(field, "depth of", water.depth_m.unwrap_or(infinite), "m", depth)?;
+        let density: S = scenario.number(|scenario| sea_of(scenario).unwrap_or_default().density_kg_m3.get());
+        let [x, y]: [S; 2] = scenario.numbers(|scenario| sea_of(scenario).unwrap_or_default().current_m_s);
+        Ok(Self {
+            scenario: scenario.part(|scenario| scenario),
+            specific_weight: density * S::constant(gravity),
+            current: Vector3::new(x, y, S::ZERO),
+            water: water_of(&sea, gravity)?,
+            ramp_s: sea.ramp_s.get(),
+        })
+    }
+
+    fn excitation(
+        &self,
+        given: &schema::Hydrodynamics,
+        field: &str,
+        database: &Database,
+    ) -> Result<Option<Excitation<S>>, FieldError> {
+        let waves = waves::build(&self.scenario, &self.water)?;
+        if waves.is_empty() || !given.excitation {
+            return Ok(None);
+        }
+        check_coverage(field, database, &waves)?;
+        Ok(Some(Excitation::new(database, WaveField::new(&waves, self.water, self.ramp_s), true)))
+    }
+}
+
+/// The sea's water, whose waves are the scenario's.
+fn water_of(sea: &schema::Sea, gravity: f64) -> Result<Water, FieldError> {
+    let water = Water::new(sea.density_kg_m3.get(), gravity, sea.depth_m.map(|depth| depth.get()));
+    water.map_err(|error| FieldError::new(format!("sea.{}", error.field), error.found, error.allowed))
+}
+
+fn sea_of(scenario: &Scenario) -> Option<schema::Sea> {
+    scenario.sea.clone()
+}
+
+/// Gravity's acceleration: a sea is level by it.
+fn gravity(scenario: &Scenario) -> Result<f64, FieldError> {
+    let acts = scenario.forces.values().filter_map(gravity_of).find(|gravity| gravity.enabled);
+    acts.map(|gravity| gravity.acceleration_m_s2.get())
+        .ok_or_else(|| FieldError::new("forces", "water on a hull, and no gravity", "gravity that is enabled"))
+}
+
+/// By how much a database's water may differ from the sea's, relative.
+const SAME_WATER: f64 = 1e-4;
+
+fn same(field: &str, what: &str, found: f64, unit: &str, sea: f64) -> Result<(), FieldError> {
+    if found == sea || (found - sea).abs() <= SAME_WATER * sea.abs() {
+        return Ok(());
+    }
+    Err(FieldError::new(field, format!("a {what} {found} {unit}"), format!("that of the sea, {sea} {unit}")))
+}
+
+/// Share of the waves' energy that may lie outside a database's frequencies.
+const MOST_UNCOVERED: f64 = 0.01;
+
+fn check_coverage<S: Scalar>(field: &str, database: &Database, waves: &[WaveComponent<S>]) -> Result<(), FieldError> {
+    let energy = |covered: Option<bool>| {
+        let counted = waves.iter().filter(|wave| covered.is_none_or(|c| database.covers(wave.angular_frequency_rad_s.value()) == c));
+        counted.map(|wave| wave.amplitude_m.value() * wave.amplitude_m.value()).sum::<f64>()
+    };
+    let share = energy(Some(false)) / energy(None);
+    if !(share > MOST_UNCOVERED) {
+        return Ok(());
+    }
+    let grid = &database.frequencies_rad_s;
+    let found = format!("frequencies from {} to {} rad/s, with {:.1} % of the waves' energy outside", grid[0], grid[grid.len() - 1], 100.0 * share);
+    let allowed = format!("frequencies that leave at most {} % outside", 100.0 * MOST_UNCOVERED);
+    Err(FieldError::new(field, found, allowed))
+}

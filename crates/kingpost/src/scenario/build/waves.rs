@@ -1,0 +1,80 @@
+//! The waves of the sea, drawn from its spectra.
+
+use super::super::schema::{self, Scenario, WaveAmplitudes, WaveRealisation, Waves};
+use super::FieldError;
+use super::reading::{Gathered, Reading};
+use crate::sea::waves::{
+    Amplitudes, Jonswap, PiersonMoskowitz, Spectrum, Spreading, Water, WaveComponent, WaveError, WaveSystem,
+};
+
+/// All components of all wave systems, in the order of the file. Amplitudes are gathered from all
+/// scenarios; frequencies, directions and phases are those of the first, which all must share.
+pub fn build<S: Gathered>(scenario: &Reading<Scenario>, water: &Water) -> Result<Vec<WaveComponent<S>>, FieldError> {
+    let realise = |scenario: &&Scenario| realise(scenario, water);
+    let all: Vec<Vec<WaveComponent>> = scenario.all().iter().map(realise).collect::<Result<_, _>>()?;
+    let together = |i: usize| {
+        let amplitudes: Vec<f64> = all.iter().map(|waves| waves[i].amplitude_m).collect();
+        WaveComponent { amplitude_m: scenario.gathered(&amplitudes), ..all[0][i].constant() }
+    };
+    let shared = |waves: &Vec<WaveComponent>| {
+        let same = |(a, b): (&WaveComponent, &WaveComponent)| WaveComponent { amplitude_m: b.amplitude_m, ..*a } == *b;
+        waves.len() == all[0].len() && waves.iter().zip(&all[0]).all(same)
+    };
+    match all.iter().all(shared) {
+        true => Ok((0..all[0].len()).map(together).collect()),
+        false => Err(FieldError::new(
+            "sea.waves",
+            "another period, direction or seed",
+            "heights only: the waves of one realisation change by no other number continuously",
+        )),
+    }
+}
+
+/// The components of one scenario.
+fn realise(scenario: &Scenario, water: &Water) -> Result<Vec<WaveComponent>, FieldError> {
+    let (mut components, seed) = (Vec::new(), scenario.simulation.seed);
+    let systems = scenario.sea.iter().flat_map(|sea| &sea.waves);
+    for (number, (name, waves)) in (0..).zip(systems) {
+        let kind = waves.kind();
+        let in_place = |error: WaveError| {
+            FieldError::new(format!("sea.waves.{name}.{kind}.{}", error.field), error.found, error.allowed)
+        };
+        components.extend(system(waves, (seed, number), water).map_err(in_place)?);
+    }
+    Ok(components)
+}
+
+fn system(waves: &Waves, (seed, number): (u64, u64), water: &Water) -> Result<Vec<WaveComponent>, WaveError> {
+    if !waves.enabled() {
+        return Ok(Vec::new());
+    }
+    let (spectrum, direction_rad, realisation) = match waves {
+        Waves::Regular(wave) => {
+            let schema::RegularWave { height_m, period_s, direction_rad, phase_rad, .. } = wave;
+            let wave = WaveComponent::regular(height_m.get(), period_s.get(), *direction_rad, *phase_rad, water)?;
+            return Ok(vec![wave]);
+        }
+        Waves::Jonswap(sea) => {
+            let (height, period) = (sea.significant_height_m.get(), sea.peak_period_s.get());
+            let spectrum = Jonswap::new(height, period, sea.gamma.get())?;
+            (Spectrum::Jonswap(spectrum), sea.direction_rad, &sea.realisation)
+        }
+        Waves::PiersonMoskowitz(sea) => {
+            let spectrum = PiersonMoskowitz::new(sea.significant_height_m.get(), sea.peak_period_s.get())?;
+            (Spectrum::PiersonMoskowitz(spectrum), sea.direction_rad, &sea.realisation)
+        }
+    };
+    drawn(spectrum, direction_rad, realisation)?.components(seed, number, water)
+}
+
+fn drawn(spectrum: Spectrum, direction_rad: f64, given: &WaveRealisation) -> Result<WaveSystem, WaveError> {
+    let spreading = match given.spreading_exponent {
+        None => Spreading::LongCrested,
+        Some(exponent) => Spreading::cos_2s(exponent.get())?,
+    };
+    let amplitudes = match given.amplitudes {
+        WaveAmplitudes::Deterministic => Amplitudes::Deterministic,
+        WaveAmplitudes::Random => Amplitudes::Random,
+    };
+    Ok(WaveSystem { spectrum, spreading, direction_rad, components: given.components, amplitudes, band: None })
+}

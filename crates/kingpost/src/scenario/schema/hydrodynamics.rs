@@ -1,0 +1,59 @@
+//! The water on a hull.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Name, Positive, yes};
+
+/// The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, the waves that the hull makes
+/// and those that come. Weight is no part of it: that is gravity's, on every body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Hydrodynamics {
+    /// Whether it acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The body that is the hull; its joint is floating.
+    pub body: Name,
+    /// File of the hydrodynamic database, beside the scenario's own.
+    pub database: String,
+    /// The database's origin in the body's drawing frame, m; the axes are the body's. It lies on the water plane at the
+    /// database's draught.
+    #[serde(default)]
+    pub origin_m: [f64; 3],
+    /// How buoyancy is computed.
+    #[serde(default)]
+    pub hydrostatics: Hydrostatics,
+    /// Whether the infinite-frequency added mass moves with the hull.
+    #[serde(default = "yes")]
+    pub added_mass: bool,
+    /// Whether the waves that the hull makes act on it.
+    #[serde(default = "yes")]
+    pub radiation: bool,
+    /// Whether the sea's waves act on it.
+    #[serde(default = "yes")]
+    pub excitation: bool,
+    /// First-order wave loads are taken at the place and heading that pass a filter of first order with this cut-off,
+    /// rad/s: well below the waves' frequencies, above those of the ship's drift.
+    #[serde(default = "slow_motion_cutoff")]
+    pub slow_motion_cutoff_rad_s: Positive,
+}
+
+/// The default of `slow_motion_cutoff_rad_s`.
+const fn slow_motion_cutoff() -> Positive {
+    Positive::literal(0.05)
+}
+
+/// How buoyancy is computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Hydrostatics {
+    /// By the water plane at the database's draught: to second order in the motions.
+    #[default]
+    Linear,
+    /// By the database's mesh as it stands in still water.
+    Mesh,
+    /// Not at all.
+    None,
+}

@@ -1,0 +1,202 @@
+//! What is known of one hull in the water, from potential theory: read from a file.
+//!
+//! The frame of the data has x forward, y to port, z up, and z = 0 on the water plane at the stated
+//! draught. Six-vectors are force or translation x, y, z, then moment or rotation x, y, z about its
+//! origin. Phases are those of `e^(-i w t)`: a wave of amplitude a over the origin makes the force
+//! `Re{X a e^(-i w t)}`. For zero forward speed.
+
+mod check;
+
+use serde::Deserialize;
+use serde_json::Value;
+use thiserror::Error;
+
+/// Names of the six modes of motion.
+pub const MODES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
+
+/// By mode and mode.
+pub type SixBySix = [[f64; 6]; 6];
+
+/// Something that is wrong with a database.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{field}: found {found}, allowed: {allowed}")]
+pub struct DatabaseError {
+    /// The field, dotted.
+    pub field: String,
+    /// What it holds.
+    pub found: String,
+    /// What it may hold.
+    pub allowed: String,
+}
+
+/// The hydrodynamic data of a hull.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Database {
+    format: String,
+    version: u32,
+    /// One line.
+    pub title: String,
+    /// What made it, from what.
+    #[serde(default)]
+    pub provenance: Value,
+    /// The water that it holds for.
+    pub water: Water,
+    /// The hull at rest.
+    pub hull: HullAtRest,
+    /// Frequencies, rad/s, increasing.
+    pub frequencies_rad_s: Vec<f64>,
+    /// Directions that waves go to, against the hull's x axis, rad: a regular grid of the full circle from 0.
+    pub wave_directions_rad: Vec<f64>,
+    /// A by frequency, kg, kg m, kg m^2.
+    pub added_mass: Vec<SixBySix>,
+    /// B by frequency, kg/s, kg m/s, kg m^2/s.
+    pub radiation_damping: Vec<SixBySix>,
+    /// A at infinite frequency.
+    pub added_mass_infinite: SixBySix,
+    /// Excitation by the incident wave's own pressure, N/m, N m/m.
+    pub froude_krylov: Excitation,
+    /// Excitation by the waves that the hull scatters.
+    pub diffraction: Excitation,
+    /// Mean drift by frequency and direction: surge and sway force, yaw moment per amplitude squared, hull axes, N/m^2,
+    /// N m/m^2.
+    #[serde(default)]
+    pub mean_drift: Option<Vec<Vec<[f64; 3]>>>,
+    /// The fitted state-space model of radiation.
+    #[serde(default)]
+    pub radiation: Option<RadiationModel>,
+}
+
+/// Water.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Water {
+    /// kg/m^3.
+    pub density_kg_m3: f64,
+    /// m/s^2.
+    pub gravity_m_s2: f64,
+    /// m; `None` where it is infinite.
+    pub depth_m: Option<f64>,
+}
+
+/// A hull at rest.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HullAtRest {
+    /// m.
+    pub draught_m: f64,
+    /// Length of the water line, m.
+    pub length_m: f64,
+    /// Beam of the water line, m.
+    pub beam_m: f64,
+    /// Displaced volume, m^3.
+    pub volume_m3: f64,
+    /// Its centre, m.
+    pub centre_of_buoyancy_m: [f64; 3],
+    /// The water plane.
+    pub waterplane: Waterplane,
+    /// The whole hull with its deck, closed.
+    #[serde(default)]
+    pub mesh: Option<Mesh>,
+}
+
+/// Moments of the water plane's area about the origin.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Waterplane {
+    /// m^2.
+    pub area_m2: f64,
+    /// Integrals of x and y, m^3.
+    pub first_moments_m3: [f64; 2],
+    /// Integrals of x^2, x y, y^2, m^4.
+    pub second_moments_m4: [f64; 3],
+}
+
+/// Triangles.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mesh {
+    /// m.
+    pub vertices_m: Vec<[f64; 3]>,
+    /// Indices of vertices, counter-clockwise seen from the water.
+    pub triangles: Vec<[usize; 3]>,
+}
+
+/// Complex excitation by frequency, direction and mode.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Excitation {
+    /// Real part.
+    pub real: Vec<Vec<[f64; 6]>>,
+    /// Imaginary part.
+    pub imaginary: Vec<Vec<[f64; 6]>>,
+}
+
+/// Poles and residues of the retardation functions' transforms: `K_ij(s) = sum r_ij / (s - p) + conjugate` over the
+/// poles of mode j; of a real pole no conjugate.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RadiationModel {
+    /// By the mode that moves.
+    pub modes: [RadiationMode; 6],
+    /// Largest error of the fit, relative.
+    pub fit_error: f64,
+}
+
+/// What the motion of one mode leaves behind.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RadiationMode {
+    /// Real and imaginary part; of a pair the one above the axis.
+    pub poles_rad_s: Vec<[f64; 2]>,
+    /// By pole and by the mode that feels it: real and imaginary part.
+    pub residues: Vec<[[f64; 2]; 6]>,
+}
+
+impl Database {
+    /// Reads and checks a database's text.
+    ///
+    /// # Errors
+    /// The first thing that is wrong: not the format, cut off, or numbers that no hull can have.
+    pub fn read(text: &str) -> Result<Self, DatabaseError> {
+        let database: Self = serde_json::from_str(text).map_err(|error| DatabaseError {
+            field: format!("line {}, column {}", error.line(), error.column()),
+            found: error.to_string(),
+            allowed: "a whole hydrodynamic database, as kingpost hydro writes it".to_owned(),
+        })?;
+        check::check(&database)?;
+        Ok(database)
+    }
+
+    /// Complex excitation by Froude-Krylov pressure and diffraction together, or by diffraction alone, at a frequency
+    /// between two of the grid, linear in frequency: real and imaginary part by direction and mode.
+    pub fn excitation(&self, omega_rad_s: f64, froude_krylov: bool) -> Vec<[[f64; 2]; 6]> {
+        let (below, share) = self.bracket(omega_rad_s);
+        let part = |k: usize, direction: usize, mode: usize| {
+            let of = |x: &Excitation| [x.real[k][direction][mode], x.imaginary[k][direction][mode]];
+            let (own, scattered) = (of(&self.froude_krylov), of(&self.diffraction));
+            if froude_krylov { [own[0] + scattered[0], own[1] + scattered[1]] } else { scattered }
+        };
+        let at = |direction: usize| {
+            core::array::from_fn(|mode| {
+                let (a, b) = (part(below, direction, mode), part(below + 1, direction, mode));
+                [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]
+            })
+        };
+        (0..self.wave_directions_rad.len()).map(at).collect()
+    }
+
+    /// Whether a frequency lies within the grid.
+    pub fn covers(&self, omega_rad_s: f64) -> bool {
+        let grid = &self.frequencies_rad_s;
+        (grid[0]..=grid[grid.len() - 1]).contains(&omega_rad_s)
+    }
+
+    /// The grid's interval that a frequency lies in, and where in it; outside, the nearest end.
+    fn bracket(&self, omega_rad_s: f64) -> (usize, f64) {
+        let grid = &self.frequencies_rad_s;
+        let below = grid.partition_point(|omega| *omega <= omega_rad_s).clamp(1, grid.len() - 1) - 1;
+        let share = (omega_rad_s - grid[below]) / (grid[below + 1] - grid[below]);
+        (below, share.clamp(0.0, 1.0))
+    }
+}

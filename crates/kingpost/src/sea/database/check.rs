@@ -1,0 +1,99 @@
+//! What every database must hold.
+
+use super::{Database, DatabaseError, Excitation, RadiationModel, SixBySix};
+
+/// By how much a direction may miss its place in the regular grid, rad: what seven digits leave.
+const GRID_TOLERANCE_RAD: f64 = 1e-5;
+
+type Checked = Result<(), DatabaseError>;
+
+fn unless(holds: bool, field: &str, found: impl ToString, allowed: &str) -> Checked {
+    if holds {
+        return Ok(());
+    }
+    Err(DatabaseError { field: field.to_owned(), found: found.to_string(), allowed: allowed.to_owned() })
+}
+
+pub(super) fn check(database: &Database) -> Checked {
+    unless(database.format == "kingpost-hydrodynamics", "format", &database.format, "kingpost-hydrodynamics")?;
+    unless(database.version == 1, "version", database.version, "1")?;
+    check_water_and_hull(database)?;
+    check_grids(database)?;
+    check_matrices(database)?;
+    check_excitation("froude_krylov", database, &database.froude_krylov)?;
+    check_excitation("diffraction", database, &database.diffraction)?;
+    database.radiation.as_ref().map_or(Ok(()), check_radiation)
+}
+
+fn check_water_and_hull(database: &Database) -> Checked {
+    let (water, hull) = (&database.water, &database.hull);
+    let positive = |field: &str, x: f64| unless(x.is_finite() && x > 0.0, field, x, "a number greater than 0");
+    positive("water.density_kg_m3", water.density_kg_m3)?;
+    positive("water.gravity_m_s2", water.gravity_m_s2)?;
+    positive("water.depth_m", water.depth_m.unwrap_or(1.0))?;
+    positive("hull.draught_m", hull.draught_m)?;
+    positive("hull.length_m", hull.length_m)?;
+    positive("hull.beam_m", hull.beam_m)?;
+    positive("hull.volume_m3", hull.volume_m3)?;
+    positive("hull.waterplane.area_m2", hull.waterplane.area_m2)
+}
+
+fn check_grids(database: &Database) -> Checked {
+    let grid = &database.frequencies_rad_s;
+    let increasing = grid.first().is_some_and(|x| *x > 0.0) && grid.windows(2).all(|w| w[0] < w[1]);
+    let allowed = "at least two finite frequencies, increasing, greater than 0";
+    let shown = || format!("{} frequencies", grid.len());
+    unless(grid.len() > 1 && increasing && grid.iter().all(|x| x.is_finite()), "frequencies_rad_s", shown(), allowed)?;
+    let directions = &database.wave_directions_rad;
+    let step = core::f64::consts::TAU / directions.len() as f64;
+    let off = |(k, x): (usize, &f64)| !((x - step * k as f64).abs() < GRID_TOLERANCE_RAD);
+    let wrong = directions.iter().enumerate().find(|entry| off(*entry)).map(|(_, x)| *x);
+    let found = wrong.map_or_else(|| format!("{} directions", directions.len()), |x| x.to_string());
+    let allowed = "at least four directions, 0 first, evenly over the full circle";
+    unless(directions.len() >= 4 && wrong.is_none(), "wave_directions_rad", found, allowed)
+}
+
+fn check_matrices(database: &Database) -> Checked {
+    let count = database.frequencies_rad_s.len();
+    let allowed = format!("one matrix of finite numbers for each of the {count} frequencies");
+    for (field, matrices) in
+        [("added_mass", &database.added_mass), ("radiation_damping", &database.radiation_damping)]
+    {
+        let fine = matrices.len() == count && matrices.iter().all(is_finite);
+        unless(fine, field, format!("{} matrices", matrices.len()), &allowed)?;
+    }
+    let infinite = &database.added_mass_infinite;
+    unless(is_finite(infinite), "added_mass_infinite", "a number that is not finite", "finite numbers")?;
+    let negative = (0..6).find(|&i| infinite[i][i] < 0.0);
+    let found = negative.map_or(0.0, |i| infinite[i][i]);
+    unless(negative.is_none(), "added_mass_infinite", found, "no negative entry on the diagonal")
+}
+
+fn is_finite(matrix: &SixBySix) -> bool {
+    matrix.iter().flatten().all(|x| x.is_finite())
+}
+
+fn check_excitation(field: &str, database: &Database, given: &Excitation) -> Checked {
+    let (frequencies, directions) = (database.frequencies_rad_s.len(), database.wave_directions_rad.len());
+    let fits = |part: &Vec<Vec<[f64; 6]>>| {
+        part.len() == frequencies
+            && part.iter().all(|row| row.len() == directions && row.iter().flatten().all(|x| x.is_finite()))
+    };
+    let allowed = format!("six finite numbers for each of {frequencies} frequencies and {directions} directions");
+    unless(fits(&given.real), &format!("{field}.real"), "another shape", &allowed)?;
+    unless(fits(&given.imaginary), &format!("{field}.imaginary"), "another shape", &allowed)
+}
+
+fn check_radiation(model: &RadiationModel) -> Checked {
+    for (k, mode) in model.modes.iter().enumerate() {
+        let field = format!("radiation.modes.{k}");
+        let (poles, residues) = (mode.poles_rad_s.len(), mode.residues.len());
+        unless(poles == residues, &field, format!("{poles} poles and {residues} rows of residues"), "as many of both")?;
+        let stable = mode.poles_rad_s.iter().find(|[re, im]| !(*re < 0.0 && *im >= 0.0 && im.is_finite()));
+        let found = stable.map_or(String::new(), |[re, im]| format!("the pole {re} + {im} i"));
+        unless(stable.is_none(), &field, found, "poles with a negative real part, of a pair the one above the axis")?;
+        let finite = mode.residues.iter().flatten().flatten().all(|x| x.is_finite());
+        unless(finite, &field, "a residue that is not finite", "finite numbers")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,201 @@
+//! Where a model rests: free coordinates, rates zero, at which nothing accelerates.
+
+use super::{InputError, Simulation, now};
+use crate::integrate::{Jacobian, System};
+use crate::ledger;
+use nalgebra::{DMatrix, DVector};
+use thiserror::Error;
+
+/// Accelerations below this count as none, m/s^2 or rad/s^2.
+const AT_REST: f64 = 1e-10;
+/// Iterations before it is called hopeless.
+const MOST_ITERATIONS: usize = 400;
+/// The longest move of a coordinate in one iteration, m or rad.
+const LONGEST_MOVE: f64 = 0.5;
+/// How often a move is halved where the loops cannot be closed at its end.
+const MOST_HALVINGS: i32 = 12;
+/// Least growth of the pseudo-time step while accelerations fall.
+const LEAST_GROWTH: f64 = 2.0;
+/// The smallest share of the largest entry of A that is kept against drift along zero modes.
+const SMALLEST_SHARE: f64 = 1e-9;
+
+/// How an equilibrium was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Equilibrium {
+    /// Newton's iterations.
+    pub iterations: usize,
+    /// Largest acceleration that is left, m/s^2 or rad/s^2.
+    pub residual: f64,
+}
+
+/// Why none was found.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum NoEquilibrium {
+    /// Something keeps accelerating.
+    #[error(
+        "no equilibrium within {iterations} iterations: {coordinate} still accelerates at {residual:.3e} \
+         m/s^2 or rad/s^2, allowed: {allowed:e}"
+    )]
+    NotFound {
+        /// Iterations made.
+        iterations: usize,
+        /// The free coordinate that accelerates most.
+        coordinate: String,
+        /// Its acceleration.
+        residual: f64,
+        /// What counts as none.
+        allowed: f64,
+    },
+    /// A state that the simulation refuses.
+    #[error(transparent)]
+    State(#[from] InputError),
+}
+
+impl Simulation {
+    /// Moves to an equilibrium near here, all rates zero, in a sea without waves, and begins the
+    /// ledger anew there.
+    ///
+    /// Newton's iteration, led by pseudo-transient continuation (Kelley & Keyes, SIAM J. Numer.
+    /// Anal. 35, 1998): `(1/delta - A) dx = v'`, where delta grows as the accelerations vanish. So it
+    /// begins downhill, towards a stable equilibrium, and ends with Newton's own convergence; along
+    /// zero modes, such as the heading of a free ship, nothing moves. Where there are closed loops
+    /// the moves are tangent to them, `J dx = 0` by multipliers, and each ends with the loops closed.
+    ///
+    /// # Errors
+    /// Nothing at which all accelerations vanish was found; the simulation stands where it stood.
+    pub fn settle(&mut self) -> Result<Equilibrium, NoEquilibrium> {
+        let mut there = self.clone();
+        there.plant.set_calm(true);
+        let found = there.settle_in_calm_water()?;
+        self.set_state(&there.state.q, &there.state.v, Some(&there.state.s))?;
+        Ok(found)
+    }
+
+    fn settle_in_calm_water(&mut self) -> Result<Equilibrium, NoEquilibrium> {
+        let still = vec![0.0; self.state.v.len()];
+        // Of the extra states those of the drives stay: they say where a lever has led them.
+        let kept = self.state.s[ledger::COUNT..][..self.plant.drive_state_count()].to_vec();
+        self.set_state(&self.state.q.clone(), &still, None)?;
+        self.keep_drive_states(&kept);
+        let (names, free) = (self.coordinates(), self.plant.model.free_coordinates());
+        let mut last: Option<LastMove> = None;
+        let mut iterations = 0;
+        loop {
+            let linear = self.linear_here(&free);
+            let residual = if free.is_empty() { 0.0 } else { linear.acceleration.amax() };
+            if residual < AT_REST {
+                self.set_state(&self.state.q.clone(), &still, None)?;
+                self.keep_drive_states(&kept);
+                return Ok(Equilibrium { iterations, residual });
+            }
+            iterations += 1;
+            let next =
+                if iterations < MOST_ITERATIONS { next_move(&linear, &self.moving_frame().j, last) } else { None };
+            let moved = next.is_some_and(|(xi, made)| {
+                last = Some(made);
+                let mut everywhere = still.clone();
+                free.iter().zip(&xi).for_each(|(i, xi)| everywhere[*i] = *xi);
+                self.go(&everywhere)
+            });
+            if !moved {
+                let worst = linear.acceleration.iamax();
+                let (coordinate, residual) = (names[worst].clone(), linear.acceleration[worst].abs());
+                return Err(NoEquilibrium::NotFound { iterations, coordinate, residual, allowed: AT_REST });
+            }
+        }
+    }
+
+    fn keep_drive_states(&mut self, kept: &[f64]) {
+        self.state.s[ledger::COUNT..][..kept.len()].copy_from_slice(kept);
+    }
+
+    /// Accelerations of the free coordinates here, and their derivatives along those.
+    fn linear_here(&mut self, free: &[usize]) -> Linear {
+        let Self { plant, settings, edges, state, v_dot, .. } = self;
+        let (at, evaluations) = (now(settings, edges, state), plant.evaluations);
+        let (mut jacobian, still) = (Jacobian::new(plant.sizes()), vec![0.0; at.v.len()]);
+        plant.jacobian(at.q, &still, at, &mut jacobian);
+        plant.rates(at, v_dot, &mut vec![0.0; at.s.len()]);
+        plant.evaluations = evaluations;
+        let entry = |i: usize, j: usize| jacobian.by_xi[free[j] * at.v.len() + free[i]];
+        Linear {
+            acceleration: DVector::from_iterator(free.len(), free.iter().map(|i| v_dot[*i])),
+            stiffness: DMatrix::from_fn(free.len(), free.len(), entry),
+        }
+    }
+
+    /// How the equilibrium that the simulation stands at moves by accelerations: the matrix by rows
+    /// and columns of the free coordinates, by which the last of Newton's moves is made; `None` where
+    /// it is singular.
+    pub fn compliance(&mut self) -> Option<DMatrix<f64>> {
+        let free = self.plant.model.free_coordinates();
+        let (linear, j) = (self.linear_here(&free), self.moving_frame().j);
+        let inverse = linear.bordered(&j, linear.largest_delta()).try_inverse()?;
+        Some(inverse.view((0, 0), (free.len(), free.len())).into_owned())
+    }
+
+    /// Moves along `xi` with the loops closed, or a half, a quarter of the way where they cannot be.
+    /// Returns whether it moved.
+    fn go(&mut self, xi: &[f64]) -> bool {
+        let (from, still) = (self.state.clone(), vec![0.0; xi.len()]);
+        (0..MOST_HALVINGS).any(|halvings| {
+            let share = 0.5_f64.powi(halvings);
+            let part: Vec<f64> = xi.iter().map(|xi| share * xi).collect();
+            let q = self.moved(&from.q, &part);
+            self.set_state(&q, &still, Some(&from.s)).is_ok() && self.close_loops().is_ok()
+        })
+    }
+}
+
+/// What an iteration stands on.
+struct Linear {
+    acceleration: DVector<f64>,
+    stiffness: DMatrix<f64>,
+}
+
+/// The pseudo-time step of a move, and the accelerations that it began with.
+#[derive(Clone, Copy)]
+struct LastMove {
+    delta: f64,
+    acceleration: f64,
+}
+
+/// The next move of the free coordinates, tangent to the loops' J; `None` where the numbers give none.
+fn next_move(linear: &Linear, j: &DMatrix<f64>, last: Option<LastMove>) -> Option<(DVector<f64>, LastMove)> {
+    let (acceleration, norm) = (&linear.acceleration, linear.acceleration.norm());
+    // Beyond the largest stiffness, so that an unstable direction leads downhill too.
+    let grown = last.map_or(0.5 / linear.size(), |last| last.delta * growth(last.acceleration / norm));
+    let delta = grown.min(linear.largest_delta());
+    let right = acceleration.clone().resize_vertically(acceleration.len() + j.nrows(), 0.0);
+    let xi = linear.bordered(j, delta).lu().solve(&right)?.rows(0, acceleration.len()).into_owned();
+    let longest = xi.amax();
+    let xi = if longest > LONGEST_MOVE { xi * (LONGEST_MOVE / longest) } else { xi };
+    longest.is_finite().then_some((xi, LastMove { delta, acceleration: norm }))
+}
+
+impl Linear {
+    fn size(&self) -> f64 {
+        self.stiffness.norm().max(AT_REST)
+    }
+
+    fn largest_delta(&self) -> f64 {
+        1.0 / (SMALLEST_SHARE * self.size())
+    }
+
+    /// `1/delta - A`, bordered by the loops' J.
+    fn bordered(&self, j: &DMatrix<f64>, delta: f64) -> DMatrix<f64> {
+        let (n, constraints) = (self.acceleration.len(), j.nrows());
+        let mut bordered = DMatrix::zeros(n + constraints, n + constraints);
+        bordered.view_mut((0, 0), (n, n)).copy_from(&(DMatrix::identity(n, n) / delta - &self.stiffness));
+        bordered.view_mut((0, n), (n, constraints)).copy_from(&j.transpose());
+        bordered.view_mut((n, 0), (constraints, n)).copy_from(j);
+        bordered
+    }
+}
+
+/// By how much the pseudo-time step grows where the accelerations have fallen by a factor, or
+/// shrinks where they have risen. What is stiff rests long before what is soft begins to move: the
+/// step has to grow meanwhile.
+fn growth(fallen_by: f64) -> f64 {
+    if fallen_by < 1.0 { fallen_by } else { fallen_by.max(LEAST_GROWTH) }
+}
