@@ -1,7 +1,7 @@
 //! The function `batch` of the module.
 
-use crate::{Files, errors};
 use crate::simulation::{Matrix, matrix, report};
+use crate::{Files, errors};
 use kingpost::batch::{BatchError, Variant, run};
 use kingpost::scenario;
 use pyo3::prelude::*;

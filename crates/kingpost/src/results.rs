@@ -181,7 +181,8 @@ impl<S: Scalar> Table<S> {
 pub fn channels<S: Scalar>(model: &Model<S>, drives: &[Drive<S>], forces: &[Force<S>]) -> Vec<Channel> {
     let mut offset = 0;
     let place = |entry: &Entry<S>| {
-        let labels: Vec<Vec<String>> = entry.dims.iter().map(|dimension| dimension.labels(model, drives, forces)).collect();
+        let labels: Vec<Vec<String>> =
+            entry.dims.iter().map(|dimension| dimension.labels(model, drives, forces)).collect();
         let len = labels.iter().map(Vec::len).product();
         let channel = Channel {
             variable: entry.variable,

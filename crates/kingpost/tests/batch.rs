@@ -47,7 +47,8 @@ fn every_run_has_the_bits_that_it_has_alone_whatever_the_number_of_threads() {
         let same_bodies: Vec<usize> = (0..variants.len()).filter(|run| !(10..13).contains(run)).collect();
         for group in [same_bodies, (10..13).collect()] {
             let chosen: Vec<Variant> = group.iter().map(|&run| variants[run].clone()).collect();
-            let batch = batch::run(TEXT, "paper.yaml", &Files::default(), &chosen, threads, |_| true).expect("the variants build");
+            let batch = batch::run(TEXT, "paper.yaml", &Files::default(), &chosen, threads, |_| true)
+                .expect("the variants build");
             for (run, &original) in batch.runs.iter().zip(&group) {
                 assert!(bits(run) == expected[original], "variant {original} with {threads} threads");
                 assert!(run.status.is_ok());
@@ -80,8 +81,8 @@ fn a_run_that_diverges_is_marked_and_the_others_go_on() {
 #[test]
 fn a_variant_that_is_wrong_is_named_before_anything_runs() {
     let variants = [variant(&[]), variant(&[("crane_x_m", json!(70))])];
-    let error =
-        batch::run(TEXT, "paper.yaml", &Files::default(), &variants, 1, |_| panic!("nothing runs")).expect_err("it is out of range");
+    let error = batch::run(TEXT, "paper.yaml", &Files::default(), &variants, 1, |_| panic!("nothing runs"))
+        .expect_err("it is out of range");
     assert!(error.to_string().starts_with("run 1: --set crane_x_m: found 70"), "{error}");
     let none = batch::run(TEXT, "paper.yaml", &Files::default(), &[], 1, |_| true).expect("nothing to do");
     assert!(none.runs.is_empty() && none.channels.is_empty());

@@ -83,8 +83,9 @@ pub fn run(
     let pool = pool.map_err(|_| BatchError::Threads(threads))?;
     pool.install(|| {
         let members = members(text, file, files, variants)?;
-        let channels =
-            members.first().map_or_else(Vec::new, |member| channels(&member.setup.model, &member.setup.drives, &member.setup.forces));
+        let channels = members
+            .first()
+            .map_or_else(Vec::new, |member| channels(&member.setup.model, &member.setup.drives, &member.setup.forces));
         let done = AtomicUsize::new(0);
         let run_group = |group: &[usize]| {
             let runs = run_group(group, &members, &|| progress(done.load(Ordering::Relaxed)));

@@ -177,7 +177,8 @@ impl<S: Scalar> Plant<S> {
         let middle_s = interval.middle_s();
         for drive in &self.drives {
             if let Drive::Prescribed(motion) = drive {
-                v[motion.coordinate] = motion.rate_at(Clock { time_s: interval.start_s, start_s: interval.start_s, middle_s });
+                v[motion.coordinate] =
+                    motion.rate_at(Clock { time_s: interval.start_s, start_s: interval.start_s, middle_s });
             }
         }
     }
@@ -226,7 +227,9 @@ impl<S: Scalar> Plant<S> {
         Totals {
             kinetic_energy: energy::kinetic_energy(&model.tree, bodies) + energy::rotor_energy(model, v),
             water_kinetic_energy: energy::water_energy(model, bodies),
-            potential_energy: forces.iter_mut().fold(stored, |sum, force| sum + force.potential_energy(model, links, q)),
+            potential_energy: forces
+                .iter_mut()
+                .fold(stored, |sum, force| sum + force.potential_energy(model, links, q)),
             linear_momentum,
             angular_momentum,
         }

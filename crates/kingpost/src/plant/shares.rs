@@ -44,7 +44,8 @@ impl Shares {
     ) -> Moments<'a, S> {
         let Stage { time_s, interval, .. } = at;
         let clock = Clock { time_s, start_s: interval.start_s, middle_s: interval.middle_s() };
-        let (drives, forces) = at.s.get(self.ledger..).unwrap_or_default().split_at_checked(self.drives).unwrap_or_default();
+        let (drives, forces) =
+            at.s.get(self.ledger..).unwrap_or_default().split_at_checked(self.drives).unwrap_or_default();
         let (inputs, held) = at.d.split_at(at.d.len().saturating_sub(self.held));
         let of_drives = Moment { clock, model, links, q: at.q, v: at.v, held: inputs, states: drives };
         Moments { of_drives, of_forces: Moment { held, states: forces, ..of_drives } }

@@ -66,7 +66,8 @@ impl Scenario {
             *number = Value::from(value + factor * by);
         }
         let scenario = serde_json::from_value(whole);
-        let scenario: Self = scenario.map_err(|_| FieldError::new(name, wording::NO_DERIVATIVE, wording::CONTINUOUS))?;
+        let scenario: Self =
+            scenario.map_err(|_| FieldError::new(name, wording::NO_DERIVATIVE, wording::CONTINUOUS))?;
         let scenario = Self { databases: self.databases.clone(), ..scenario };
         Ok((scenario, moved.unwrap_or(FROM_ZERO)))
     }

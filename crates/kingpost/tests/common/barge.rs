@@ -108,7 +108,8 @@ pub const TEXT: &str = include_str!("barge.yaml");
 
 /// The scenario of the barge, with values set over it.
 pub fn scenario(overrides: &[(&str, Value)]) -> Scenario {
-    let pairs: Vec<(String, Value)> = overrides.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
+    let pairs: Vec<(String, Value)> =
+        overrides.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
     read_with(TEXT, "barge.yaml", &pairs, &files()).unwrap_or_else(|error| panic!("{error}"))
 }
 

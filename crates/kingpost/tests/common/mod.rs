@@ -1,6 +1,7 @@
 //! What the tests share: random models and states, and the paper's scenario.
 #![allow(dead_code)] // each test binary uses its own part
 
+pub mod barge;
 pub mod closed_forms;
 pub mod trees;
 

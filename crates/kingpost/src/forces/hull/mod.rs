@@ -156,7 +156,11 @@ impl<S: Scalar> Hull<S> {
         let angular = to_slow(motion.frame.rotation * motion.twist.angular).0;
         let [x, y, z] = linear;
         let [roll, pitch, yaw] = angular;
-        radiation.rates(&[x, y, z, roll, pitch, yaw], self.own_states(at), &mut rates[self.first_state..][..self.state_count()]);
+        radiation.rates(
+            &[x, y, z, roll, pitch, yaw],
+            self.own_states(at),
+            &mut rates[self.first_state..][..self.state_count()],
+        );
     }
 
     /// What it holds where a run begins.

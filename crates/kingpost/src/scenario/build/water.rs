@@ -108,11 +108,7 @@ fn hydrostatics<S: Scalar>(
     }
 }
 
-fn radiation(
-    given: &schema::Hydrodynamics,
-    field: &str,
-    database: &Database,
-) -> Result<Option<Radiation>, FieldError> {
+fn radiation(given: &schema::Hydrodynamics, field: &str, database: &Database) -> Result<Option<Radiation>, FieldError> {
     match &database.radiation {
         _ if !given.radiation => Ok(None),
         Some(fitted) => Ok(Some(Radiation::new(fitted))),
@@ -197,15 +193,22 @@ const MOST_UNCOVERED: f64 = 0.01;
 
 fn check_coverage<S: Scalar>(field: &str, database: &Database, waves: &[WaveComponent<S>]) -> Result<(), FieldError> {
     let energy = |covered: Option<bool>| {
-        let counted = waves.iter().filter(|wave| covered.is_none_or(|c| database.covers(wave.angular_frequency_rad_s.value()) == c));
+        let counted = waves
+            .iter()
+            .filter(|wave| covered.is_none_or(|c| database.covers(wave.angular_frequency_rad_s.value()) == c));
         counted.map(|wave| wave.amplitude_m.value() * wave.amplitude_m.value()).sum::<f64>()
     };
     let share = energy(Some(false)) / energy(None);
-    if !(share > MOST_UNCOVERED) {
+    if share <= MOST_UNCOVERED {
         return Ok(());
     }
     let grid = &database.frequencies_rad_s;
-    let found = format!("frequencies from {} to {} rad/s, with {:.1} % of the waves' energy outside", grid[0], grid[grid.len() - 1], 100.0 * share);
+    let found = format!(
+        "frequencies from {} to {} rad/s, with {:.1} % of the waves' energy outside",
+        grid[0],
+        grid[grid.len() - 1],
+        100.0 * share
+    );
     let allowed = format!("frequencies that leave at most {} % outside", 100.0 * MOST_UNCOVERED);
     Err(FieldError::new(field, found, allowed))
 }

@@ -46,7 +46,7 @@ fn check_grids(database: &Database) -> Checked {
     unless(grid.len() > 1 && increasing && grid.iter().all(|x| x.is_finite()), "frequencies_rad_s", shown(), allowed)?;
     let directions = &database.wave_directions_rad;
     let step = core::f64::consts::TAU / directions.len() as f64;
-    let off = |(k, x): (usize, &f64)| !((x - step * k as f64).abs() < GRID_TOLERANCE_RAD);
+    let off = |(k, x): (usize, &f64)| !x.is_finite() || (x - step * k as f64).abs() > GRID_TOLERANCE_RAD;
     let wrong = directions.iter().enumerate().find(|entry| off(*entry)).map(|(_, x)| *x);
     let found = wrong.map_or_else(|| format!("{} directions", directions.len()), |x| x.to_string());
     let allowed = "at least four directions, 0 first, evenly over the full circle";
@@ -56,8 +56,7 @@ fn check_grids(database: &Database) -> Checked {
 fn check_matrices(database: &Database) -> Checked {
     let count = database.frequencies_rad_s.len();
     let allowed = format!("one matrix of finite numbers for each of the {count} frequencies");
-    for (field, matrices) in
-        [("added_mass", &database.added_mass), ("radiation_damping", &database.radiation_damping)]
+    for (field, matrices) in [("added_mass", &database.added_mass), ("radiation_damping", &database.radiation_damping)]
     {
         let fine = matrices.len() == count && matrices.iter().all(is_finite);
         unless(fine, field, format!("{} matrices", matrices.len()), &allowed)?;
