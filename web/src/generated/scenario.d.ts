@@ -1373,6 +1373,112 @@ export type Constraint =
       distance: Distance;
     };
 /**
+ * One wave system of the sea. Directions are those that the waves go to, from the world's x axis towards y: 180 degrees
+ * is a head sea for a ship at heading 0.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export type Waves =
+  | {
+      regular: RegularWave;
+    }
+  | {
+      jonswap: Jonswap;
+    }
+  | {
+      pierson_moskowitz: PiersonMoskowitz;
+    };
+/**
+ * A regular wave.
+ */
+export type RegularWave = {
+  /**
+   * Whether it runs.
+   */
+  enabled?: boolean;
+  /**
+   * From trough to crest, m.
+   */
+  height_m: number;
+  /**
+   * Period, s.
+   */
+  period_s: number;
+  /**
+   * Where it goes to, rad.
+   */
+  direction_rad?: number;
+  /**
+   * The same as `direction_rad`, in the unit of this name.
+   */
+  direction_deg?: number;
+  /**
+   * Phase at the world's origin at time 0, rad: with 0 a crest is there.
+   */
+  phase_rad?: number;
+  /**
+   * The same as `phase_rad`, in the unit of this name.
+   */
+  phase_deg?: number;
+};
+/**
+ * A sea by the JONSWAP spectrum, scaled to the significant height numerically.
+ */
+export type Jonswap = {
+  /**
+   * Whether it runs.
+   */
+  enabled?: boolean;
+  /**
+   * Significant wave height Hs, m.
+   */
+  significant_height_m: number;
+  /**
+   * Period at the spectrum's peak, s.
+   */
+  peak_period_s: number;
+  /**
+   * Peak enhancement gamma, from 1 to 10; 1 is Pierson and Moskowitz' spectrum.
+   */
+  gamma?: number;
+  /**
+   * Mean direction that the waves go to, rad.
+   */
+  direction_rad?: number;
+  /**
+   * The same as `direction_rad`, in the unit of this name.
+   */
+  direction_deg?: number;
+  realisation?: WaveRealisation;
+};
+/**
+ * A sea by the Pierson-Moskowitz spectrum.
+ */
+export type PiersonMoskowitz = {
+  /**
+   * Whether it runs.
+   */
+  enabled?: boolean;
+  /**
+   * Significant wave height Hs, m.
+   */
+  significant_height_m: number;
+  /**
+   * Period at the spectrum's peak, s.
+   */
+  peak_period_s: number;
+  /**
+   * Mean direction that the waves go to, rad.
+   */
+  direction_rad?: number;
+  /**
+   * The same as `direction_rad`, in the unit of this name.
+   */
+  direction_deg?: number;
+  realisation?: WaveRealisation1;
+};
+/**
  * What acts on the bodies from outside.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
@@ -1384,6 +1490,9 @@ export type Force =
     }
   | {
       viscous_damping: ViscousDamping;
+    }
+  | {
+      hydrodynamics: Hydrodynamics;
     };
 /**
  * A force and a moment against a body's velocity and angular velocity, each in body axes.
@@ -1425,6 +1534,57 @@ export type ViscousDamping = {
    * @maxItems 3
    */
   angular_kN_m_s?: [number, number, number];
+};
+/**
+ * The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, the waves that the hull makes
+ * and those that come. Weight is no part of it: that is gravity's, on every body.
+ */
+export type Hydrodynamics = {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The body that is the hull; its joint is floating.
+   */
+  body: string;
+  /**
+   * File of the hydrodynamic database, beside the scenario's own.
+   */
+  database: string;
+  /**
+   * The database's origin in the body's drawing frame, m; the axes are the body's. It lies on the water plane at the
+   * database's draught.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  origin_m?: [number, number, number];
+  /**
+   * How buoyancy is computed.
+   */
+  hydrostatics?: "linear" | "mesh" | "none";
+  /**
+   * Whether the infinite-frequency added mass moves with the hull.
+   */
+  added_mass?: boolean;
+  /**
+   * Whether the waves that the hull makes act on it.
+   */
+  radiation?: boolean;
+  /**
+   * Whether the sea's waves act on it.
+   */
+  excitation?: boolean;
+  /**
+   * First-order wave loads are taken at the place and heading that pass a filter of first order with this cut-off,
+   * rad/s: well below the waves' frequencies, above those of the ship's drift.
+   */
+  slow_motion_cutoff_rad_s?: number;
+  /**
+   * The same as `slow_motion_cutoff_rad_s`, in the unit of this name.
+   */
+  slow_motion_cutoff_deg_s?: number;
 };
 /**
  * What acts between two bodies, mostly in the joint that connects them.
@@ -1786,6 +1946,10 @@ export interface Scenario {
     [k: string]: Loop;
   };
   /**
+   * The water, its depth and its waves.
+   */
+  sea?: Sea | null;
+  /**
    * What acts on the bodies from outside, by name.
    */
   forces?: {
@@ -1870,6 +2034,11 @@ export interface SimulationSettings {
    * Interval between recorded rows, s.
    */
   record_every_s?: number;
+  /**
+   * Whether the run begins at the equilibrium near where the bodies are put, found with the waves off: a ship at its
+   * draught, heel and trim.
+   */
+  begin_at_equilibrium?: boolean;
   /**
    * A run diverges when a rate passes this, rad/s or m/s.
    */
@@ -2160,6 +2329,70 @@ export interface Distance {
    * Length of the rod, m.
    */
   length_m: number;
+}
+/**
+ * The water that hulls float in, and what moves it.
+ */
+export interface Sea {
+  /**
+   * Density of the water, kg/m^3.
+   */
+  density_kg_m3?: number;
+  /**
+   * Depth of the still water, m; without it, infinite.
+   */
+  depth_m?: number | null;
+  /**
+   * The wave systems by name: wind sea, swell.
+   */
+  waves?: {
+    [k: string]: Waves;
+  };
+  /**
+   * Time over which the waves grow from nothing at the start, s.
+   */
+  ramp_s?: number;
+  /**
+   * Velocity of the water along the world's x and y, m/s.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  current_m_s?: [number, number];
+}
+/**
+ * How the realisation is made.
+ */
+export interface WaveRealisation {
+  /**
+   * Number of components.
+   */
+  components?: number;
+  /**
+   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   */
+  amplitudes?: "deterministic" | "random";
+  /**
+   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   */
+  spreading_exponent?: number | null;
+}
+/**
+ * How the realisation is made.
+ */
+export interface WaveRealisation1 {
+  /**
+   * Number of components.
+   */
+  components?: number;
+  /**
+   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   */
+  amplitudes?: "deterministic" | "random";
+  /**
+   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   */
+  spreading_exponent?: number | null;
 }
 /**
  * Weight of every body, downwards along the world's z axis.

@@ -3,7 +3,7 @@
 use super::Kinematics;
 use crate::model::{Model, Tree};
 use crate::scalar::Scalar;
-use crate::spatial::{SpatialInertia, Vector3};
+use crate::spatial::Vector3;
 
 /// Kinetic energy, J: half the sum of `v^T I v` (eqs. 47, 49).
 pub fn kinetic_energy<S: Scalar>(tree: &Tree<S>, kinematics: &Kinematics<S>) -> S {
@@ -19,13 +19,6 @@ pub fn kinetic_energy<S: Scalar>(tree: &Tree<S>, kinematics: &Kinematics<S>) -> 
 pub fn rotor_energy<S: Scalar>(model: &Model<S>, v: &[S]) -> S {
     let twice = model.rotor_inertia.iter().zip(v).fold(S::ZERO, |sum, (inertia, v)| sum + *inertia * *v * *v);
     twice * S::constant(0.5)
-}
-
-/// The part of the kinetic energy that is the water's, J: half the sum of `v^T A v` over the added
-/// inertias.
-pub fn water_energy<S: Scalar>(model: &Model<S>, kinematics: &Kinematics<S>) -> S {
-    let twice = |(body, added): &(usize, SpatialInertia<S>)| added.quadratic(&kinematics.twist[*body]);
-    model.added_inertias.iter().fold(S::ZERO, |sum, added| sum + twice(added)) * S::constant(0.5)
 }
 
 /// Linear momentum (kg m/s) and angular momentum about `centre` (N m s), world components.

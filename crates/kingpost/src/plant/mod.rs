@@ -226,7 +226,6 @@ impl<S: Scalar> Plant<S> {
         let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
         Totals {
             kinetic_energy: energy::kinetic_energy(&model.tree, bodies) + energy::rotor_energy(model, v),
-            water_kinetic_energy: energy::water_energy(model, bodies),
             potential_energy: forces
                 .iter_mut()
                 .fold(stored, |sum, force| sum + force.potential_energy(model, links, q)),
@@ -317,10 +316,8 @@ pub struct Observation<'a, S = f64> {
 /// Energy and momentum of all bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Totals<S = f64> {
-    /// The water's part included, J.
+    /// With that of the water that moves with hulls, J.
     pub kinetic_energy: S,
-    /// Of it the part of the water that moves with hulls, J.
-    pub water_kinetic_energy: S,
     /// J.
     pub potential_energy: S,
     /// kg m/s, world.

@@ -3,14 +3,14 @@
 use super::error::FieldError;
 use super::schema::{Force, Scenario};
 use crate::sea::database::Database;
-use std::collections::HashMap;
+use indexmap::IndexMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Texts of files by the names that scenarios give them. A hydrodynamic database is read once.
 #[derive(Debug, Default)]
 pub struct Files {
-    texts: HashMap<String, String>,
-    databases: Mutex<HashMap<String, Arc<Database>>>,
+    texts: IndexMap<String, String>,
+    databases: Mutex<IndexMap<String, Arc<Database>>>,
 }
 
 impl Files {
@@ -39,7 +39,7 @@ impl Files {
 
 /// The hydrodynamic databases that a scenario names, by file name.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Databases(HashMap<String, Arc<Database>>);
+pub struct Databases(IndexMap<String, Arc<Database>>);
 
 impl Databases {
     /// The database of a file.

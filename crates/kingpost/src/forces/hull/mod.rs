@@ -74,6 +74,8 @@ pub struct HullReading<S = f64> {
     pub excitation_force: [S; 6],
     /// By the memory of the waves that the hull made; that of the added mass is not in it.
     pub radiation_force: [S; 6],
+    /// Kinetic energy of the infinite-frequency added mass, J.
+    pub water_kinetic_energy: S,
 }
 
 /// A hull in the water.
@@ -131,8 +133,15 @@ impl<S: Scalar> Hull<S> {
         HullReading {
             radiation_force: self.radiation.as_ref().map_or(none, |radiation| radiation.force(states)),
             excitation_force: self.excitation.as_mut().map_or(none, |waves| waves.force(at.clock, &slow)),
+            water_kinetic_energy: self.water_kinetic_energy(at),
             wave_elevation: self.excitation.as_mut().map_or(S::ZERO, |waves| waves.elevation(at.clock, &slow)),
         }
+    }
+
+    fn water_kinetic_energy(&self, at: &Moment<'_, S>) -> S {
+        let twist = at.links.body_twist(at.model, self.frame.body);
+        let own = at.model.added_inertias.iter().filter(|(body, _)| *body == self.frame.body);
+        own.fold(S::ZERO, |sum, (_, added)| sum + added.quadratic(&twist) * S::constant(0.5))
     }
 
     /// Energy of the water that it displaces, J.
