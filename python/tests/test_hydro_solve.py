@@ -9,11 +9,12 @@ import pytest
 from kingpost import cli
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import build, checks, database, radiation_fit, symmetry
+from kingpost.hydro.airy import wave_number
 from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Database, Water
 from kingpost.hydro.meshes import HullMeshes, parametric, whole
 from kingpost.hydro.panels import of_triangles
-from kingpost.hydro.solve import froude_krylov, solve, wave_number
+from kingpost.hydro.solve import froude_krylov, solve
 
 pytest.importorskip("capytaine")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,8 +11,10 @@ import numpy as np
 from .. import __version__
 from ..errors import HydrodynamicsError
 from . import checks
+from .airy import wave_number
 from .database import Database, Hull, Provenance, Water, Waterplane
-from .solve import PANELS_PER_WAVE, SHALLOWEST_LID, solve, wave_number
+from .drift import Loading, drift, stiffness_matrix
+from .solve import PANELS_PER_WAVE, SHALLOWEST_LID, solve
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -19,14 +22,21 @@ if TYPE_CHECKING:
     from .meshes import HullMeshes
 
 FREQUENCIES, DIRECTIONS = 40, 24
+DEFAULT_PANELS_PER_WAVE = 6
 LOWEST, HIGHEST, CENTRE = 0.08, 3.5, 1.2
 """The grid's ends and the frequency about which it is dense, in units of sqrt(g / V^(1/3))."""
 
+_NO_LID = "no lid against irregular frequencies"
 
-def default_frequencies(volume_m3: float, water: Water, count: int = FREQUENCIES) -> NDArray[np.float64]:
-    """Frequencies that follow the hull's size, rad/s: even in w / (w + c), dense about its waves."""
-    unit = np.sqrt(water.gravity_m_s2 / volume_m3 ** (1 / 3))
-    ends = np.array([LOWEST, HIGHEST])
+
+def default_frequencies(hull: HullMeshes, water: Water, count: int = FREQUENCIES) -> NDArray[np.float64]:
+    """Frequencies that follow the hull's size, rad/s: even in w / (w + c), dense about its waves.
+
+    The highest has a wave of six panels or more.
+    """
+    unit = np.sqrt(water.gravity_m_s2 / hull.particulars.volume_m3 ** (1 / 3))
+    resolved = np.sqrt(2 * np.pi * water.gravity_m_s2 / (DEFAULT_PANELS_PER_WAVE * hull.panel_size_m))
+    ends = np.array([LOWEST, min(HIGHEST, resolved / unit)])
     part = np.linspace(*(ends / (ends + CENTRE)), count)
     return np.array([float(f"{unit * CENTRE * s / (1 - s):.4g}") for s in part])
 
@@ -38,6 +48,7 @@ def build(
     frequencies_rad_s: NDArray[np.float64] | None = None,
     directions: int = DIRECTIONS,
     with_lid: bool | None = None,
+    loading: Loading | None = None,
     update: Callable[[float], None] = lambda _done: None,
 ) -> Database:
     """Run the panel method and check what it gives.
@@ -46,6 +57,8 @@ def build(
     ----------
     with_lid
         `None` puts a lid where the draught allows one.
+    loading
+        Gives the mean drift of the hull so loaded; without it there is none.
 
     Raises
     ------
@@ -54,10 +67,14 @@ def build(
         for on too shallow a hull, or a result is unphysical.
     """
     if frequencies_rad_s is None:
-        frequencies_rad_s = default_frequencies(hull.particulars.volume_m3, water)
+        frequencies_rad_s = default_frequencies(hull, water)
     _check_depth(hull, water)
     _check_panels(hull, water, float(frequencies_rad_s[-1]))
     lid_wanted, notes = _lid(hull, with_lid)
+    if loading is not None:
+        # Refused before the long work where such a hull would not stay upright.
+        stiffness_matrix(_hull(hull), water, loading)
+        notes = (*notes, loading.note)
     found = solve(hull, water, frequencies_rad_s, directions, lid_wanted, update)
     database = Database(
         title=title,
@@ -80,7 +97,9 @@ def build(
         diffraction=found.diffraction,
     )
     checks.check(database)
-    return database
+    if loading is None:
+        return database
+    return replace(database, mean_drift=drift(database, found.far_field, loading, hull.reflections))
 
 
 def _check_depth(hull: HullMeshes, water: Water) -> None:
@@ -106,11 +125,11 @@ def _lid(hull: HullMeshes, wanted: bool | None) -> tuple[bool, tuple[str, ...]]:
     if wanted and not possible:
         raise HydrodynamicsError(
             "lid", f"a draught of {hull.particulars.draught_m:g} m",
-            f"a draught of a panel's size, {least:.3g} m, or more: use more panels or --no-lid",
+            f"a draught of half a panel's size, {least:.3g} m, or more: use more panels or --no-lid",
         )  # fmt: skip
     if wanted is None and not possible:
-        return False, ("no lid against irregular frequencies: the draught is less than a panel's size",)
-    return wanted is not False, () if wanted is not False else ("no lid against irregular frequencies",)
+        return False, (f"{_NO_LID}: the draught is less than half a panel's size",)
+    return wanted is not False, () if wanted is not False else (_NO_LID,)
 
 
 def _hull(hull: HullMeshes) -> Hull:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import HydrodynamicsError
-from .solve import wave_number
+from .airy import group_ratio, wave_number
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -119,11 +119,8 @@ def haskind_damping(database: Database) -> NDArray[np.float64]:
 
 def _haskind_factor(frequency: float, water: Water) -> float:
     k = wave_number(frequency, water)
-    celerity = frequency / k
-    part = 0.5
-    if water.depth_m is not None and k * water.depth_m < 100:
-        part = 0.5 + k * water.depth_m / np.sinh(2 * k * water.depth_m)
-    return float(k / (8 * np.pi * water.density_kg_m3 * water.gravity_m_s2 * part * celerity))
+    velocity = group_ratio(frequency, water) * frequency / k
+    return float(k / (8 * np.pi * water.density_kg_m3 * water.gravity_m_s2 * velocity))
 
 
 def highest_resolved(database: Database) -> float:

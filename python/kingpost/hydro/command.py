@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
-from dataclasses import fields, replace
+from dataclasses import MISSING, fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +13,7 @@ from .. import progress
 from ..errors import HydrodynamicsError
 from .build import DIRECTIONS, FREQUENCIES, build, default_frequencies
 from .database import Database, Radiation, Water, check_output, write
+from .drift import Loading
 from .hull_files import HullFile
 from .meshes import HullMeshes, parametric
 from .radiation_fit import FEWEST_FREQUENCIES, fit
@@ -50,6 +51,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
                          help="density of the water (default: %(default)s)")  # fmt: skip
     command.add_argument("--lid", action=argparse.BooleanOptionalAction, default=None,
                          help="lid against irregular frequencies (default: if deep enough)")  # fmt: skip
+    command.add_argument("--loading", metavar="L", help=(
+        "computes the mean drift of the hull so loaded: kg_m=,roll_gyration_m=,pitch_gyration_m=,"
+        "yaw_gyration_m=, and roll_damping_ratio= (default: 0.05 of the critical)"))  # fmt: skip
     command.add_argument("--flip_normals", action="store_true", help="turn a mesh file's normals round")
 
 
@@ -60,16 +64,18 @@ def run(options: argparse.Namespace) -> Database:
     water = _water(options)
     given = options.frequencies_rad_s
     frequencies = None if given is None else parse_frequencies(given)
+    loading = None if options.loading is None else parse_loading(options.loading)
     _check_count("directions", options.directions, 4)
     _check_count("panels", options.panels, 50)
     hull = _hull(options)
     capytaine()
     if frequencies is None:
-        frequencies = default_frequencies(hull.particulars.volume_m3, water)
+        frequencies = default_frequencies(hull, water)
     print(summary(hull, water))
     with progress.bar(len(frequencies) + 1, "frequencies") as update:
         title = options.title or hull.source
-        database = build(hull, water, title, frequencies, options.directions, options.lid, update)
+        lid, directions = options.lid, options.directions
+        database = build(hull, water, title, frequencies, directions, lid, loading, update)
     radiation = fit(database)
     database = replace(database, radiation=radiation)
     print(f"{'memory of the water':<20}{_states(radiation)} states, fitted to {radiation.fit_error:.2%}")
@@ -143,22 +149,36 @@ def parse_shape(text: str) -> Shape:
     kind, _, description = text.partition(":")
     if kind not in SHAPES:
         raise HydrodynamicsError("hull", repr(kind), f"one of {', '.join(SHAPES)}")
-    names = [field.name for field in fields(SHAPES[kind])]
-    form = f"{kind}:" + ",".join(f"{name}=..." for name in names)
+    return SHAPES[kind](**_values(SHAPES[kind], description, "hull", f"{kind}:"))
+
+
+def parse_loading(text: str) -> Loading:
+    """A loading condition from its description.
+
+    >>> parse_loading("kg_m=2.5,roll_gyration_m=3,pitch_gyration_m=6,yaw_gyration_m=6").kg_m
+    2.5
+    """
+    return Loading(**_values(Loading, text, "--loading", ""))
+
+
+def _values(kind: type, description: str, field: str, start: str) -> dict[str, float]:
+    """Numbers ``name=value,...`` for the fields of a data class, those without a default required."""
+    names = [each.name for each in fields(kind)]
+    form = start + ",".join(f"{name}=..." for name in names)
     values: dict[str, float] = {}
     for assignment in filter(None, description.split(",")):
         name, _, value = assignment.partition("=")
         if name not in names or name in values:
             found = "given twice" if name in values else "an unknown dimension"
-            raise HydrodynamicsError(f"hull.{name}", found, form)
+            raise HydrodynamicsError(f"{field}.{name}", found, form)
         try:
             values[name] = float(value)
         except ValueError:
-            raise HydrodynamicsError(f"hull.{name}", repr(value), "a number") from None
-    missing = [name for name in names if name not in values]
+            raise HydrodynamicsError(f"{field}.{name}", repr(value), "a number") from None
+    missing = [each.name for each in fields(kind) if each.default is MISSING and each.name not in values]
     if missing:
-        raise HydrodynamicsError("hull", f"no {missing[0]}", form)
-    return SHAPES[kind](**values)
+        raise HydrodynamicsError(field, f"no {missing[0]}", form)
+    return values
 
 
 def summary(hull: HullMeshes, water: Water) -> str:

@@ -1,0 +1,171 @@
+"""Mean drift of a floating hull in regular waves, from the waves that it sends out.
+
+H. Maruo, The drift of a body floating on waves, J. Ship Research 4(3), 1960; J. N. Newman, The drift force
+and moment on ships in waves, J. Ship Research 11(1), 1967. Far from the hull the elevation is that of the
+incident wave of amplitude a and of a ring wave,
+a (exp(i k R cos(t - b)) + f(t) exp(i k R) / sqrt(R)). What the two lose of momentum and of angular
+momentum the hull receives.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import HydrodynamicsError
+from .airy import group_ratio, wave_number
+from .symmetry import whole_circle
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from numpy.typing import NDArray
+
+    from .database import Database, Hull, Water
+    from .far_field import FarField
+
+HORIZONTAL = [0, 1, 5]
+
+
+@dataclass(frozen=True)
+class Loading:
+    """What the hull carries: it decides how it moves, and so how it drifts.
+
+    Attributes
+    ----------
+    kg_m
+        Height of the centre of gravity above the keel, m; it lies above the centre of buoyancy.
+    roll_gyration_m, pitch_gyration_m, yaw_gyration_m
+        Radii of gyration about the centre of gravity, m.
+    roll_damping_ratio
+        Of the critical roll damping, added for viscosity.
+    """
+
+    kg_m: float
+    roll_gyration_m: float
+    pitch_gyration_m: float
+    yaw_gyration_m: float
+    roll_damping_ratio: float = 0.05
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = getattr(self, field.name)
+            least = 0.0 if field.name == "roll_damping_ratio" else np.nextafter(0, 1)
+            if not least <= value < np.inf:
+                raise HydrodynamicsError(f"--loading {field.name}", f"{value:g}", "a number greater than 0")
+
+    @property
+    def note(self) -> str:
+        """What the database says of it."""
+        radii = (self.roll_gyration_m, self.pitch_gyration_m, self.yaw_gyration_m)
+        return (
+            f"mean drift of the hull free to move, its centre of gravity {self.kg_m:g} m above the keel, "
+            f"radii of gyration {', '.join(f'{radius:g}' for radius in radii)} m, roll damped by "
+            f"{self.roll_damping_ratio:g} of the critical beside its waves"
+        )
+
+
+def mass_matrix(hull: Hull, water: Water, loading: Loading) -> NDArray[np.float64]:
+    """Mass matrix of the hull about the database's origin, which floats at its draught."""
+    mass = water.density_kg_m3 * hull.volume_m3
+    x, y, z = _centre_of_gravity(hull, loading)
+    arm = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    radii = np.array([loading.roll_gyration_m, loading.pitch_gyration_m, loading.yaw_gyration_m])
+    inertia = np.diag(radii**2) - arm @ arm
+    return mass * np.block([[np.eye(3), -arm], [arm, inertia]])
+
+
+def stiffness_matrix(hull: Hull, water: Water, loading: Loading) -> NDArray[np.float64]:
+    """Restoring matrix about the origin, weight and buoyancy in one vertical line.
+
+    Raises
+    ------
+    HydrodynamicsError
+        When the metacentric height is not positive: such a hull would not stay upright.
+    """
+    unit = water.density_kg_m3 * water.gravity_m_s2
+    plane = hull.waterplane
+    height = hull.volume_m3 * (hull.centre_of_buoyancy_m[2] - _centre_of_gravity(hull, loading)[2])
+    (sx, sy), (sxx, sxy, syy) = plane.first_moments_m3, plane.second_moments_m4
+    stiffness = np.zeros((6, 6))
+    stiffness[2:5, 2:5] = unit * np.array([
+        [plane.area_m2, sy, -sx],
+        [sy, syy + height, -sxy],
+        [-sx, -sxy, sxx + height],
+    ])  # fmt: skip
+    lowest = (syy - sy**2 / plane.area_m2 + height) / hull.volume_m3
+    if lowest <= 0:
+        allowed = f"less than {loading.kg_m + lowest:.4g} m, so that the hull stays upright"
+        raise HydrodynamicsError("--loading kg_m", f"{loading.kg_m:g}", allowed)
+    return stiffness
+
+
+def _centre_of_gravity(hull: Hull, loading: Loading) -> NDArray[np.float64]:
+    x, y, _ = hull.centre_of_buoyancy_m
+    return np.array([x, y, loading.kg_m - hull.draught_m])
+
+
+def motions(database: Database, loading: Loading) -> NDArray[np.complex128]:
+    """Motions q per metre of amplitude, shape (frequencies, directions, 6).
+
+    (-w^2 (M + A) - i w B + C) q = X, for exp(-i w t), about the database's origin.
+    """
+    mass = mass_matrix(database.hull, database.water, loading)
+    stiffness = stiffness_matrix(database.hull, database.water, loading)
+    w = database.frequencies_rad_s[:, None, None]
+    damping = database.radiation_damping.copy()
+    inertia = mass + database.added_mass
+    damping[:, 3, 3] += 2 * loading.roll_damping_ratio * np.sqrt(inertia[:, 3, 3] * stiffness[3, 3])
+    impedance = -(w**2) * inertia - 1j * w * damping + stiffness
+    return np.linalg.solve(impedance[:, None], database.excitation[..., None])[..., 0]
+
+
+def drift(
+    database: Database, far_field: FarField, loading: Loading, reflections: Sequence[int]
+) -> NDArray[np.float64]:
+    """Surge force, sway force and yaw moment per amplitude squared, shape (frequencies, directions, 3)."""
+    water, count = database.water, len(database.wave_directions_rad)
+    chosen = far_field.directions
+    moved = motions(database, loading)[:, chosen]
+    amplitudes = far_field.scattered + moved @ far_field.radiated
+    angles = amplitudes.shape[2]
+    found = np.zeros((len(amplitudes), len(chosen), 6))
+    for n, frequency in enumerate(database.frequencies_rad_s):
+        k, ratio = wave_number(frequency, water), group_ratio(frequency, water)
+        for d, direction in enumerate(chosen):
+            at = direction * angles // count
+            found[n, d, HORIZONTAL] = mean_drift(amplitudes[n, d], at, k, ratio, water)
+    return whole_circle(found, chosen, count, reflections)[:, :, HORIZONTAL]
+
+
+def mean_drift(
+    amplitude: NDArray[np.complex128], at: int, wave_number: float, group_ratio: float, water: Water
+) -> NDArray[np.float64]:
+    """Surge force, sway force and yaw moment per amplitude squared, in one regular wave.
+
+    With E = rho g n / 2, n = c_g / c and the extinction s = -2 sqrt(2 pi / k) Re(f(b) exp(i pi / 4)):
+    (F_x, F_y) = E (s (cos b, sin b) - Int abs(f)^2 (cos t, sin t) dt) and
+    M_z = -(E / k) (Int Im(f* f') dt + 2 sqrt(2 pi / k) Im(f'(b) exp(i pi / 4))).
+
+    Parameters
+    ----------
+    amplitude
+        f at equally spaced angles of the whole circle, m^(1/2).
+    at
+        Index of the wave's direction b among the angles.
+    """
+    count = len(amplitude)
+    angles = 2 * np.pi * np.arange(count) / count
+    orders = np.fft.fftfreq(count, 1 / count)
+    slope = np.fft.ifft(1j * orders * np.fft.fft(amplitude))
+    step, turn = 2 * np.pi / count, np.exp(1j * np.pi / 4)
+    beam = 2 * np.sqrt(2 * np.pi / wave_number)
+    lost = -beam * (amplitude[at] * turn).real
+    ring = np.abs(amplitude) ** 2 * step
+    energy = water.density_kg_m3 * water.gravity_m_s2 * group_ratio / 2
+    surge = lost * np.cos(angles[at]) - ring @ np.cos(angles)
+    sway = lost * np.sin(angles[at]) - ring @ np.sin(angles)
+    spin = (amplitude.conj() * slope).imag.sum() * step + beam * (slope[at] * turn).imag
+    return energy * np.array([surge, sway, -spin / wave_number])

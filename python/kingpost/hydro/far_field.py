@@ -1,0 +1,79 @@
+"""The ring waves that a hull sends out, from the potential on its panels."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .airy import decay, group_ratio, wave_number
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from .database import Water
+
+
+@dataclass(frozen=True)
+class FarField:
+    """Amplitudes f of the ring waves a f(t) exp(i k R) / sqrt(R) at equally spaced angles t, m^(1/2).
+
+    Attributes
+    ----------
+    radiated
+        (frequency, motion, angle): of a motion of 1 m or 1 rad, for a = 1 m.
+    scattered
+        (frequency, direction, angle): of the hull held in waves of 1 m that go to `directions`.
+    directions
+        Indices of those directions on the circle of the database; the others are mirror images.
+    """
+
+    radiated: NDArray[np.complex128]
+    scattered: NDArray[np.complex128]
+    directions: list[int]
+
+
+def angle_count(radius: float, highest_wave_number: float, directions: int) -> int:
+    """Angles that resolve f, of order up to k R, and its products; a multiple of the directions."""
+    least = max(240.0, 6 * radius * highest_wave_number)
+    return directions * int(np.ceil(least / directions))
+
+
+def ring_waves(
+    mesh: Any,
+    potential: NDArray[np.complex128],
+    normal_velocity: NDArray[np.complex128],
+    frequency: float,
+    water: Water,
+    angles: int,
+) -> NDArray[np.complex128]:
+    """Amplitudes f for potentials on the panels, shape (potentials, angles).
+
+    Green's identity with the far form of Green's function (J. V. Wehausen & E. V. Laitone, Surface Waves,
+    1960, eqs. 13.17 and 13.18): f = (w c / 2 g) sqrt(2 / pi k) exp(-i pi / 4) H with
+    H(t) = Int (phi_n - phi d/dn) Z(z) exp(-i k (x cos t + y sin t)) dS, Z = cosh k(z + h) / cosh kh and
+    c = k^2 / (2 n w^2 / g), n = c_g / c_phase; infinitely deep c = k.
+
+    Parameters
+    ----------
+    mesh
+        Capytaine's mesh: centres, normals and areas of the panels.
+    potential, normal_velocity
+        phi and phi_n along the outward normal, shape (potentials, panels).
+    """
+    k = wave_number(frequency, water)
+    turn = 2 * np.pi * np.arange(angles) / angles
+    ahead = np.stack([np.cos(turn), np.sin(turn), 0 * turn])
+    sideways = np.exp(-1j * k * (mesh.faces_centers @ ahead))
+    height, slope = decay(k, mesh.faces_centers[:, 2], water)
+    phi = potential * mesh.faces_areas
+    flux = normal_velocity * mesh.faces_areas * height - phi * mesh.faces_normals[:, 2] * slope
+    along = phi * height
+    # d/dn of the exponential: -i k (n_x cos t + n_y sin t).
+    sums = flux @ sideways
+    for axis in (0, 1):
+        sums += 1j * k * ahead[axis] * ((along * mesh.faces_normals[:, axis]) @ sideways)
+    strength = k**2 / (2 * group_ratio(frequency, water) * frequency**2 / water.gravity_m_s2)
+    factor = frequency * strength / (2 * water.gravity_m_s2) * np.sqrt(2 / (np.pi * k))
+    return factor * np.exp(-0.25j * np.pi) * sums

@@ -1,0 +1,159 @@
+"""Mean drift and the ring waves it stands on: energy, momentum, and what does not depend on the origin."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from kingpost.errors import HydrodynamicsError
+from kingpost.hydro import build, drift, solve
+from kingpost.hydro.airy import group_ratio, wave_number
+from kingpost.hydro.command import parse_loading, parse_shape
+from kingpost.hydro.database import Database, Hull, Water
+from kingpost.hydro.drift import Loading
+from kingpost.hydro.meshes import HullMeshes, parametric
+from kingpost.hydro.solve import Coefficients
+
+pytest.importorskip("capytaine")
+
+BARGE = "box:length_m=20,beam_m=10,draught_m=2,depth_m=5"
+LOADING = Loading(2.5, 3.2, 5.9, 6.4, roll_damping_ratio=0.0)
+WATER = Water(depth_m=9.0)
+FREQUENCIES = np.array([0.5, 0.8, 1.1, 1.4, 1.8])
+DIRECTIONS = 12
+
+
+@pytest.fixture(scope="module")
+def barge() -> HullMeshes:
+    return parametric(parse_shape(BARGE), BARGE, 700)
+
+
+@pytest.fixture(scope="module")
+def found(barge) -> Coefficients:
+    return solve.solve(barge, WATER, FREQUENCIES, DIRECTIONS, with_lid=True)
+
+
+@pytest.fixture(scope="module")
+def database(barge, found) -> Database:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(build, "solve", lambda *_arguments: found)
+        return build.build(barge, WATER, "barge", FREQUENCIES, DIRECTIONS, loading=LOADING)
+
+
+def extinction(amplitude: np.ndarray, at: int, k: float) -> float:
+    """What the ring wave takes out of the incident one: the optical theorem's side."""
+    return -2 * np.sqrt(2 * np.pi / k) * (amplitude[at] * np.exp(1j * np.pi / 4)).real
+
+
+def scattered_energy(amplitude: np.ndarray) -> np.ndarray:
+    return (np.abs(amplitude) ** 2).mean(axis=-1) * 2 * np.pi
+
+
+def test_the_ring_waves_of_a_motion_carry_the_energy_of_its_damping(found):
+    for n, frequency in enumerate(FREQUENCIES):
+        group_velocity = group_ratio(frequency, WATER) * frequency / wave_number(frequency, WATER)
+        carried = WATER.density_kg_m3 * WATER.gravity_m_s2 * group_velocity
+        power = carried * scattered_energy(found.far_field.radiated[n]) / frequency**2
+        # Two integrals over the same panels of 0.65 m, one on the hull and one far away.
+        np.testing.assert_allclose(power, np.diagonal(found.radiation_damping[n]), rtol=0.03)
+
+
+def test_a_hull_that_is_held_scatters_the_energy_that_it_takes(found):
+    field = found.far_field
+    for n, frequency in enumerate(FREQUENCIES):
+        k = wave_number(frequency, WATER)
+        for amplitude, direction in zip(field.scattered[n], field.directions, strict=True):
+            at = direction * len(amplitude) // DIRECTIONS
+            assert scattered_energy(amplitude) == pytest.approx(extinction(amplitude, at, k), rel=0.02)
+
+
+def test_a_hull_that_floats_free_without_viscosity_takes_no_energy(found, database):
+    field = found.far_field
+    moved = drift.motions(database, LOADING)[:, field.directions]
+    amplitudes = field.scattered + moved @ field.radiated
+    for n, frequency in enumerate(FREQUENCIES):
+        k = wave_number(frequency, WATER)
+        for d, direction in enumerate(field.directions):
+            at = direction * amplitudes.shape[2] // DIRECTIONS
+            taken = extinction(amplitudes[n, d], at, k)
+            # The error of panels of 0.65 m at 1.8 rad/s; panels of 0.4 m have half of it.
+            assert scattered_energy(amplitudes[n, d]) == pytest.approx(taken, rel=0.03, abs=0.01)
+
+
+def test_long_waves_move_the_barge_as_they_move_the_water(database):
+    k = wave_number(0.5, WATER)
+    long = np.abs(drift.motions(database, LOADING)[0, 6])
+    # Head waves 40 m long and more: heave of 1 m and pitch of the slope k, less what sin x / x says of
+    # kL/2 = 0.57: 5 percent for heave, 10 percent for pitch; in shallow water added mass adds as much.
+    assert long[2] == pytest.approx(1, rel=0.15)
+    assert long[4] == pytest.approx(k, rel=0.2)
+
+
+def test_short_head_waves_that_are_reflected_push_with_their_momentum():
+    # M. S. Longuet-Higgins, The mean forces exerted by waves on floating or submerged bodies, Proc. R.
+    # Soc. A 352, 1977: rho g a^2 c_g / c for each metre of a wall that reflects all. A deep box,
+    # held: its edges diffract what is within a wave length of them.
+    deep = "box:length_m=10,beam_m=20,draught_m=6,depth_m=8"
+    water, frequency = Water(), 2.0
+    found = solve.solve(parametric(parse_shape(deep), deep, 800), water, np.array([frequency]), 12, True)
+    k, amplitude = wave_number(frequency, water), found.far_field.scattered[0, 0]
+    push = drift.mean_drift(amplitude, 0, k, 0.5, water)
+    assert push[0] == pytest.approx(water.density_kg_m3 * water.gravity_m_s2 * 20 / 2, rel=0.1)
+    assert abs(push[1]) < 1e-9 * push[0]
+    assert abs(push[2]) < 1e-9 * push[0]
+
+
+def test_the_yaw_moment_about_another_point_is_that_of_the_forces():
+    random = np.random.default_rng(3)
+    angles = 2 * np.pi * np.arange(96) / 96
+    orders = np.arange(-5, 6)
+    weights = random.normal(size=11) + 1j * random.normal(size=11)
+    amplitude = np.exp(1j * np.outer(angles, orders)) @ weights
+    k, at, shift = 0.4, 13, np.array([1.5, -0.7])
+    along = np.cos(angles) * shift[0] + np.sin(angles) * shift[1]
+    moved = amplitude * np.exp(-1j * k * (along - along[at]))
+    surge, sway, yaw = drift.mean_drift(amplitude, at, k, 0.5, Water())
+    found = drift.mean_drift(moved, at, k, 0.5, Water())
+    np.testing.assert_allclose(found, [surge, sway, yaw + shift[0] * sway - shift[1] * surge], rtol=1e-9)
+
+
+def test_drift_has_the_symmetry_of_the_hull(database):
+    assert database.mean_drift.shape == (len(FREQUENCIES), DIRECTIONS, 3)
+    for axis, signs in ((1, [1, -1, -1]), (0, [-1, 1, -1])):
+        images = [-d % 12 if axis == 1 else (6 - d) % 12 for d in range(12)]
+        np.testing.assert_allclose(database.mean_drift[:, images], database.mean_drift * signs, atol=1e-6)
+    # Waves push the way they go.
+    assert (database.mean_drift[:, 0, 0] > 0).all()
+    assert (database.mean_drift[:, 3, 1] > 0).all()
+    assert any("2.5 m above the keel" in note for note in database.provenance.notes)
+
+
+def test_the_mass_matrix_is_that_of_a_block_about_the_origin():
+    volume, kg = 400.0, 2.5
+    hull = Hull(2.0, 20.0, 10.0, volume, np.array([1.0, 0.0, -1.0]), None)
+    mass = drift.mass_matrix(hull, Water(), replace(LOADING, kg_m=kg))
+    momentum = mass @ np.array([0, 0, 0, 0.2, -0.1, 0.3])
+    centre = np.array([1.0, 0.0, 0.5])
+    # Momentum of a rotation about the origin: m (omega x c).
+    np.testing.assert_allclose(momentum[:3], 1025 * volume * np.cross([0.2, -0.1, 0.3], centre), rtol=1e-12)
+    np.testing.assert_allclose(mass, mass.T, rtol=1e-12)
+
+
+def test_a_hull_that_would_not_stay_upright_is_refused_with_the_highest_centre(barge):
+    # KB + BM = 1 + 10^2 / (12 * 2) = 5.167 m.
+    with pytest.raises(HydrodynamicsError, match=r"--loading kg_m: found 6, allowed: less than 5\.167 m"):
+        build.build(barge, WATER, "barge", FREQUENCIES, loading=replace(LOADING, kg_m=6.0))
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "--loading: found no kg_m, allowed: kg_m=...,roll_gyration_m="),
+        ("kg_m=1,kb_m=2", "--loading.kb_m: found an unknown dimension"),
+        ("kg_m=-1,roll_gyration_m=1,pitch_gyration_m=1,yaw_gyration_m=1", "--loading kg_m: found -1"),
+        ("kg_m=nan,roll_gyration_m=1,pitch_gyration_m=1,yaw_gyration_m=1", "--loading kg_m: found nan"),
+    ],
+)
+def test_a_wrong_loading_is_named(text, message):
+    with pytest.raises(HydrodynamicsError) as caught:
+        parse_loading(text)
+    assert str(caught.value).startswith(message)
