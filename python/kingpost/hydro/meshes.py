@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 HULL_TRIANGLES = 530
 """About how many triangles the closed hull of a database has."""
-PARTICULARS_PANELS = 20_000
+PARTICULARS_PANELS = 30_000
 """About how many panels the volume and the waterplane of a parametric hull are integrated over."""
 
 
