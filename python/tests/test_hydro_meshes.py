@@ -1,6 +1,5 @@
 """Hulls as meshes: closed forms of their particulars, and what is refused of a file."""
 
-import meshio
 import numpy as np
 import pytest
 from kingpost.errors import HydrodynamicsError
@@ -12,6 +11,8 @@ from kingpost.hydro.panels import lid
 from kingpost.hydro.shapes import Box, Hemisphere, Sphere, Wigley
 from kingpost.hydro.surface import Surface
 from kingpost.hydro.vessel import OffshoreVessel
+
+meshio = pytest.importorskip("meshio")
 
 BARGE = Box(length_m=20, beam_m=10, draught_m=2, depth_m=5)
 SHAPES = [

@@ -73,7 +73,7 @@ def build(
     lid_wanted, notes = _lid(hull, with_lid)
     if loading is not None:
         # Refused before the long work where such a hull would not stay upright.
-        stiffness_matrix(_hull(hull), water, loading)
+        stiffness_matrix(database_hull(hull), water, loading)
         notes = (*notes, loading.note)
     found = solve(hull, water, frequencies_rad_s, directions, lid_wanted, update)
     database = Database(
@@ -87,7 +87,7 @@ def build(
             notes=("zero forward speed", *notes),
         ),
         water=water,
-        hull=_hull(hull),
+        hull=database_hull(hull),
         frequencies_rad_s=frequencies_rad_s,
         wave_directions_rad=2 * np.pi * np.arange(directions) / directions,
         added_mass=found.added_mass,
@@ -132,7 +132,8 @@ def _lid(hull: HullMeshes, wanted: bool | None) -> tuple[bool, tuple[str, ...]]:
     return wanted is not False, () if wanted is not False else (_NO_LID,)
 
 
-def _hull(hull: HullMeshes) -> Hull:
+def database_hull(hull: HullMeshes) -> Hull:
+    """The hull's particulars as the database has them, exactly symmetric where the hull is."""
     found, plane = hull.particulars, hull.particulars.waterplane
     kept = np.array([axis not in hull.reflections for axis in (0, 1)], dtype=float)
     return Hull(

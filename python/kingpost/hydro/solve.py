@@ -126,11 +126,11 @@ class _Problem:
         depth = np.inf if water.depth_m is None else water.depth_m
         self.conditions = {"rho": water.density_kg_m3, "g": water.gravity_m_s2, "water_depth": depth}
         motions = module.rigid_body_dofs(rotation_center=(0, 0, 0))
-        mesh = _mesh(module, hull.panels, hull.reflections)
+        mesh = capytaine_mesh(module, hull.panels, hull.reflections)
         self.bare = module.FloatingBody(mesh=mesh, dofs=motions)
         self.body = self.bare
         if cover is not None:
-            lid_mesh = _mesh(module, cover, hull.reflections)
+            lid_mesh = capytaine_mesh(module, cover, hull.reflections)
             self.body = module.FloatingBody(mesh=mesh, lid_mesh=lid_mesh, dofs=motions)
         self.motions = list(self.body.dofs)
 
@@ -173,7 +173,8 @@ class _Problem:
         return np.array([[float(column[force]) for column in by_motion] for force in self.motions])
 
 
-def _mesh(module: Any, panels: Panels, reflections: Sequence[int]) -> Any:
+def capytaine_mesh(module: Any, panels: Panels, reflections: Sequence[int]) -> Any:
+    """Panels as Capytaine's mesh, mirrored."""
     mesh = module.Mesh(panels.vertices, panels.corner_lists, auto_clean=False, auto_check=False)
     for axis in reflections:
         mesh = module.ReflectionSymmetricMesh(mesh, plane="yOz" if axis == 0 else "xOz")
