@@ -7,12 +7,15 @@ use std::path::Path;
 
 fn gallery() -> Vec<(String, Scenario)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
-    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let mut files: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|ending| ending == "yaml"));
     files.sort();
     let read = |path: &std::path::PathBuf| {
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-        let scenario = scenario::read(&fs::read_to_string(path).unwrap(), &name, &[]);
+        let text = fs::read_to_string(path).unwrap();
+        let named = scenario::file_names(&text, &name, &[]).unwrap_or_else(|error| panic!("{error}"));
+        let files = named.into_iter().map(|file| (file.clone(), fs::read_to_string(folder.join(file)).unwrap()));
+        let scenario = scenario::read_with(&text, &name, &[], &scenario::Files::new(files));
         (name, scenario.unwrap_or_else(|error| panic!("{error}")))
     };
     files.iter().map(read).collect()

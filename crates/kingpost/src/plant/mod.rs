@@ -41,6 +41,8 @@ pub struct Plant<S = f64> {
     solve_matrices: Option<SolveMatrices<S>>,
     /// Whether the ledger's integrals are stepped.
     pub keeps_ledger: bool,
+    /// Whether there are no waves, and what moves as prescribed is held.
+    at_rest: bool,
     links: LinkKinematics<S>,
     bodies: Kinematics<S>,
     loads: Loads<S>,
@@ -94,20 +96,21 @@ impl<S: Scalar> Plant<S> {
             solve_matrices: None,
             exact: None,
             keeps_ledger: true,
+            at_rest: false,
         }
     }
 
     /// Kinematics of the links and loads at a stage.
     fn evaluate_loads(&mut self, at: Stage<'_, S>) {
         self.links.update(&self.model, at.q, at.v);
-        let shares = self.shares();
+        let (shares, at_rest) = (self.shares(), self.at_rest);
         let Self { model, links, forces, drives, loads, .. } = self;
         loads.clear();
         let moments = shares.moments(model, links, at);
         for force in forces.iter_mut() {
             force.apply(&moments.of_forces, loads);
         }
-        for drive in drives.iter() {
+        for drive in drives.iter().filter(|drive| !(at_rest && matches!(drive, Drive::Prescribed(_)))) {
             drive.apply(&moments.of_drives, loads);
         }
     }

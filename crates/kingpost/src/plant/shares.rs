@@ -83,9 +83,10 @@ impl<S: Scalar> Plant<S> {
         self.shares().drives
     }
 
-    /// Takes the waves out of the sea, or lets them come back.
-    pub fn set_calm(&mut self, calm: bool) {
-        self.forces.iter_mut().filter_map(Force::hull_mut).for_each(|hull| hull.calm = calm);
+    /// For an equilibrium: takes the waves out of the sea, and holds what moves as prescribed.
+    pub fn set_at_rest(&mut self, at_rest: bool) {
+        self.at_rest = at_rest;
+        self.forces.iter_mut().filter_map(Force::hull_mut).for_each(|hull| hull.calm = at_rest);
     }
 
     /// Appends to the inputs what forces hold where a run begins.

@@ -52,8 +52,8 @@ pub enum NoEquilibrium {
 }
 
 impl Simulation {
-    /// Moves to an equilibrium near here, all rates zero, in a sea without waves, and begins the
-    /// ledger anew there.
+    /// Moves to an equilibrium near here, all rates zero, without waves and with what is prescribed
+    /// held, and begins the ledger anew there.
     ///
     /// Newton's iteration, led by pseudo-transient continuation (Kelley & Keyes, SIAM J. Numer.
     /// Anal. 35, 1998): `(1/delta - A) dx = v'`, where delta grows as the accelerations vanish. So it
@@ -65,13 +65,13 @@ impl Simulation {
     /// Nothing at which all accelerations vanish was found; the simulation stands where it stood.
     pub fn settle(&mut self) -> Result<Equilibrium, NoEquilibrium> {
         let mut there = self.clone();
-        there.plant.set_calm(true);
-        let found = there.settle_in_calm_water()?;
+        there.plant.set_at_rest(true);
+        let found = there.settle_at_rest()?;
         self.set_state(&there.state.q, &there.state.v, Some(&there.state.s))?;
         Ok(found)
     }
 
-    fn settle_in_calm_water(&mut self) -> Result<Equilibrium, NoEquilibrium> {
+    fn settle_at_rest(&mut self) -> Result<Equilibrium, NoEquilibrium> {
         let still = vec![0.0; self.state.v.len()];
         // Of the extra states those of the drives stay: they say where a lever has led them.
         let kept = self.state.s[ledger::COUNT..][..self.plant.drive_state_count()].to_vec();

@@ -60,7 +60,7 @@ fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), F
         FieldError::new(FIELD, "true, where nothing keeps the model in its place", "false, for a derivative")
     })?;
     let mut plant = Plant::new(setup.model.clone(), setup.forces.clone(), setup.drives.clone());
-    plant.set_calm(true);
+    plant.set_at_rest(true);
     let still = vec![S::ZERO; setup.v.len()];
     let s = plant.open_ledger(&setup.q, &still);
     let mut d = setup.inputs.iter().map(|input| S::constant(input.value)).collect();
