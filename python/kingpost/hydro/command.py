@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import progress
 from ..errors import HydrodynamicsError
+from . import import_command, importers
 from .build import DIRECTIONS, FREQUENCIES, build, default_frequencies
 from .database import Database, Radiation, Water, check_output, write
 from .drift import Loading
@@ -34,7 +35,8 @@ PANELS = 900
 def add_options(command: argparse.ArgumentParser) -> None:
     """The command's options."""
     command.add_argument("hull", metavar="HULL", help=(
-        "a mesh file (STL, OBJ, GDF, what meshio reads) or a parametric hull such as "
+        "a mesh file (STL, OBJ, GDF, what meshio reads), another program's database "
+        f"({importers.KINDS}), or a parametric hull such as "
         f"box:length_m=20,beam_m=10,draught_m=2,depth_m=5; of {', '.join(SHAPES)}"))  # fmt: skip
     command.add_argument("-o", "--output", metavar="FILE", required=True, help="database, NAME.hydro.json")
     command.add_argument("--title", metavar="TEXT", help="title of the database (default: the hull)")
@@ -47,20 +49,26 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--draught_m", metavar="T", type=float,
                          help="draught of a mesh file's hull (default: the water is at z = 0)")  # fmt: skip
     command.add_argument("--water_depth_m", metavar="H", type=float, help="water depth (default: infinite)")
-    command.add_argument("--density_kg_m3", metavar="RHO", type=float, default=Water.density_kg_m3,
-                         help="density of the water (default: %(default)s)")  # fmt: skip
+    command.add_argument("--density_kg_m3", metavar="RHO", type=float,
+                         help=f"density of the water (default: {Water.density_kg_m3:g})")  # fmt: skip
     command.add_argument("--lid", action=argparse.BooleanOptionalAction, default=None,
                          help="lid against irregular frequencies (default: if deep enough)")  # fmt: skip
     command.add_argument("--loading", metavar="L", help=(
         "computes the mean drift of the hull so loaded: kg_m=,roll_gyration_m=,pitch_gyration_m=,"
         "yaw_gyration_m=, and roll_damping_ratio= (default: 0.05 of the critical)"))  # fmt: skip
     command.add_argument("--flip_normals", action="store_true", help="turn a mesh file's normals round")
+    command.add_argument("--highest_rad_s", metavar="W", type=float,
+                         help="frequencies above it are left out of the fit of the memory")  # fmt: skip
+    import_command.add_options(command)
 
 
 def run(options: argparse.Namespace) -> Database:
     """Do what the options ask, print a summary and return the database."""
     # What takes no time is checked before what takes minutes.
     target = check_output(options.output)
+    if importers.recognise(options.hull) is not None:
+        return _fitted(import_command.run(options), options.highest_rad_s, target)
+    import_command.refuse(options)
     water = _water(options)
     given = options.frequencies_rad_s
     frequencies = None if given is None else parse_frequencies(given)
@@ -76,7 +84,11 @@ def run(options: argparse.Namespace) -> Database:
         title = options.title or hull.source
         lid, directions = options.lid, options.directions
         database = build(hull, water, title, frequencies, directions, lid, loading, update)
-    radiation = fit(database)
+    return _fitted(database, options.highest_rad_s, target)
+
+
+def _fitted(database: Database, highest_rad_s: float | None, target: Path) -> Database:
+    radiation = fit(database, highest_rad_s=highest_rad_s)
     database = replace(database, radiation=radiation)
     print(f"{'memory of the water':<20}{_states(radiation)} states, fitted to {radiation.fit_error:.2%}")
     print(f"{'written':<20}{write(database, target)}")
@@ -93,7 +105,8 @@ def _water(options: argparse.Namespace) -> Water:
         value = getattr(options, name)
         if value is not None and not (math.isfinite(value) and value > 0):
             raise HydrodynamicsError(f"--{name}", f"{value:g}", "a number greater than 0")
-    return Water(density_kg_m3=options.density_kg_m3, depth_m=options.water_depth_m)
+    given = options.density_kg_m3
+    return Water(Water.density_kg_m3 if given is None else given, depth_m=options.water_depth_m)
 
 
 def _check_count(name: str, found: int, least: int) -> None:

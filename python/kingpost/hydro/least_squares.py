@@ -15,20 +15,23 @@ Array = NDArray[np.float64]
 def nonnegative(matrix: Array, right: Array) -> Array:
     """The x >= 0 of least |matrix x - right|.
 
-    >>> nonnegative(np.eye(2), np.array([1.0, -1.0])).tolist()
+    >>> nonnegative(np.eye(2), np.array([1.0, -1.0])).round(12).tolist()
     [1.0, 0.0]
     """
     n = matrix.shape[1]
     x, free = np.zeros(n), np.zeros(n, bool)
+    # Columns that are nearly parallel are told apart no better than this.
+    square = matrix.T @ matrix + 1e-14 * np.eye(n) * (matrix**2).sum(axis=0).max(initial=0.0)
+    projected = matrix.T @ right
     tolerance = 1e-13 * np.abs(matrix).sum(axis=0).max() * np.linalg.norm(right)
     for _ in range(10 * n):
-        gradient = matrix.T @ (right - matrix @ x)
+        gradient = projected - square @ x
         if free.all() or gradient[~free].max() <= tolerance:
             break
         free[np.argmax(np.where(free, -np.inf, gradient))] = True
         while True:
             trial = np.zeros(n)
-            trial[free] = np.linalg.lstsq(matrix[:, free], right, rcond=None)[0]
+            trial[free] = np.linalg.solve(square[np.ix_(free, free)], projected[free])
             if trial[free].min(initial=0.0) >= 0.0 and (trial[free] > 0.0).all():
                 break
             blocking = free & (trial <= 0.0)

@@ -109,3 +109,22 @@ def cosine_transform(omega: Array, values: Array, t: Array) -> Array:
             ends = flat[-1] * np.sin(omega[-1] * moment) - flat[0] * np.sin(omega[0] * moment)
             found[row] = ends / moment + difference @ slope / moment**2
     return (2.0 / np.pi) * found.reshape(len(t), *values.shape[1:])
+
+
+def added_mass_infinite(omega: Array, added_mass: Array, damping: Array) -> Array:
+    """A_inf = A(w) - (2/pi) P integral_0^inf B(x) / (x^2 - w^2) dx, the median over the middle frequencies.
+
+    It is the third of Ogilvie's relations with the second put in. The singularity goes with
+    P integral_0^inf dx / (x^2 - w^2) = 0: the integrand is (B(x) - B(w)) / (x^2 - w^2).
+    """
+    fine, values = damping_on_a_fine_grid(omega, damping)
+    found = []
+    for k in range(len(omega) // 4, len(omega) - len(omega) // 4):
+        # Beyond the grid B is nothing and -B(w) / (x^2 - w^2) is left, whose integral is known.
+        w, away = omega[k], np.abs(fine - omega[k]) > 1e-9 * omega[k]
+        x = fine[away]
+        integrand = (values[away] - damping[k]) / (x**2 - w**2)[:, None, None]
+        integral = (0.5 * (integrand[1:] + integrand[:-1]) * np.diff(x)[:, None, None]).sum(axis=0)
+        rest = damping[k] / (2 * w) * np.log((x[-1] + w) / (x[-1] - w))
+        found.append(added_mass[k] - (2.0 / np.pi) * (integral - rest))
+    return np.median(found, axis=0)

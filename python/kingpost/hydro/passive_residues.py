@@ -29,6 +29,8 @@ ROUNDS = 60
 # Eigenvalues of the scaled Re K are kept above this, the peak of K being 1.
 MARGIN = 1e-5
 REFINEMENTS = 4
+# How many of the lowest points are looked at more closely, or cut off, at a time.
+AT_ONCE = 60
 
 
 @dataclass(frozen=True)
@@ -97,6 +99,12 @@ def zero_at_zero(poles: ComplexArray) -> Array:
     return np.linalg.svd(row)[2][1:].T
 
 
+def best_residues(poles: ComplexArray, problem: Problem) -> ComplexArray:
+    """Residues (pole, size, size) of the best fit with K(0) = 0, passive or not."""
+    span = zero_at_zero(poles)
+    return _matrices(poles, span @ _unconstrained(poles, problem, span)[1], problem)
+
+
 def passive_residues(poles: ComplexArray, problem: Problem) -> ComplexArray | None:
     """Residues (pole, size, size) of the best passive fit; `None` where no fit with these poles is."""
     span = zero_at_zero(poles)
@@ -107,14 +115,14 @@ def passive_residues(poles: ComplexArray, problem: Problem) -> ComplexArray | No
     real_part = grid.scaled_real_part(poles) @ span
     for _ in range(ROUNDS):
         values, vectors = np.linalg.eigh(_symmetric(real_part @ unknowns, problem))
-        lowest = _local_minima(values)
+        lowest = _lowest_points(values)
         if not (values < 0.5 * MARGIN).any():
             if refinements == REFINEMENTS:
                 return _matrices(poles, span @ unknowns, problem)
-            refinements, grid = refinements + 1, grid.about(lowest.any(axis=1).nonzero()[0])
+            refinements, grid = refinements + 1, grid.about(np.unique(lowest[:, 0]))
             real_part = grid.scaled_real_part(poles) @ span
             continue
-        at = [(k, vectors[k, :, mode]) for k, mode in np.argwhere(lowest & (values < 0.5 * MARGIN))]
+        at = [(k, vectors[k, :, mode]) for k, mode in lowest if values[k, mode] < 0.5 * MARGIN]
         # z = doubled triangle (y - best) of each entry turns the sum of squares into |z|^2.
         whitened = np.linalg.solve(triangle.T, real_part[[k for k, _ in at]].T).T
         for (k, v), row in zip(at, whitened, strict=True):
@@ -126,15 +134,19 @@ def passive_residues(poles: ComplexArray, problem: Problem) -> ComplexArray | No
         found = least_distance(cuts, bounds)
         if found is None:
             return None
+        # Those that do not touch the solution are left out, and come again if they must.
+        touching = cuts @ found - bounds < 1e-9
+        cuts, bounds = cuts[touching], bounds[touching]
         unknowns = best + np.linalg.solve(triangle, found.reshape(len(doubled), -1).T / doubled)
     return None
 
 
-def _local_minima(values: Array) -> NDArray[np.bool_]:
-    """Where a column is no larger than its neighbours."""
+def _lowest_points(values: Array) -> NDArray[np.intp]:
+    """(point, eigenvalue) of the lowest local minima along the grid."""
     fence = np.full((1, values.shape[1]), np.inf)
     padded = np.vstack([fence, values, fence])
-    return np.asarray((values <= padded[:-2]) & (values <= padded[2:]))
+    minima = np.argwhere((values <= padded[:-2]) & (values < padded[2:]))
+    return minima[np.argsort(values[minima[:, 0], minima[:, 1]], kind="stable")[:AT_ONCE]]
 
 
 def _unconstrained(poles: ComplexArray, problem: Problem, span: Array) -> tuple[Array, Array]:

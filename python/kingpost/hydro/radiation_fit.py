@@ -21,7 +21,7 @@ from ..errors import HydrodynamicsError
 from .database import Radiation, RadiationMode
 from .dataset import MOTIONS
 from .memory import frequency_response, tail
-from .passive_residues import Problem, passive_residues
+from .passive_residues import Problem, best_residues, passive_residues
 from .vector_fitting import common_poles, partial_fractions
 
 if TYPE_CHECKING:
@@ -197,20 +197,24 @@ def _fit_group(
     problem = _problem(data, group, limit)
     target = data.scaled[:, group][:, :, group]
     least, worst = np.inf, 0
-    for states in range(2, most_states + 1):
+    for states in range(2, min(most_states, len(data.omega)) + 1):
         poles = common_poles(problem.responses, problem.omega, problem.weights, states)
-        residues = passive_residues(poles, problem)
-        if residues is None:
-            continue
+        residues = best_residues(poles, problem)
         error = _values(poles, residues, data.omega) - target
+        # What misses the limit without passivity misses it with it.
         if data.largest(error) <= limit:
-            return poles, residues
+            passive = passive_residues(poles, problem)
+            if passive is None:
+                continue
+            error = _values(poles, passive, data.omega) - target
+            if data.largest(error) <= limit:
+                return poles, passive
         if data.largest(error) < least:
             least, worst = data.largest(error), int(data.by_frequency(error).argmax())
     omega, names = data.omega, ", ".join(MOTIONS[motion] for motion in group)
     raise HydrodynamicsError(
         f"radiation of {names}",
-        f"an error of {least:.3g} at {omega[worst]:.4g} rad/s with up to {most_states} poles",
+        f"an error of {least:.3g} at {omega[worst]:.4g} rad/s with up to {states} poles",
         f"at most {limit:.3g} of the peak; compute more frequencies or a wider range ({len(omega)} from "
         f"{omega[0]:.3g} to {omega[-1]:.3g} rad/s here), remove irregular frequencies with a lid, or leave "
         "out those above which the panels are too large (highest_rad_s)",

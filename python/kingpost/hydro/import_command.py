@@ -1,0 +1,58 @@
+"""`kingpost hydro FILE.h5 -o X.hydro.json`: from another program's file to a database."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import fields
+
+from ..errors import HydrodynamicsError
+from . import importers
+from .database import Database
+
+SHARED = ("density_kg_m3", "water_depth_m", "draught_m")
+TRUE = {"yes": True, "no": False}
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """What a file may leave unsaid; `SHARED` are options of `kingpost hydro` already."""
+    group = command.add_argument_group(
+        "another program's file", "what the file does not say is asked for; nothing is assumed"
+    )
+    for field in fields(importers.Options):
+        if field.name not in SHARED:
+            group.add_argument(f"--{field.name}", metavar="V", help=importers.ALLOWED[field.name])
+
+
+def run(options: argparse.Namespace) -> Database:
+    """Read the file and check it."""
+    given = {
+        field.name: parsed(field.name, getattr(options, field.name))
+        for field in fields(importers.Options)
+        if getattr(options, field.name) is not None
+    }
+    return importers.load(options.hull, importers.Options(**given), options.title)
+
+
+def refuse(options: argparse.Namespace) -> None:
+    """Options of other programs' files have no meaning for a hull."""
+    allowed = f"another program's file: {importers.KINDS}"
+    for field in fields(importers.Options):
+        if field.name not in SHARED and getattr(options, field.name) is not None:
+            raise HydrodynamicsError(f"--{field.name}", "a hull", allowed)
+
+
+def parsed(name: str, text: object) -> object:
+    """An option's value from the command line.
+
+    >>> parsed("reference_m", "0,0,-2"), parsed("restoring_includes_weight", "no")
+    ((0.0, 0.0, -2.0), False)
+    """
+    if not isinstance(text, str) or name in importers.CHOICES:
+        return text
+    if name == "restoring_includes_weight":
+        return TRUE.get(text, text)
+    try:
+        numbers = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        raise HydrodynamicsError(f"--{name}", repr(text), importers.ALLOWED[name]) from None
+    return numbers if name in importers.VECTORS else numbers[0] if len(numbers) == 1 else text

@@ -1,0 +1,210 @@
+"""From what a foreign file says to a database: about the origin, without weight, round the circle."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ... import __version__
+from ...errors import HydrodynamicsError
+from ..checks import check
+from ..database import Database, Hull, Provenance, Water, Waterplane
+from ..memory import added_mass_infinite
+from .directions import whole_circle
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from .foreign import Foreign, Options
+
+# Waves are long against a hull where omega^2 L / g is at most this; there the water's acceleration is known.
+LONGEST_COUNT = 0.4
+LONG_WAVE_ERROR = 0.2
+
+
+def convert(foreign: Foreign, options: Options, title: str) -> Database:
+    """Settle what the file leaves open, move all to the origin, take the weight out, check.
+
+    Raises
+    ------
+    HydrodynamicsError
+        When something is neither in the file nor given, or what was given cannot be right.
+    """
+    notes = ["zero forward speed"]
+    foreign, file = _finite(foreign, notes), foreign.file
+    water = _water(foreign, options)
+    reference = np.array(options.settled("reference_m", foreign.reference_m, file), float)
+    motion = about_origin(reference)
+    infinite = _infinite(foreign, options, notes)
+    hull = _hull(foreign, options, water, reference)
+    excitation = foreign.excitation @ motion
+    if foreign.froude_krylov is None:
+        froude_krylov, diffraction = np.zeros_like(excitation), excitation
+        notes.append("Froude-Krylov forces are not apart in the file: all excitation stands in diffraction")
+    else:
+        froude_krylov = foreign.froude_krylov @ motion
+        diffraction = excitation - froude_krylov
+    directions, froude_krylov = whole_circle(foreign.directions_rad, froude_krylov, options, file)
+    _, diffraction = whole_circle(foreign.directions_rad, diffraction, options, file)
+    database = Database(
+        title=title,
+        provenance=Provenance(
+            f"kingpost hydro {__version__}", foreign.solver, _name(file), notes=tuple(notes)
+        ),
+        water=water,
+        hull=hull,
+        frequencies_rad_s=foreign.frequencies_rad_s,
+        wave_directions_rad=directions,
+        added_mass=motion.T @ foreign.added_mass @ motion,
+        radiation_damping=motion.T @ foreign.radiation_damping @ motion,
+        added_mass_infinite=motion.T @ infinite @ motion,
+        froude_krylov=froude_krylov,
+        diffraction=diffraction,
+    )  # fmt: skip
+    check_long_waves(database, file)
+    check(database)
+    return database
+
+
+def _finite(foreign: Foreign, notes: list[str]) -> Foreign:
+    """Without the frequencies at which the solver found no numbers, as Capytaine does at the lowest."""
+    kept = np.isfinite(foreign.excitation).all(axis=(1, 2))
+    for matrices in (foreign.added_mass, foreign.radiation_damping):
+        kept &= np.isfinite(matrices).all(axis=(1, 2))
+    if kept.all():
+        return foreign
+    if not kept.any():
+        raise HydrodynamicsError("added_mass", "no numbers at any frequency", "finite numbers", foreign.file)
+    lost = foreign.frequencies_rad_s[~kept]
+    notes.append(
+        f"{len(lost)} frequencies left out for which the file has no numbers, from {lost[0]:.4g} rad/s"
+    )
+    apart = foreign.froude_krylov
+    return replace(
+        foreign,
+        frequencies_rad_s=foreign.frequencies_rad_s[kept],
+        added_mass=foreign.added_mass[kept],
+        radiation_damping=foreign.radiation_damping[kept],
+        excitation=foreign.excitation[kept],
+        froude_krylov=None if apart is None else apart[kept],
+    )
+
+
+def about_origin(reference_m: NDArray[np.float64]) -> NDArray[np.float64]:
+    """T of nu_R = T nu_O, v_R = v_O + omega x R; so F_O = T^T F_R and A_O = T^T A_R T.
+
+    >>> float(about_origin(np.array([0.0, 0.0, -2.0]))[0, 4])
+    -2.0
+    """
+    x, y, z = reference_m
+    motion = np.eye(6)
+    motion[:3, 3:] = [[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]]
+    return motion
+
+
+def _name(file: str) -> str:
+    return file.replace("\\", "/").rpartition("/")[2]
+
+
+def _water(foreign: Foreign, options: Options) -> Water:
+    file = foreign.file
+    density = float(options.settled("density_kg_m3", foreign.density_kg_m3, file))
+    gravity = float(options.settled("gravity_m_s2", foreign.gravity_m_s2, file))
+    depth = float(options.settled("water_depth_m", foreign.water_depth_m, file))
+    return Water(density, gravity, None if np.isinf(depth) else depth)
+
+
+def _infinite(foreign: Foreign, options: Options, notes: list[str]) -> NDArray[np.float64]:
+    if foreign.added_mass_infinite is not None:
+        return foreign.added_mass_infinite
+    options.asked("added_mass_infinite", foreign.file)
+    notes.append("added mass at infinite frequency by Ogilvie's relation from A and B")
+    return added_mass_infinite(foreign.frequencies_rad_s, foreign.added_mass, foreign.radiation_damping)
+
+
+def _hull(foreign: Foreign, options: Options, water: Water, reference: NDArray[np.float64]) -> Hull:
+    """Waterplane moments about the origin from the restoring matrix, its weight taken out.
+
+    With S the waterplane, V the volume, B its centre, G the weight's and R the reference point, for a hull
+    that floats freely (mass rho V): C_33 = rho g S, C_34 = rho g Int (y - y_R), C_35 = -rho g Int (x - x_R),
+    C_44 = rho g (Int (y - y_R)^2 + V (z_B - z_R)) - rho V g (z_G - z_R), C_55 the same with x,
+    C_45 = -rho g Int (x - x_R) (y - y_R) (J. N. Newman, Marine Hydrodynamics, MIT Press 1977, section 6.16).
+    """
+    file = foreign.file
+    volume = float(options.settled("volume_m3", foreign.volume_m3, file))
+    buoyancy = np.array(options.settled("centre_of_buoyancy_m", foreign.centre_of_buoyancy_m, file), float)
+    if foreign.restoring is None:
+        options.asked("restoring", file)
+    stiffness = foreign.restoring / (water.density_kg_m3 * water.gravity_m_s2)
+    lever = buoyancy[2] - reference[2]
+    if options.settled("restoring_includes_weight", foreign.restoring_includes_weight, file):
+        gravity_centre = options.settled("centre_of_gravity_m", foreign.centre_of_gravity_m, file)
+        lever -= float(gravity_centre[2]) - reference[2]
+    area = stiffness[2, 2]
+    x, y = reference[:2]
+    first = np.array([-stiffness[2, 4], stiffness[2, 3]])
+    second = np.array([stiffness[4, 4], -stiffness[3, 4], stiffness[3, 3]]) - volume * lever * np.array(
+        [1, 0, 1]
+    )
+    second += [2 * x * first[0] + x * x * area, x * first[1] + y * first[0] + x * y * area,
+               2 * y * first[1] + y * y * area]  # fmt: skip
+    hull = Hull(
+        draught_m=float(options.settled("draught_m", foreign.draught_m, file)),
+        length_m=float(options.asked("length_m", file)),
+        beam_m=float(options.asked("beam_m", file)),
+        volume_m3=volume,
+        centre_of_buoyancy_m=buoyancy,
+        waterplane=Waterplane(float(area), first + area * np.array([x, y]), second),
+    )
+    _check_waterplane(hull, file)
+    return hull
+
+
+def _check_waterplane(hull: Hull, file: str) -> None:
+    """A waterplane of this area within this length and beam has second moments between 0 and these."""
+    plane = hull.waterplane
+    if not plane.area_m2 > 0.0:
+        raise HydrodynamicsError("restoring", f"a waterplane of {plane.area_m2:.4g} m2", "more than 0", file)
+    centre = plane.first_moments_m3 / plane.area_m2
+    own = plane.second_moments_m4[[0, 2]] / plane.area_m2 - centre**2
+    for name, square, extent in zip(("length_m", "beam_m"), own, (hull.length_m, hull.beam_m), strict=True):
+        if not 0.0 < square <= 0.25 * extent**2:
+            raise HydrodynamicsError(
+                "restoring",
+                f"a waterplane of radius of gyration squared {square:.4g} m2 with {name} {extent:.4g}",
+                f"between 0 and {0.25 * extent**2:.4g} m2; check restoring_includes_weight, reference_m, "
+                "centre_of_gravity_m and centre_of_buoyancy_m",
+                file,
+            )
+
+
+def check_long_waves(database: Database, file: str) -> None:
+    """In the longest wave the hull follows the water; wrong units or a wrong sign of time show there.
+
+    X_3 = C_33 - w^2 (rho V + A_33), and X_1 = -i w^2 (rho V + A_11) cos b in deep water.
+
+    Waves that are not long against the hull say nothing, and are not looked at.
+    """
+    water, hull = database.water, database.hull
+    omega = database.frequencies_rad_s[0]
+    shallow = water.depth_m is not None and water.depth_m < hull.length_m
+    if shallow or omega**2 * hull.length_m / water.gravity_m_s2 > LONGEST_COUNT:
+        return
+    excitation = database.excitation[0]
+    restoring = water.density_kg_m3 * water.gravity_m_s2 * hull.waterplane.area_m2
+    mass = water.density_kg_m3 * hull.volume_m3
+    wanted = restoring - omega**2 * (mass + database.added_mass[0, 2, 2])
+    heave = excitation[:, 2].mean()
+    if abs(heave - wanted) > LONG_WAVE_ERROR * restoring:
+        raise HydrodynamicsError(
+            "excitation", f"{heave.real:.4g} {heave.imag:+.4g}i N/m in heave in waves of {omega:.3g} rad/s",
+            f"about {wanted:.4g} N/m, by restoring and inertia; check density, gravity, length_scale_m", file,
+        )  # fmt: skip
+    surge = (excitation[:, 0] * np.cos(database.wave_directions_rad)).sum()
+    if surge.imag > 0.1 * abs(surge):
+        raise HydrodynamicsError(
+            "excitation", f"a surge force that leads by {np.degrees(np.angle(surge)):.3g} deg in long waves",
+            "-90 deg for exp(-i w t): the sign of time or of the wave directions is the other one", file,
+        )  # fmt: skip
