@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 WORLD = "world"
 
 # What acts on bodies without carrying them.
-CARRIES_NOTHING = ("gravity", "viscous_damping")
+CARRIES_NOTHING = ("gravity", "quadratic_damping", "viscous_damping")
 
 
 def text(scenario: Scenario, coordinates: Sequence[str]) -> str:

@@ -38,6 +38,8 @@ pub enum Dimension {
     Cylinder,
     /// Hulls in the water by the name of their force.
     Hull,
+    /// Mooring lines by the name of their force.
+    Line,
 }
 
 /// The frame of a vector's components.
@@ -110,7 +112,8 @@ enum Unit {
 
 use Components::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, SlowFrame as InSlowFrame, World};
 use Dimension::{
-    Axis, Body, Component, Constraint, Coordinate, Cylinder, Hull, Joint, Loop, Point, Quaternion as QuaternionDim,
+    Axis, Body, Component, Constraint, Coordinate, Cylinder, Hull, Joint, Line, Loop, Point,
+    Quaternion as QuaternionDim,
 };
 use Unit::{Coordinate as By, Plain};
 
@@ -119,7 +122,7 @@ struct Table<S>(PhantomData<S>);
 #[rustfmt::skip]
 impl<S: Scalar> Table<S> {
     /// Every channel: the single source of names, units and frames.
-    const ENTRIES: [Entry<S>; 35] = [
+    const ENTRIES: [Entry<S>; 36] = [
         Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
         Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
             write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
@@ -158,6 +161,8 @@ impl<S: Scalar> Table<S> {
             write: |x, out| out.extend(x.observed.hulls.iter().flat_map(|hull| hull.radiation_force)) },
         Entry { variable: "water_kinetic_energy", long_name: "the water's part of the kinetic energy, by the infinite-frequency added mass", unit: Plain("J"), frame: Number, dims: &[Hull],
             write: |x, out| out.extend(x.observed.hulls.iter().map(|hull| hull.water_kinetic_energy)) },
+        Entry { variable: "line_tension", long_name: "tension of a line at its first end, or its fairlead", unit: Plain("N"), frame: Number, dims: &[Line],
+            write: |x, out| out.extend(x.observed.line_tensions) },
         Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
             write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
         Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
@@ -230,6 +235,7 @@ impl Dimension {
             Loop => loops::names(model),
             Constraint => model.constraint_names(),
             Hull => forces.iter().filter_map(Force::hull).map(|hull| hull.name.clone()).collect(),
+            Line => forces.iter().filter_map(Force::line).map(str::to_owned).collect(),
             Cylinder => drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.name.clone()).collect(),
         }
     }

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{every_joint, everything};
+use common::{assert_linearised, every_joint, everything};
 use kingpost::analysis::{Linearizer, gradient};
 use kingpost::scenario::{Scenario, read};
 use kingpost::simulation::{NoEquilibrium, Simulation};
@@ -34,53 +34,14 @@ forces:
     )
 }
 
-/// Accelerations of all coordinates a little away from where a simulation stands.
-fn accelerations(simulation: &Simulation, xi: &[f64], dv: &[f64]) -> Vec<f64> {
-    let mut moved = simulation.clone();
-    let q = simulation.moved(&simulation.state().q, xi);
-    let v: Vec<f64> = simulation.state().v.iter().zip(dv).map(|(v, dv)| v + dv).collect();
-    moved.set_state(&q, &v, None).expect("a motion of the model");
-    moved.acceleration(None).expect("no forces beside its own")
-}
-
 #[test]
 fn the_linearised_system_is_what_central_differences_say() {
-    linearised_as_differences_say(&everything("recursive"));
+    assert_linearised(&everything("recursive"));
 }
 
 #[test]
 fn so_it_is_with_every_kind_of_joint() {
-    linearised_as_differences_say(&every_joint());
-}
-
-/// Central differences with step h err by h squared times a third derivative, and by rounding over h.
-fn linearised_as_differences_say(text: &str) {
-    let scenario = scenario(text);
-    let mut simulation = simulation(&scenario);
-    simulation.step(200).expect("a second of motion");
-    let mut linearizer = Linearizer::new(&scenario).expect("the scenario builds");
-    let linear = linearizer.at(&simulation);
-    let free: Vec<usize> = linearizer.positions().collect();
-    let (n, h) = (free.len(), 1e-6);
-    let still = vec![0.0; simulation.state().v.len()];
-    let scale = linear.a.amax();
-    for (k, &i) in free.iter().enumerate() {
-        let along = |by: f64| {
-            let mut along = still.clone();
-            along[i] = by;
-            along
-        };
-        let by_position =
-            [accelerations(&simulation, &along(h), &still), accelerations(&simulation, &along(-h), &still)];
-        let by_rate = [accelerations(&simulation, &still, &along(h)), accelerations(&simulation, &still, &along(-h))];
-        for row in 0..n {
-            for (column, [ahead, behind]) in [(k, &by_position), (n + k, &by_rate)] {
-                let difference = (ahead[row] - behind[row]) / (2.0 * h);
-                assert!((linear.a[(n + row, column)] - difference).abs() < 1e-7 * scale, "row {row}, column {column}");
-            }
-        }
-    }
-    assert_eq!(linear.rates[n..2 * n], simulation.acceleration(None).expect("accelerations")[..]);
+    assert_linearised(&every_joint());
 }
 
 /// A = [0 1; -m g l / J  -c / J] with J = 1 + m l^2 about the hinge.

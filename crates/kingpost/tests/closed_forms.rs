@@ -4,6 +4,7 @@ mod common;
 
 use common::closed_forms::{GRAVITY, Pendulum};
 use kingpost::drives::{Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use kingpost::forces::hull::HullFrame;
 use kingpost::forces::{Force, Gravity, JointDamping, ViscousDamping};
 use kingpost::model::joint::{Floating, Prismatic, Revolute};
 use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
@@ -102,7 +103,9 @@ fn viscous_damping_lets_a_rate_decay_exponentially() {
     let still = (start.0.clone(), vec![0.0, 2.0, 0.0, 0.0, 0.0, 0.0]);
     let (linear, angular) = (Vector3::new(0.0, 4.0, 0.0), Vector3::new(0.0, 0.0, 5.0));
     let damped = |start| {
-        let damping = Force::ViscousDamping(ViscousDamping { body: 0, linear, angular });
+        let (place, current) = (HullFrame { body: 0, origin: Vector3::zero() }, Vector3::zero());
+        let damping = ViscousDamping { place, linear, angular, matrix: None, current };
+        let damping = Force::ViscousDamping(Box::new(damping));
         simulation(vec![body("ship", None, floating(), 8.0, [2.0; 3])], vec![damping], vec![], 0.005, start)
     };
     let mut turning = damped(start);

@@ -1492,10 +1492,17 @@ export type Force =
       viscous_damping: ViscousDamping;
     }
   | {
+      quadratic_damping: QuadraticDamping;
+    }
+  | {
       hydrodynamics: Hydrodynamics;
+    }
+  | {
+      spring_line: SpringLine;
     };
 /**
- * A force and a moment against a body's velocity and angular velocity, each in body axes.
+ * A force and a moment against a body's velocity and angular velocity, each in body axes. Velocity is relative to the
+ * water where the sea has a current.
  */
 export type ViscousDamping = {
   /**
@@ -1507,7 +1514,15 @@ export type ViscousDamping = {
    */
   body: string;
   /**
-   * Force per velocity of the centre of mass along x, y, z of the body, N s/m.
+   * The point that the force acts at, and whose velocity counts, in the body's drawing frame, m; without it, the
+   * centre of mass.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number] | null;
+  /**
+   * Force per velocity of the point along x, y, z of the body, N s/m.
    *
    * @minItems 3
    * @maxItems 3
@@ -1534,6 +1549,23 @@ export type ViscousDamping = {
    * @maxItems 3
    */
   angular_kN_m_s?: [number, number, number];
+  /**
+   * Added to these: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity x, y, z (m/s) and roll,
+   * pitch, yaw rate (rad/s). No motion may gain energy from it.
+   *
+   * @minItems 6
+   * @maxItems 6
+   */
+  matrix?:
+    | [
+        [number, number, number, number, number, number],
+        [number, number, number, number, number, number],
+        [number, number, number, number, number, number],
+        [number, number, number, number, number, number],
+        [number, number, number, number, number, number],
+        [number, number, number, number, number, number]
+      ]
+    | null;
 };
 /**
  * The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, the waves that the hull makes
@@ -1585,6 +1617,36 @@ export type Hydrodynamics = {
    * The same as `slow_motion_cutoff_rad_s`, in the unit of this name.
    */
   slow_motion_cutoff_deg_s?: number;
+};
+/**
+ * A line without weight between two points on bodies, or on a body and in the world: a spring that pulls when it is
+ * longer than its unstretched length.
+ */
+export type SpringLine = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it is there.
+   */
+  enabled?: boolean;
+  first: Pin;
+  second: Pin1;
+  /**
+   * Length without tension, m.
+   */
+  unstretched_length_m: number;
+  /**
+   * EA: tension per strain, N.
+   */
+  axial_stiffness_N?: number;
+  /**
+   * The same as `axial_stiffness_N`, in the unit of this name.
+   */
+  axial_stiffness_kN?: number;
+  /**
+   * Damping along the line: a in T = EA/L0 s (1 + a s') at the stretch s, never less than 0, s/m.
+   */
+  dissipation_s_per_m?: number;
 };
 /**
  * What acts between two bodies, mostly in the joint that connects them.
@@ -1843,8 +1905,8 @@ export type Cylinder = {
    * Whether it acts.
    */
   enabled?: boolean;
-  first: Pin;
-  second: Pin1;
+  first: Pin2;
+  second: Pin3;
   /**
    * Length between the pins where the cylinder is drawn in, m: a stop.
    */
@@ -2408,7 +2470,42 @@ export interface Gravity {
   acceleration_m_s2?: number;
 }
 /**
- * Pin on one body.
+ * A force -c |v| v and a moment -c |omega| omega, component by component in body axes; v is relative to the water where
+ * the sea has a current.
+ */
+export interface QuadraticDamping {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The body.
+   */
+  body: string;
+  /**
+   * The point that the force acts at, and whose velocity counts, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * Force per square of velocity along x, y, z of the body, N s^2/m^2.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  linear_N_s2_m2?: [number, number, number];
+  /**
+   * Moment per square of the roll, pitch, yaw rate, N m s^2.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  angular_N_m_s2?: [number, number, number];
+}
+/**
+ * One end: the fairlead, say.
  */
 export interface Pin {
   /**
@@ -2424,9 +2521,41 @@ export interface Pin {
   position_m?: [number, number, number];
 }
 /**
- * Pin on the other.
+ * The other end: a bollard on the `world`, or on another body.
  */
 export interface Pin1 {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+}
+/**
+ * Pin on one body.
+ */
+export interface Pin2 {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+}
+/**
+ * Pin on the other.
+ */
+export interface Pin3 {
   /**
    * The body, or `world`.
    */

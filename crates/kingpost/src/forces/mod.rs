@@ -8,6 +8,8 @@ pub mod hull;
 mod joint_damping;
 mod joint_spring;
 mod joint_stop;
+mod quadratic_damping;
+mod spring_line;
 mod viscous_damping;
 
 pub use coulomb_friction::CoulombFriction;
@@ -16,6 +18,8 @@ pub use hull::Hull;
 pub use joint_damping::JointDamping;
 pub use joint_spring::JointSpring;
 pub use joint_stop::{JointStop, StopSide, hunt_crossley};
+pub use quadratic_damping::QuadraticDamping;
+pub use spring_line::SpringLine;
 pub use viscous_damping::ViscousDamping;
 
 use crate::dynamics::{LinkKinematics, Loads, Moment};
@@ -27,8 +31,10 @@ use crate::scalar::Scalar;
 pub enum Force<S = f64> {
     /// Weight of every body.
     Gravity(Gravity<S>),
-    /// Viscous moment and force on one body's own rates.
-    ViscousDamping(ViscousDamping<S>),
+    /// Damping of one body, in proportion to its rates.
+    ViscousDamping(Box<ViscousDamping<S>>),
+    /// Drag on one body, by the square of its speed.
+    QuadraticDamping(QuadraticDamping<S>),
     /// Viscous friction in a joint.
     JointDamping(JointDamping<S>),
     /// Dry friction in a joint.
@@ -39,6 +45,8 @@ pub enum Force<S = f64> {
     JointStop(JointStop<S>),
     /// The water on a hull.
     Hull(Box<Hull<S>>),
+    /// A line without weight.
+    SpringLine(Box<SpringLine<S>>),
 }
 
 impl<S: Scalar> Force<S> {
@@ -46,12 +54,14 @@ impl<S: Scalar> Force<S> {
     pub fn apply(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         match self {
             Force::Gravity(gravity) => gravity.apply(at.model, at.links, loads),
-            Force::ViscousDamping(damping) => damping.apply(at.model, at.links, loads),
+            Force::ViscousDamping(damping) => damping.apply(at, loads),
+            Force::QuadraticDamping(damping) => damping.apply(at, loads),
             Force::JointDamping(damping) => damping.apply(at.v, loads),
             Force::CoulombFriction(friction) => friction.apply(at.v, loads),
             Force::JointSpring(spring) => spring.apply(at.q, loads),
             Force::JointStop(stop) => stop.apply(at.q, at.v, loads),
             Force::Hull(hull) => hull.apply(at, loads),
+            Force::SpringLine(line) => line.apply(at, loads),
         }
     }
 
@@ -62,7 +72,11 @@ impl<S: Scalar> Force<S> {
             Force::JointSpring(spring) => spring.potential_energy(q),
             Force::JointStop(stop) => stop.potential_energy(q),
             Force::Hull(hull) => hull.potential_energy(model, links),
-            Force::ViscousDamping(_) | Force::JointDamping(_) | Force::CoulombFriction(_) => S::ZERO,
+            Force::SpringLine(line) => line.potential_energy(model, links),
+            Force::ViscousDamping(_)
+            | Force::QuadraticDamping(_)
+            | Force::JointDamping(_)
+            | Force::CoulombFriction(_) => S::ZERO,
         }
     }
 
@@ -74,6 +88,16 @@ impl<S: Scalar> Force<S> {
     /// The hull, to be asked what changes nothing but its working memory.
     pub fn hull_mut(&mut self) -> Option<&mut Hull<S>> {
         if let Force::Hull(hull) = self { Some(hull) } else { None }
+    }
+
+    /// The name of the line, where it is one.
+    pub fn line(&self) -> Option<&str> {
+        if let Force::SpringLine(line) = self { Some(&line.name) } else { None }
+    }
+
+    /// The tension of the line at its first end, N, where it is one.
+    pub fn line_tension(&self, at: &Moment<'_, S>) -> Option<S> {
+        if let Force::SpringLine(line) = self { Some(line.reading(at)) } else { None }
     }
 
     /// Number of its extra states.

@@ -1,28 +1,45 @@
-//! The paper's fictitious damping in place of the water: a moment against the ship's body rates.
+//! Damping in proportion to a body's rates: of a hull in the water, or the paper's in its place.
 
-use crate::dynamics::{LinkKinematics, Loads};
-use crate::model::Model;
+use super::hull::HullFrame;
+use crate::dynamics::{Loads, Moment};
 use crate::scalar::Scalar;
-use crate::spatial::{Vector3, Wrench};
+use crate::spatial::{Twist, Vector3, Wrench};
 
-/// `F = -c v` and `M = -zeta omega`, component by component in body axes.
-#[derive(Clone, Copy, Debug)]
+/// `F = -c v` and `M = -zeta omega`, component by component in body axes at a point, v relative to the
+/// water; and what a full 6x6 matrix adds, `(F, M) = -B (v, omega)`.
+#[derive(Clone, Debug)]
 pub struct ViscousDamping<S = f64> {
-    /// The damped body.
-    pub body: usize,
+    /// The damped body, and the point that the force acts at and whose velocity counts.
+    pub place: HullFrame<S>,
     /// c along x, y, z, N s/m.
     pub linear: Vector3<S>,
     /// zeta about x, y, z (roll, pitch, yaw), N m s.
     pub angular: Vector3<S>,
+    /// B, by rows force x, y, z and moment x, y, z; its symmetric part must not be negative.
+    pub matrix: Option<Box<[[S; 6]; 6]>>,
+    /// Velocity of the water in the world, m/s.
+    pub current: Vector3<S>,
 }
 
 impl<S: Scalar> ViscousDamping<S> {
-    /// Adds the damping and the heat that it makes.
-    pub fn apply(&self, model: &Model<S>, links: &LinkKinematics<S>, loads: &mut Loads<S>) {
-        let twist = links.body_twist(model, self.body);
-        let against = |c: Vector3<S>, rate: Vector3<S>| Vector3(core::array::from_fn(|i| c[i] * rate[i]));
-        let (moment, force) = (against(self.angular, twist.angular), against(self.linear, twist.linear));
-        loads.power.dissipated += moment.dot(twist.angular) + force.dot(twist.linear);
-        loads.wrenches.push((self.body, -Wrench { moment, force }));
+    /// Adds the damping, the heat that it makes, and the work of the current.
+    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let (through, stream) = self.place.through_water(at, self.current);
+        let along = |c: Vector3<S>, rate: Vector3<S>| Vector3(core::array::from_fn(|i| c[i] * rate[i]));
+        let mut wrench =
+            Wrench { moment: along(self.angular, through.angular), force: along(self.linear, through.linear) };
+        if let Some(matrix) = &self.matrix {
+            wrench += times(matrix, &through);
+        }
+        loads.power.dissipated += wrench.dot(&through);
+        loads.power.outside -= wrench.force.dot(stream);
+        loads.wrenches.push((self.place.body, self.place.about_centre(&-wrench)));
     }
+}
+
+fn times<S: Scalar>(matrix: &[[S; 6]; 6], twist: &Twist<S>) -> Wrench<S> {
+    let ([x, y, z], [roll, pitch, yaw]) = (twist.linear.0, twist.angular.0);
+    let rates = [x, y, z, roll, pitch, yaw];
+    let row = |i: usize| (0..6).fold(S::ZERO, |sum, j| sum + matrix[i][j] * rates[j]);
+    Wrench { force: Vector3([row(0), row(1), row(2)]), moment: Vector3([row(3), row(4), row(5)]) }
 }

@@ -3,9 +3,11 @@
 mod axes;
 mod bodies;
 mod cylinders;
+mod damping;
 mod drives;
 mod equilibrium;
 pub(super) mod flexible;
+mod lines;
 mod loops;
 pub mod reading;
 mod water;
@@ -16,7 +18,7 @@ use super::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenar
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::moving_frame::Variation;
 use crate::dynamics::pivots::massless_coordinate;
-use crate::forces::{Force, Gravity, ViscousDamping};
+use crate::forces::{Force, Gravity};
 use crate::integrate::Tolerances;
 use crate::model::Model;
 use crate::plant::Form;
@@ -151,20 +153,9 @@ fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result
                     forces.push(Force::Gravity(Gravity { acceleration }));
                 }
             }
-            ForceSchema::ViscousDamping(damping) => {
-                let field = format!("forces.{name}.viscous_damping.body");
-                known(&field, &damping.body, scenario.first().bodies.keys().map(|body| body.as_str()))?;
-                if scenario.first().bodies.get(&damping.body).is_some_and(|body| body.flexible.is_some()) {
-                    let allowed = "a body that is not flexible";
-                    return Err(FieldError::new(field, &damping.body, allowed));
-                }
-                if let (true, Some(body)) = (damping.enabled, model.body(&damping.body)) {
-                    let damping = all.kind(viscous_damping_of);
-                    let linear = damping.vector(|damping| damping.linear_n_s_m.map(|c| c.get()));
-                    let angular = damping.vector(|damping| damping.angular_n_m_s.map(|c| c.get()));
-                    forces.push(Force::ViscousDamping(ViscousDamping { body, linear, angular }));
-                }
-            }
+            ForceSchema::ViscousDamping(_) => forces.extend(damping::viscous(scenario, name, model)?),
+            ForceSchema::QuadraticDamping(_) => forces.extend(damping::quadratic(scenario, name, model)?),
+            ForceSchema::SpringLine(_) => forces.extend(lines::spring(scenario, name, model)?),
             // With what it does to the model: see `water`.
             ForceSchema::Hydrodynamics(_) => {}
         }
@@ -174,10 +165,6 @@ fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result
 
 fn gravity_of(force: &ForceSchema) -> Option<&schema::Gravity> {
     if let ForceSchema::Gravity(gravity) = force { Some(gravity) } else { None }
-}
-
-fn viscous_damping_of(force: &ForceSchema) -> Option<&schema::ViscousDamping> {
-    if let ForceSchema::ViscousDamping(damping) = force { Some(damping) } else { None }
 }
 
 /// An error unless `found` is one of `names`.

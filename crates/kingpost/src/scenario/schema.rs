@@ -12,6 +12,7 @@ mod hydrodynamics;
 mod integrators;
 mod joints;
 mod joints_of_several_axes;
+mod lines;
 mod loops;
 mod parameter;
 mod sea;
@@ -36,11 +37,12 @@ pub use drives::{Brake, BrakeState, Drive, History, LinearBrake, LinearMotor, Li
 pub use flexible::{
     CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
 };
-pub use forces::{Force, Gravity, ViscousDamping};
+pub use forces::{Force, Gravity, QuadraticDamping, ViscousDamping};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
 pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
+pub use lines::SpringLine;
 pub use loops::{Attachment, Constraint, Distance, Loop};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;

@@ -5,6 +5,7 @@ pub mod barge;
 pub mod closed_forms;
 pub mod trees;
 
+use kingpost::analysis::Linearizer;
 use kingpost::dynamics::Loads;
 use kingpost::model::{Mode, Model};
 use kingpost::simulation::{Setup, Simulation};
@@ -51,6 +52,46 @@ pub fn values(simulation: &mut Simulation, variable: &str) -> Vec<f64> {
     simulation.write_row(&mut row);
     let channel = simulation.channels().iter().find(|c| c.variable == variable).expect("a channel");
     row[channel.offset..][..channel.len].to_vec()
+}
+
+/// Holds the exact derivatives of a scenario after 200 steps to central differences. Those
+/// with step h err by h squared times a third derivative, and by rounding over h.
+pub fn assert_linearised(text: &str) {
+    let scenario = kingpost::scenario::read(text, "test.yaml", &[]).expect("the scenario reads");
+    let mut simulation = scenario.simulation().expect("the scenario builds");
+    simulation.step(200).expect("some motion");
+    let mut linearizer = Linearizer::new(&scenario).expect("the scenario builds");
+    let linear = linearizer.at(&simulation);
+    let free: Vec<usize> = linearizer.positions().collect();
+    let (n, h) = (free.len(), 1e-6);
+    let still = vec![0.0; simulation.state().v.len()];
+    let scale = linear.a.amax();
+    for (k, &i) in free.iter().enumerate() {
+        let along = |by: f64| {
+            let mut along = still.clone();
+            along[i] = by;
+            along
+        };
+        let by_position =
+            [accelerations(&simulation, &along(h), &still), accelerations(&simulation, &along(-h), &still)];
+        let by_rate = [accelerations(&simulation, &still, &along(h)), accelerations(&simulation, &still, &along(-h))];
+        for row in 0..n {
+            for (column, [ahead, behind]) in [(k, &by_position), (n + k, &by_rate)] {
+                let difference = (ahead[row] - behind[row]) / (2.0 * h);
+                assert!((linear.a[(n + row, column)] - difference).abs() < 1e-7 * scale, "row {row}, column {column}");
+            }
+        }
+    }
+    assert_eq!(linear.rates[n..2 * n], simulation.acceleration(None).expect("accelerations")[..]);
+}
+
+/// Accelerations of all coordinates a little away from where a simulation stands.
+fn accelerations(simulation: &Simulation, xi: &[f64], dv: &[f64]) -> Vec<f64> {
+    let mut moved = simulation.clone();
+    let q = simulation.moved(&simulation.state().q, xi);
+    let v: Vec<f64> = simulation.state().v.iter().zip(dv).map(|(v, dv)| v + dv).collect();
+    moved.set_state(&q, &v, None).expect("a motion of the model");
+    moved.acceleration(None).expect("no forces beside its own")
 }
 
 /// Everything at once: two ships, one held in its rotation and one in its place, prescribed and

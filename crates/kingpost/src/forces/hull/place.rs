@@ -35,6 +35,14 @@ impl<S: Scalar> HullFrame<S> {
         HullMotion { frame: self.frame(at.model, at.links), twist }
     }
 
+    /// Twist relative to water that flows at `current` (world, m/s), in the body's axes about the origin, and the current
+    /// in those axes.
+    pub fn through_water(&self, at: &Moment<'_, S>, current: Vector3<S>) -> (Twist<S>, Vector3<S>) {
+        let twist = self.in_body().twist_to_child(&at.links.body_twist(at.model, self.body));
+        let stream = at.links.to_body_axes(at.model, self.body, current);
+        (Twist { linear: twist.linear - stream, ..twist }, stream)
+    }
+
     /// A wrench about the data's origin, in body axes, about the centre of mass.
     pub fn about_centre(&self, wrench: &Wrench<S>) -> Wrench<S> {
         self.in_body().wrench_to_parent(wrench)

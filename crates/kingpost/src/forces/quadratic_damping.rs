@@ -1,0 +1,39 @@
+//! Drag that grows with the square of the speed: of a hull's bilges in roll, of its sides in sway.
+
+use super::hull::HullFrame;
+use crate::dynamics::{Loads, Moment};
+use crate::scalar::Scalar;
+use crate::spatial::{Vector3, Wrench};
+
+/// `F = -c |v| v` and `M = -c |omega| omega`, component by component in body axes, at a point whose
+/// velocity v is relative to the water. A coefficient of drag C_d on the area A is c = rho C_d A / 2
+/// (Faltinsen, *Sea Loads*, 1990, ch. 6).
+#[derive(Clone, Copy, Debug)]
+pub struct QuadraticDamping<S = f64> {
+    /// The body, and the point that the force acts at.
+    pub place: HullFrame<S>,
+    /// c along x, y, z, N s^2/m^2.
+    pub linear: Vector3<S>,
+    /// c about x, y, z (roll, pitch, yaw), N m s^2.
+    pub angular: Vector3<S>,
+    /// Velocity of the water in the world, m/s.
+    pub current: Vector3<S>,
+}
+
+impl<S: Scalar> QuadraticDamping<S> {
+    /// Adds the drag, the heat that it makes, and the work of the current.
+    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let (through, stream) = self.place.through_water(at, self.current);
+        let wrench =
+            Wrench { moment: against(self.angular, through.angular), force: against(self.linear, through.linear) };
+        loads.power.dissipated -= wrench.dot(&through);
+        loads.power.outside += wrench.force.dot(stream);
+        loads.wrenches.push((self.place.body, self.place.about_centre(&wrench)));
+    }
+}
+
+/// `-c |rate| rate`, component by component.
+fn against<S: Scalar>(c: Vector3<S>, rate: Vector3<S>) -> Vector3<S> {
+    let size = |x: S| x.select_below(0.0, || -x, || x);
+    Vector3(core::array::from_fn(|i| -(c[i] * size(rate[i]) * rate[i])))
+}

@@ -1,0 +1,106 @@
+//! A rope without weight between two points: a mooring hawser, a towline, a tugger line.
+
+use super::joint_stop::hunt_crossley;
+use crate::dynamics::{LinkKinematics, Loads, Moment};
+use crate::model::{Attachment, Model};
+use crate::scalar::Scalar;
+use crate::spatial::{Vector3, Wrench};
+
+/// A spring that pulls only. At the stretch s = L - L0 beyond the unstretched length L0,
+///
+/// ```text
+/// T = EA / L0 s max(1 + a L', 0),   and 0 where s <= 0
+/// ```
+///
+/// so that the damping begins with the tension, which does not jump as the line comes taut, and never
+/// pushes (the law of [`hunt_crossley`]). Of its energy EA / L0 s^2 / 2 is stored, the rest is heat.
+#[derive(Clone, Debug)]
+pub struct SpringLine<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// Its end on one body.
+    pub first: Attachment<S>,
+    /// Its end on the other, or in the world.
+    pub second: Attachment<S>,
+    /// L0, m.
+    pub unstretched_length: S,
+    /// EA, N.
+    pub axial_stiffness: S,
+    /// a, s/m.
+    pub dissipation: S,
+}
+
+impl<S: Scalar> SpringLine<S> {
+    /// Adds the pull at both ends, and the heat that the line makes.
+    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let (way, rate) = self.way(at);
+        let (length, direction) = length_and_direction(way);
+        let (tension, heat) = self.tension(length, direction.dot(rate));
+        loads.power.dissipated += heat;
+        let pull = direction * tension;
+        pull_at(&self.first, pull, at, loads);
+        pull_at(&self.second, -pull, at, loads);
+    }
+
+    /// The tension, N.
+    pub fn reading(&self, at: &Moment<'_, S>) -> S {
+        let (way, rate) = self.way(at);
+        let (length, direction) = length_and_direction(way);
+        self.tension(length, direction.dot(rate)).0
+    }
+
+    /// Energy stored, J.
+    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
+        let way = place(&self.second, model, links) - place(&self.first, model, links);
+        let stretch = self.stretch(length_and_direction(way).0);
+        self.stiffness() * stretch * stretch * S::constant(0.5)
+    }
+
+    /// From the first end to the second in the world, m, and its rate, m/s.
+    fn way(&self, at: &Moment<'_, S>) -> (Vector3<S>, Vector3<S>) {
+        let way = place(&self.second, at.model, at.links) - place(&self.first, at.model, at.links);
+        (way, velocity(&self.second, at) - velocity(&self.first, at))
+    }
+
+    fn tension(&self, length: S, rate: S) -> (S, S) {
+        hunt_crossley(self.stiffness(), self.dissipation, self.stretch(length), rate)
+    }
+
+    fn stiffness(&self) -> S {
+        self.axial_stiffness / self.unstretched_length
+    }
+
+    fn stretch(&self, length: S) -> S {
+        let beyond = length - self.unstretched_length;
+        beyond.select_below(0.0, || S::ZERO, || beyond)
+    }
+}
+
+/// Where an end is in the world, m.
+pub(super) fn place<S: Scalar>(end: &Attachment<S>, model: &Model<S>, links: &LinkKinematics<S>) -> Vector3<S> {
+    let point = end.in_body.position;
+    end.body.map_or(point, |body| links.body_frame(model, body).point(point))
+}
+
+/// How an end moves in the world, m/s.
+fn velocity<S: Scalar>(end: &Attachment<S>, at: &Moment<'_, S>) -> Vector3<S> {
+    let Some(body) = end.body else { return Vector3::zero() };
+    let twist = at.links.body_twist(at.model, body);
+    let in_body = twist.linear + twist.angular.cross(end.in_body.position);
+    at.links.body_frame(at.model, body).rotation * in_body
+}
+
+/// Adds a force in world axes at an end; on the world itself nothing is added.
+pub(super) fn pull_at<S: Scalar>(end: &Attachment<S>, pull: Vector3<S>, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    let Some(body) = end.body else { return };
+    let force = at.links.to_body_axes(at.model, body, pull);
+    loads.wrenches.push((body, Wrench { moment: end.in_body.position.cross(force), force }));
+}
+
+/// Of a way; without length it has no direction, and a line is slack.
+fn length_and_direction<S: Scalar>(way: Vector3<S>) -> (S, Vector3<S>) {
+    let square = way.norm_squared();
+    let there = |value: S| square.select_below(f64::MIN_POSITIVE, || S::ZERO, || value);
+    let root = square.select_below(f64::MIN_POSITIVE, || S::ONE, || square).sqrt();
+    (there(root), way * (S::ONE / root))
+}
