@@ -6,7 +6,7 @@ import os
 import numpy as np
 import pytest
 from kingpost.errors import HydrodynamicsError
-from kingpost.hydro import database
+from kingpost.hydro import database_file
 from kingpost.hydro.database import (
     Database,
     Hull,
@@ -49,7 +49,7 @@ def sample(n: int = 3, m: int = 4, **changes: object) -> Database:
 
 def test_reads_what_it_wrote_to_seven_digits(tmp_path):
     written = sample()
-    read = database.read(database.write(written, tmp_path / "a.hydro.json"))
+    read = database_file.read(database_file.write(written, tmp_path / "a.hydro.json"))
     assert read.title == written.title
     assert read.provenance == written.provenance
     assert read.water == written.water
@@ -64,8 +64,8 @@ def test_reads_what_it_wrote_to_seven_digits(tmp_path):
 
 
 def test_writing_again_what_was_read_gives_the_same_bytes(tmp_path):
-    first = database.write(sample(mean_drift=None, radiation=None), tmp_path / "a.hydro.json")
-    second = database.write(database.read(first), tmp_path / "b.hydro.json")
+    first = database_file.write(sample(mean_drift=None, radiation=None), tmp_path / "a.hydro.json")
+    second = database_file.write(database_file.read(first), tmp_path / "b.hydro.json")
     assert first.read_bytes() == second.read_bytes()
 
 
@@ -102,7 +102,7 @@ def test_the_data_set_carries_units_and_names():
     ],
 )  # fmt: skip
 def test_a_wrong_value_is_named_with_its_place(tmp_path, place, value, message):
-    tree = database.to_tree(sample())
+    tree = database_file.to_tree(sample())
     at = tree
     for key in place[:-1]:
         at = at[key]
@@ -110,18 +110,18 @@ def test_a_wrong_value_is_named_with_its_place(tmp_path, place, value, message):
     path = tmp_path / "wrong.hydro.json"
     path.write_text(json.dumps(tree))
     with pytest.raises(HydrodynamicsError) as caught:
-        database.read(path)
+        database_file.read(path)
     assert str(caught.value).startswith(f"{path}: {message}")
 
 
 def test_every_missing_field_is_named(tmp_path):
     path = tmp_path / "wrong.hydro.json"
-    for name in database.to_tree(sample()):
-        tree = database.to_tree(sample())
+    for name in database_file.to_tree(sample()):
+        tree = database_file.to_tree(sample())
         del tree[name]
         path.write_text(json.dumps(tree))
         with pytest.raises(HydrodynamicsError, match=name if name != "format" else "another kind"):
-            database.read(path)
+            database_file.read(path)
 
 
 @pytest.mark.parametrize(
@@ -138,32 +138,32 @@ def test_a_foreign_file_is_refused(tmp_path, content, message):
     path = tmp_path / "foreign.hydro.json"
     path.write_bytes(content)
     with pytest.raises(HydrodynamicsError, match=message):
-        database.read(path)
+        database_file.read(path)
 
 
 def test_a_missing_file_is_refused(tmp_path):
     with pytest.raises(HydrodynamicsError, match="No such file"):
-        database.read(tmp_path / "none.hydro.json")
+        database_file.read(tmp_path / "none.hydro.json")
 
 
 def test_a_file_cut_short_anywhere_is_refused(tmp_path):
-    path = database.write(sample(), tmp_path / "a.hydro.json")
+    path = database_file.write(sample(), tmp_path / "a.hydro.json")
     whole = path.read_text()
     for part in (0.01, 0.3, 0.77, 0.999):
         path.write_text(whole[: int(part * len(whole))])
         with pytest.raises(HydrodynamicsError):
-            database.read(path)
+            database_file.read(path)
 
 
 def test_a_wrong_database_is_never_written(tmp_path):
     wrong = sample(added_mass_infinite=np.full((6, 6), np.nan))
     with pytest.raises(HydrodynamicsError, match="added_mass_infinite"):
-        database.write(wrong, tmp_path / "a.hydro.json")
+        database_file.write(wrong, tmp_path / "a.hydro.json")
     assert os.listdir(tmp_path) == []
 
 
 def test_an_interrupted_write_leaves_the_file_that_was_there(tmp_path, monkeypatch):
-    path = database.write(sample(), tmp_path / "a.hydro.json")
+    path = database_file.write(sample(), tmp_path / "a.hydro.json")
     before = path.read_bytes()
 
     def interrupted(*_arguments: object) -> None:
@@ -171,13 +171,13 @@ def test_an_interrupted_write_leaves_the_file_that_was_there(tmp_path, monkeypat
 
     monkeypatch.setattr(os, "replace", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        database.write(sample(title="another"), path)
+        database_file.write(sample(title="another"), path)
     assert os.listdir(tmp_path) == ["a.hydro.json"]
     assert path.read_bytes() == before
 
 
 def test_a_folder_that_is_not_there_and_a_wrong_ending_are_refused(tmp_path):
     with pytest.raises(HydrodynamicsError, match="no such folder"):
-        database.write(sample(), tmp_path / "none" / "a.hydro.json")
+        database_file.write(sample(), tmp_path / "none" / "a.hydro.json")
     with pytest.raises(HydrodynamicsError, match=r"ends with \.hydro\.json"):
-        database.write(sample(), tmp_path / "a.json")
+        database_file.write(sample(), tmp_path / "a.json")

@@ -2,13 +2,12 @@
 
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from kingpost import cli
 from kingpost.errors import HydrodynamicsError
-from kingpost.hydro import build, checks, database, radiation_fit, symmetry
+from kingpost.hydro import build, checks, database_file, radiation_fit, symmetry
 from kingpost.hydro.airy import wave_number
 from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Database, Water
@@ -78,22 +77,8 @@ def test_the_longest_waves_lift_the_barge_by_its_waterplane(barge):
 
 
 def test_the_coefficients_of_the_barge_pass_every_check_and_its_file_keeps_them(barge, tmp_path):
-    checks.check(database.read(database.write(barge, tmp_path / "barge.hydro.json")))
+    checks.check(database_file.read(database_file.write(barge, tmp_path / "barge.hydro.json")))
     assert barge.provenance.lid_panels > 0
-
-
-GALLERY = sorted((Path(__file__).resolve().parents[2] / "scenarios" / "hydro").glob("*.hydro.json"))
-
-
-@pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.name)
-def test_the_databases_of_the_gallery_pass_every_check(path):
-    found = database.read(path)
-    checks.check(found)
-    damping = np.diagonal(found.radiation_damping, axis1=1, axis2=2)
-    resolved = found.frequencies_rad_s <= checks.highest_resolved(found)
-    assert resolved.sum() >= 20
-    difference = np.abs(damping - checks.haskind_damping(found)) / checks.damping_scale(found)
-    assert difference[resolved].max() < 0.05
 
 
 def test_half_of_a_hull_mirrored_gives_what_the_whole_hull_gives():
@@ -205,7 +190,7 @@ def test_the_command_writes_a_database_that_can_be_read(tmp_path, capsys):
     status, out, err = command(capsys, "sphere:radius_m=5", "-o", str(target), *words)
     assert (status, err) == (0, "")
     assert "volume              261.7" in out
-    found = database.read(target)
+    found = database_file.read(target)
     assert found.provenance.source == "sphere:radius_m=5"
     assert found.added_mass.shape == (build.FREQUENCIES, 6, 6)
     assert found.radiation.fit_error <= radiation_fit.LIMIT

@@ -1,9 +1,10 @@
 """Hydrodynamics of a hull: from its shape to one database of coefficients.
 
-`database` is the file that every part reads; the rest makes such files.
+`database` is what every part reads, from a file; the rest makes such files.
 """
 
-from .database import Database, read, write
+from .database import Database
+from .database_file import read, write
 from .memory import retardation
 from .radiation_fit import fit, impulse_response
 

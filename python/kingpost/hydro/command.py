@@ -13,7 +13,8 @@ from .. import progress
 from ..errors import HydrodynamicsError
 from . import import_command, importers
 from .build import DIRECTIONS, FREQUENCIES, build, default_frequencies
-from .database import Database, Radiation, Water, check_output, write
+from .database import Database, Radiation, Water
+from .database_file import check_output, rounded, write
 from .drift import Loading
 from .hull_files import HullFile
 from .meshes import HullMeshes, parametric
@@ -88,6 +89,7 @@ def run(options: argparse.Namespace) -> Database:
 
 
 def _fitted(database: Database, highest_rad_s: float | None, target: Path) -> Database:
+    database = rounded(database)
     radiation = fit(database, highest_rad_s=highest_rad_s)
     database = replace(database, radiation=radiation)
     print(f"{'memory of the water':<20}{_states(radiation)} states, fitted to {radiation.fit_error:.2%}")
