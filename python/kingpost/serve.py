@@ -17,7 +17,7 @@ from typing import Any
 from urllib.parse import quote, unquote, urlsplit
 from urllib.request import urlopen
 
-from . import gallery
+from . import _engine, gallery
 from .errors import KingpostError
 from .scenario import load
 
@@ -41,7 +41,7 @@ TYPES = {
 def command(scenario: str | None, port: int | None, host: str | None, check: bool) -> int:
     """Serve the app until Ctrl-C; with `check`, fetch it once over HTTP and end."""
     files, chosen = scenarios(scenario)
-    server = open_server(app_folder(), files, host or LOOPBACK, port)
+    server = open_server(app_folder(), files, host or LOOPBACK, port, databases(scenario))
     query = f"?scenario={quote(chosen)}" if chosen else ""
     address = f"http://{reachable(host)}:{server.server_port}/{query}"
     with server:
@@ -82,13 +82,23 @@ def scenarios(given: str | None) -> tuple[dict[str, str], str | None]:
     return files, Path(name).stem
 
 
-def index(files: dict[str, str]) -> list[dict[str, str]]:
-    """What `scenarios/index.json` says: name, title and file of each scenario, `paper` first."""
-    from .simulate import Scenario
+def databases(given: str | None) -> dict[str, str]:
+    """Texts of the hydrodynamic databases, by the names that scenarios give them.
 
+    Those of the gallery, and what the given scenario names.
+    """
+    hydro = sorted((gallery.folder() / "hydro").glob("*.json"))
+    texts = {f"hydro/{path.name}": gallery.read_text(path) for path in hydro}
+    return texts if given is None else texts | load(given).files
+
+
+def index(files: dict[str, str], databases: dict[str, str]) -> list[dict[str, str]]:
+    """What `scenarios/index.json` says: name, title and file of each scenario, `paper` first."""
+    ordered = sorted(files.items(), key=lambda item: (item[0] != "paper.yaml", item[0]))
+    read = ((file, json.loads(_engine.read(text, file, "[]", databases))) for file, text in ordered)
     return [
-        {"name": Path(file).stem, "title": Scenario(text, file).title, "file": file}
-        for file, text in sorted(files.items(), key=lambda item: (item[0] != "paper.yaml", item[0]))
+        {"name": Path(file).stem, "title": resolved.get("title") or Path(file).stem, "file": file}
+        for file, resolved in read
     ]
 
 
@@ -163,16 +173,25 @@ class Server6(Server):
     address_family = socket.AF_INET6
 
 
-def open_server(folder: Path, files: dict[str, str], host: str, port: int | None) -> Server:
+def open_server(
+    folder: Path,
+    files: dict[str, str],
+    host: str,
+    port: int | None,
+    databases: dict[str, str] | None = None,
+) -> Server:
     """Listen on `port`; without one on the first free port from 8000.
+
+    Serves the folder, and under `scenarios/` the scenarios and the databases that they name.
 
     Raises
     ------
     KingpostError
         When the port is busy or not allowed, or the host is not this machine's.
     """
-    pages = {f"/scenarios/{file}": text.encode() for file, text in files.items()}
-    pages["/scenarios/index.json"] = json.dumps(index(files)).encode()
+    databases = databases or {}
+    pages = {f"/scenarios/{file}": text.encode() for file, text in (files | databases).items()}
+    pages["/scenarios/index.json"] = json.dumps(index(files, databases)).encode()
     kind = Server6 if ":" in host else Server
     ports = range(FIRST_PORT, FIRST_PORT + PORTS_TRIED) if port is None else [port]
     for candidate in ports:

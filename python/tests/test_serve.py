@@ -22,6 +22,18 @@ import pytest
 from kingpost import serve
 from kingpost.cli import main
 
+AFLOAT = """version: 1
+title: Afloat
+bodies:
+  hull:
+    mass_t: 410
+    inertia: {radii_of_gyration: {radii_m: [3.5, 6, 6]}}
+    joint: {floating: {}}
+forces:
+  gravity: {gravity: {}}
+  water: {hydrodynamics: {body: hull, database: own.hydro.json}}
+"""
+
 
 @pytest.fixture
 def app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
@@ -39,7 +51,8 @@ def app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def address(app: Path, small: Path) -> Iterator[str]:
     """A server of the app with the gallery and one more scenario."""
     files, _ = serve.scenarios(str(small))
-    server = serve.open_server(app, files, serve.LOOPBACK, 0)
+    databases = serve.databases(str(small))
+    server = serve.open_server(app, files, serve.LOOPBACK, 0, databases)
     thread = threading.Thread(target=server.serve_forever)
     thread.start()
     yield f"http://127.0.0.1:{server.server_port}/"
@@ -56,6 +69,7 @@ def address(app: Path, small: Path) -> Iterator[str]:
         ("assets/main.js", "text/javascript"),
         ("scenarios/index.json", "application/json"),
         ("scenarios/paper.yaml", "application/yaml"),
+        ("scenarios/hydro/barge.hydro.json", "application/json"),
     ],
 )
 def test_files_come_with_the_type_that_browsers_need(address, path, kind):
@@ -74,6 +88,22 @@ def test_the_index_lists_the_gallery_and_the_given_scenario(address, small):
     assert entries[0] == {"name": "paper", "title": kingpost.load("paper").title, "file": "paper.yaml"}
     assert {"name": "small", "title": "A box with a boom", "file": "small.yaml"} in entries
     assert urlopen(address + "scenarios/small.yaml").read() == small.read_bytes()
+
+
+def test_a_given_scenario_brings_the_database_beside_it(app, tmp_path):
+    """Source: a user's own hull: its file lies beside the scenario, not in the gallery."""
+    database = (kingpost.gallery.folder() / "hydro" / "barge.hydro.json").read_text()
+    (tmp_path / "own.hydro.json").write_text(database)
+    afloat = tmp_path / "afloat.yaml"
+    afloat.write_text(AFLOAT)
+    files, chosen = serve.scenarios(str(afloat))
+    server = serve.open_server(app, files, serve.LOOPBACK, 0, serve.databases(str(afloat)))
+    server.server_close()
+    assert chosen == "afloat"
+    assert server.pages["/scenarios/own.hydro.json"].decode() == database
+    titles = {entry["file"]: entry["title"] for entry in json.loads(server.pages["/scenarios/index.json"])}
+    assert titles["afloat.yaml"] == "Afloat"
+    assert "own.hydro.json" not in titles
 
 
 @pytest.mark.parametrize("path", ["assets/", "no/such/file", "../conftest.py", "scenarios/none.yaml"])

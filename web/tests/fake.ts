@@ -50,6 +50,10 @@ export class FakeEngine implements Engine {
     return Float64Array.of(0, 0, 0, Math.cos(half), 0, 0, Math.sin(half));
   }
 
+  surface(x: Float64Array, y: Float64Array): Float64Array {
+    return new Float64Array(x.length * y.length).fill(this.time_s());
+  }
+
   model_json(): string {
     return JSON.stringify({
       title: "A box",
@@ -64,6 +68,8 @@ export class FakeEngine implements Engine {
       joints: [{ name: "ship", body: "ship", kind: "floating", free_coordinates: [] }],
       loops: [],
       cylinders: [],
+      sea: null,
+      hulls: [],
       parameters: [
         { name: "load", label: "Load", unit: "", kind: "boolean", value: this.overrides.load ?? false, range: null, choices: null, live: false },
       ],

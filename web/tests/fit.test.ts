@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { cornersOf, fitDistance, frame, middleOf, rotate, unit } from "../src/view/fit";
 import { gridSpacing } from "../src/view/spacing";
 import type { Vec3 } from "../src/view/fit";
-import { boxOf, halfSizes } from "../src/view/solids";
+import { boxOf, edgesOf, withFrame } from "../src/view/solids";
 
 const quarterAboutZ = [Math.SQRT1_2, 0, 0, Math.SQRT1_2] as const;
 
@@ -21,9 +21,17 @@ it("puts the corners of a body's box in the world", () => {
 
 it("knows how far a body reaches from its centre", () => {
   const body = { name: "arm", parent: "tower", colour: null, mass_kg: 500 };
-  expect(halfSizes({ ...body, shape: { kind: "cylinder", radius_m: 0.5, length_m: 7, axis: "x" } })).toEqual([3.5, 0.5, 0.5]);
-  const sphere = boxOf({ ...body, shape: { kind: "sphere", radius_m: 1 } }, 2);
-  expect(sphere).toEqual({ low: [-1, -1, -1], high: [2, 2, 2] });
+  const cylinder = boxOf({ ...body, shape: { kind: "cylinder", radius_m: 0.5, length_m: 7, axis: "x" } }, undefined);
+  expect(edgesOf(cylinder)).toEqual([7, 1, 1]);
+  const sphere = boxOf({ ...body, shape: { kind: "sphere", radius_m: 1 } }, undefined);
+  expect(withFrame(sphere, 2)).toEqual({ low: [-1, -1, -1], high: [2, 2, 2] });
+});
+
+it("takes a hull for its mesh, wherever its centre of mass lies", () => {
+  const body = { name: "hull", parent: "world", colour: null, mass_kg: 500, shape: { kind: "sphere", radius_m: 1 } as const };
+  const vertices_m: [number, number, number][] = [[-9, -2, -3], [11, 0, 1], [0, 2, 1]];
+  const hull = { name: "water", body: "hull", origin_m: [0, 0, -1] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4 };
+  expect(boxOf(body, { ...hull, mesh: { vertices_m, triangles: [[0, 1, 2]] } })).toEqual({ low: [-9, -2, -3], high: [11, 2, 1] });
 });
 
 describe("fitting the camera", () => {

@@ -20,14 +20,14 @@ await init({ module_or_path: readFileSync(here("../src/engine/pkg/kingpost_wasm_
 const bits = (row: ArrayLike<number>) => Array.from(new BigUint64Array(Float64Array.from(row).buffer), String);
 
 it.each(goldens)("gives the native run's bits in WASM: $name", ({ overrides, steps, row }) => {
-  const simulation = new Simulation(paper, "paper.yaml", JSON.stringify(overrides));
+  const simulation = new Simulation(paper, "paper.yaml", JSON.stringify(overrides), "{}");
   simulation.step(steps);
   expect(bits(simulation.row())).toEqual(bits(row));
 });
 
 it("gives the same bits in frames of any length as in one go", () => {
   const golden = goldens.find(({ name }) => name === "page")!;
-  const runner = new Runner((text, file, overrides) => new Simulation(text, file, overrides), () => 0);
+  const runner = new Runner((text, file, overrides, files) => new Simulation(text, file, overrides, files), () => 0);
   const { settings, frame } = runner.open(paper, "paper.yaml", golden.overrides);
   const end_s = golden.steps * settings.step_s;
   let row = frame.row;
@@ -39,7 +39,7 @@ it("gives the same bits in frames of any length as in one go", () => {
 it("throws the reader's errors with their place", () => {
   const bad = paper.replace("mass_kg: 10000", "mass_kg: -5");
   const line = bad.split("\n").findIndex((text) => text.includes("mass_kg: -5")) + 1;
-  const runner = new Runner((text, file, overrides) => new Simulation(text, file, overrides), () => 0);
+  const runner = new Runner((text, file, overrides, files) => new Simulation(text, file, overrides, files), () => 0);
   let thrown: unknown;
   try {
     runner.open(bad, "bad.yaml", {});

@@ -25,6 +25,8 @@ const MODEL: ModelInfo = {
       constraints: ["distance"],
     },
   ],
+  sea: null,
+  hulls: [],
   cylinders: [
     {
       name: "luffing",

@@ -10,7 +10,7 @@ function channel(variable: string, labels: string[], unit: string): Channel {
 function model(joints: ModelInfo["joints"]): ModelInfo {
   const bodies = joints.map(({ body }) => ({ name: body, parent: "world", shape: null, colour: null, mass_kg: 1 }));
   const settings = { duration_s: 1, step_s: 0.1, record_every_s: 0.1, integrator: "rk4" };
-  return { title: "", description: "", ...settings, bodies, joints, loops: [], cylinders: [], parameters: [] };
+  return { title: "", description: "", ...settings, bodies, joints, loops: [], cylinders: [], sea: null, hulls: [], parameters: [] };
 }
 
 const SHIP = { name: "ship", body: "ship", kind: "floating" } as const;
@@ -56,6 +56,14 @@ describe("what the figures can show", () => {
     const beam = { name: "boom.1", body: "boom.1", kind: "elastic" } as const;
     const { angles } = kindsOf(model([beam]), [channel("joint_position", ["boom.1.shear_z", "boom.1.bending_y"], "rad or m")]);
     expect(angles.slice(1).map(({ units }) => units.rad)).toEqual(["m", "rad"]);
+  });
+
+  it("has the heave of each hull beside the wave, from its draught at rest", () => {
+    const hull = { name: "water", body: "ship", origin_m: [0, 0, 1.5] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, mesh: null };
+    const { angles } = kindsOf({ ...model([SHIP]), hulls: [hull] }, []);
+    expect(angles.map(({ title }) => title)).toEqual(["Angles of ship", "Heave of ship"]);
+    expect(angles[1].quantities.map(({ column, offset }) => [column, offset ?? 0])).toEqual([["ship.position.z", 1.5], ["wave_elevation.water", 0]]);
+    expect([angles[1].units.deg, angles[1].turns]).toEqual(["m", false]);
   });
 
   it("shows the first body where none floats", () => {

@@ -26,25 +26,38 @@ function titleOf(path: string): string {
   return line ? line[1].replace(/^(["'])(.*)\1$/, "$2") : "";
 }
 
+/** The hydrodynamic databases that scenarios name, as they name them. */
+export function databases(folder: string): string[] {
+  const hydro = join(folder, "hydro");
+  if (!existsSync(hydro)) return [];
+  return readdirSync(hydro).filter((file) => file.endsWith(".json")).sort().map((file) => `hydro/${file}`);
+}
+
+function served(folder: string): string[] {
+  return [...galleryIndex(folder).map(({ file }) => file), ...databases(folder)];
+}
+
 /** Serves the gallery under `scenarios/` while developing and copies it into the built folder. */
 export function gallery(folder: string): Plugin {
   return {
     name: "kingpost-gallery",
     configureServer(server) {
       server.middlewares.use((request, response, next) => {
-        const asked = /\/scenarios\/([\w.-]+)$/.exec((request.url ?? "").split("?")[0])?.[1];
+        const asked = /\/scenarios\/([\w./-]+)$/.exec((request.url ?? "").split("?")[0])?.[1];
         if (!asked) return next();
         if (asked === "index.json") return void response.end(JSON.stringify(galleryIndex(folder)));
-        const entry = galleryIndex(folder).find((known) => known.file === asked);
-        if (!entry) return next();
-        response.end(readFileSync(join(folder, entry.file)));
+        if (!served(folder).includes(asked)) {
+          response.statusCode = 404;
+          return void response.end();
+        }
+        response.end(readFileSync(join(folder, asked)));
       });
     },
     generateBundle() {
       const entries = galleryIndex(folder);
       if (entries.length === 0) this.error(`no scenarios in ${folder}`);
       this.emitFile({ type: "asset", fileName: "scenarios/index.json", source: JSON.stringify(entries, null, 1) });
-      for (const { file } of entries) {
+      for (const file of served(folder)) {
         this.emitFile({ type: "asset", fileName: `scenarios/${file}`, source: readFileSync(join(folder, file)) });
       }
     },

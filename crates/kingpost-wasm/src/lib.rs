@@ -67,6 +67,12 @@ impl Simulation {
         self.inner.poses().into()
     }
 
+    /// Elevation of the sea now, m, at every crossing of the lines x and y, world, m: along the
+    /// first x first.
+    pub fn surface(&self, x: &[f64], y: &[f64]) -> Box<[f64]> {
+        self.inner.surface(x, y).into()
+    }
+
     /// The complete state as bytes.
     pub fn snapshot(&self) -> Box<[u8]> {
         self.inner.snapshot().into()

@@ -221,3 +221,18 @@ fn the_field_passes_derivatives_and_lanes() {
     let together = lanes.pressure_pa(Vector3(point.0.map(Lanes::constant)), TIME).to_array();
     assert_eq!(together, [plain.pressure_pa(point, TIME); 4]);
 }
+
+/// On a grid the sines are products of one along x and one along y: the angles' sum, to rounding.
+#[test]
+fn the_surface_on_a_grid_is_that_of_each_crossing() {
+    let field = WaveField::new(&waves(&SHALLOW), SHALLOW, 60.0);
+    let (x, y) = ([-120.0, -3.0, 0.5, 88.0], [0.0, 41.0, -250.0]);
+    let grid = field.elevations_m(&x, &y, TIME);
+    assert_eq!(grid.len(), 12);
+    for (i, elevation) in grid.iter().enumerate() {
+        let alone = field.elevation_m([x[i / 3], y[i % 3]], TIME);
+        assert!((elevation - alone).abs() < 1e-11, "{elevation} {alone}");
+    }
+    assert!(field.elevations_m(&[], &y, TIME).is_empty() && field.elevations_m(&x, &[], TIME).is_empty());
+    assert!(WaveField::calm(SHALLOW).elevations_m(&x, &y, TIME).iter().all(|elevation| *elevation == 0.0));
+}

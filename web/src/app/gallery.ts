@@ -6,6 +6,11 @@ export interface GalleryEntry {
   file: string;
 }
 
+/** Address of the gallery's folder beside a page, with the slash at its end. */
+export function galleryFolder(base: string): string {
+  return new URL("scenarios/", base).href;
+}
+
 /** The gallery beside the page, from wherever the folder is served. */
 export class Gallery {
   private constructor(

@@ -1,3 +1,4 @@
+import type { Surface } from "../engine/surface";
 import type { Session } from "./session";
 
 /** A look at the run for tests and for the browser's console; it changes nothing. */
@@ -10,6 +11,8 @@ export interface Sample {
   row: Record<string, number>;
   /** Per body x y z qw qx qy qz, world frame. */
   poses: number[];
+  /** The sea around, where a hull is in it. */
+  surface: Surface | null;
 }
 
 declare global {
@@ -29,6 +32,7 @@ export function exposeHandle(session: Session): void {
         time_s: run.columns.read(lastFrame.row, "time"),
         row: run.columns.byName(lastFrame.row),
         poses: Array.from(lastFrame.poses),
+        surface: lastFrame.surface,
       };
     },
   });

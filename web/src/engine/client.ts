@@ -11,13 +11,17 @@ export class EngineClient {
   private readonly waiting = new Map<number, Waiting>();
   private lastId = 0;
 
-  constructor(private readonly worker: Worker) {
+  /** The files that scenarios name are looked for in a folder, by its address. */
+  constructor(
+    private readonly worker: Worker,
+    private readonly folder: string,
+  ) {
     worker.onmessage = (event: MessageEvent<Reply>) => this.settle(event.data);
     worker.onerror = (event) => this.fail({ kind: "internal", message: event.message || "the engine did not load" });
   }
 
   open(text: string, file: string, overrides: Values): Promise<Replies["open"]> {
-    return this.ask({ kind: "open", text, file, overrides });
+    return this.ask({ kind: "open", text, file, overrides, folder: this.folder });
   }
 
   advance(wall_s: number, speed: number): Promise<Replies["advance"]> {

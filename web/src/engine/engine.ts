@@ -59,6 +59,31 @@ export interface CylinderInfo {
   longest_m: number;
 }
 
+/** The sea; its depth is null where it is infinite. */
+export interface SeaInfo {
+  density_kg_m3: number;
+  depth_m: number | null;
+  /** 0 for water that is level. */
+  wave_components: number;
+}
+
+/** A hull in the water. Its vertices and its origin are seen from its body's centre of mass, body axes. */
+export interface HullInfo {
+  name: string;
+  body: string;
+  /** The origin of its data, on their water plane. */
+  origin_m: [number, number, number];
+  draught_m: number;
+  length_m: number;
+  beam_m: number;
+  mesh: MeshInfo | null;
+}
+
+export interface MeshInfo {
+  vertices_m: [number, number, number][];
+  triangles: [number, number, number][];
+}
+
 export interface ModelInfo {
   title: string;
   description: string;
@@ -71,6 +96,9 @@ export interface ModelInfo {
   joints: JointInfo[];
   loops: LoopInfo[];
   cylinders: CylinderInfo[];
+  sea: SeaInfo | null;
+  /** In the order of results. */
+  hulls: HullInfo[];
   parameters: ParameterInfo[];
 }
 
@@ -142,6 +170,8 @@ export interface Engine {
   row(): Float64Array;
   /** Per body x y z qw qx qy qz, metres, world frame. */
   poses(): Float64Array;
+  /** Elevation of the sea at every crossing of the lines x and y, world, m, along the first x first. */
+  surface(x: Float64Array, y: Float64Array): Float64Array;
   model_json(): string;
   /** The scenario with defaults, parameters and overrides in place. */
   resolved_json(): string;
@@ -150,7 +180,7 @@ export interface Engine {
   free(): void;
 }
 
-export type OpenEngine = (text: string, file: string, overridesJson: string) => Engine;
+export type OpenEngine = (text: string, file: string, overridesJson: string, filesJson: string) => Engine;
 
 export function asFault(thrown: unknown): Fault {
   if (typeof thrown === "object" && thrown !== null && "message" in thrown) {

@@ -1,7 +1,17 @@
 import type { Channel, Fault, InputInfo, ModelInfo, Settings, Values } from "./engine";
+import type { Surface } from "./surface";
+
+export interface OpenRequest {
+  kind: "open";
+  text: string;
+  file: string;
+  overrides: Values;
+  /** Address of the folder that has the files that scenarios name. */
+  folder: string;
+}
 
 export type Request =
-  | { kind: "open"; text: string; file: string; overrides: Values }
+  | OpenRequest
   | { kind: "advance"; wall_s: number; speed: number }
   | { kind: "step" }
   | { kind: "input"; name: string; value: number };
@@ -14,6 +24,8 @@ export interface Frame {
   row: Float64Array;
   /** Per body x y z qw qx qy qz, world frame. */
   poses: Float64Array;
+  /** The sea around, where a hull is in it. */
+  surface: Surface | null;
   /** Why the run cannot go on. */
   fault: Fault | null;
 }

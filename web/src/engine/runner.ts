@@ -1,6 +1,7 @@
 import { asFault, readModel, readSettings } from "./engine";
 import type { Engine, Fault, OpenEngine, Values } from "./engine";
 import type { Frame, Opened } from "./messages";
+import { SurfaceGrid } from "./surface";
 
 /** Longest stretch of wall time that one frame may catch up with, s: a slow machine runs slowly. */
 const LONGEST_WALL_S = 0.25;
@@ -12,6 +13,7 @@ const STEPS_AT_ONCE = 64;
 /** Owns the engine: opens scenarios, steps to the wall clock, records rows. */
 export class Runner {
   private engine: Engine | null = null;
+  private grid: SurfaceGrid | null = null;
   private steps = 0;
   private stepsPerRecord = 1;
   private owed_s = 0;
@@ -22,12 +24,13 @@ export class Runner {
     private readonly now_ms: () => number,
   ) {}
 
-  /** Opens a scenario at its initial state; when that throws, the engine in hand stays. */
-  open(text: string, file: string, overrides: Values): Opened {
-    const engine = this.openEngine(text, file, JSON.stringify(overrides));
+  /** Opens a scenario, with the files that it names, at its initial state; when that throws, the engine in hand stays. */
+  open(text: string, file: string, overrides: Values, files: Record<string, string> = {}): Opened {
+    const engine = this.openEngine(text, file, JSON.stringify(overrides), JSON.stringify(files));
     const model = readModel(engine.model_json());
     this.engine?.free();
     this.engine = engine;
+    this.grid = SurfaceGrid.around(model);
     this.steps = 0;
     this.stepsPerRecord = Math.max(1, Math.round(model.record_every_s / engine.step_s()));
     this.owed_s = 0;
@@ -96,6 +99,8 @@ export class Runner {
     const row = engine.row();
     const flat = new Float64Array(rows.length * row.length);
     rows.forEach((one, index) => flat.set(one, index * row.length));
-    return { rows: flat, row, poses: engine.poses(), fault: this.fault };
+    const poses = engine.poses();
+    const surface = this.grid?.surface(engine, poses) ?? null;
+    return { rows: flat, row, poses, surface, fault: this.fault };
   }
 }

@@ -1,7 +1,8 @@
-import init, { Simulation } from "./pkg/kingpost_wasm.js";
+import init, { file_names, Simulation } from "./pkg/kingpost_wasm.js";
 import moduleUrl from "./pkg/kingpost_wasm_bg.wasm?url";
 import { asFault } from "./engine";
-import type { Frame, Reply, Request } from "./messages";
+import { fetchText, ScenarioFiles } from "./files";
+import type { Frame, OpenRequest, Reply, Request } from "./messages";
 import { Runner } from "./runner";
 
 /** The part of a worker's global scope that is used here. */
@@ -13,14 +14,23 @@ interface WorkerScope {
 const scope = self as unknown as WorkerScope;
 const ready = init({ module_or_path: moduleUrl });
 const runner = new Runner(
-  (text, file, overrides) => new Simulation(text, file, overrides, "{}"),
+  (text, file, overrides, files) => new Simulation(text, file, overrides, files),
   () => performance.now(),
 );
 
-function answer(request: Request): unknown {
+const files = new Map<string, ScenarioFiles>();
+
+/** The files that a scenario names, from the folder that the page says. */
+async function filesOf({ text, file, overrides, folder }: OpenRequest): Promise<Record<string, string>> {
+  const known = files.get(folder) ?? new ScenarioFiles(folder, fetchText);
+  files.set(folder, known);
+  return known.take(JSON.parse(file_names(text, file, JSON.stringify(overrides))) as string[]);
+}
+
+async function answer(request: Request): Promise<unknown> {
   switch (request.kind) {
     case "open":
-      return runner.open(request.text, request.file, request.overrides);
+      return runner.open(request.text, request.file, request.overrides, await filesOf(request));
     case "advance":
       return runner.advance(request.wall_s, request.speed);
     case "step":
@@ -37,16 +47,23 @@ function buffersOf(value: unknown): Transferable[] {
   if ("frame" in value) return buffersOf(value.frame);
   if (!("rows" in value)) return [];
   const frame = value as Frame;
-  return [frame.rows.buffer, frame.row.buffer, frame.poses.buffer] as Transferable[];
+  const arrays = [frame.rows, frame.row, frame.poses, frame.surface?.elevation_m];
+  return arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : []));
 }
 
-scope.onmessage = async (event) => {
-  const { id, request } = event.data;
+let turn: Promise<void> = Promise.resolve();
+
+// In turn: a request that waits for a file keeps the next from another's scenario.
+scope.onmessage = (event) => {
+  turn = turn.then(() => settle(event.data));
+};
+
+async function settle({ id, request }: { id: number; request: Request }): Promise<void> {
   try {
     await ready;
-    const value = answer(request);
+    const value = await answer(request);
     scope.postMessage({ id, value } satisfies Reply, buffersOf(value));
   } catch (thrown) {
     scope.postMessage({ id, fault: asFault(thrown) } satisfies Reply);
   }
-};
+}

@@ -9,6 +9,7 @@ import { timeRange, wrapPlaces } from "./window";
 interface Legend {
   value: HTMLElement;
   column: number;
+  offset: number;
 }
 
 /** One figure: what it shows, to choose; legend with the values at the crosshair or now; the lines. */
@@ -62,6 +63,7 @@ export class Plot {
     this.legends = this.kind.quantities.map((quantity, i) => ({
       value: make("span", { class: "plot-value", "data-testid": `${quantity.key}-${this.key}` }),
       column: this.columns[i],
+      offset: quantity.offset ?? 0,
     }));
     const entries = this.kind.quantities.map((quantity, i) =>
       make("span", { class: "plot-entry" }, make("span", { class: `swatch swatch-${quantity.key}` }), quantity.label, this.legends[i].value),
@@ -112,8 +114,9 @@ export class Plot {
     const factor = scaleOf(this.kind, this.unit);
     const series = this.columns.map((column, i) => {
       const from = this.history.column(column);
+      const { offset } = this.legends[i];
       const to = this.scaled[i].subarray(0, n);
-      for (let k = 0; k < n; k++) to[k] = from[k] * factor;
+      for (let k = 0; k < n; k++) to[k] = (from[k] + offset) * factor;
       return to;
     });
     return [this.history.column(0), ...series] as unknown as uPlot.AlignedData;
@@ -124,9 +127,9 @@ export class Plot {
     const inside = index !== null && index < this.history.length;
     setText(this.unitLabel, this.kind.units[this.unit]);
     setText(this.at, inside ? `at ${fixed(this.history.column(0)[index], 2)} s` : "");
-    for (const { value, column } of this.legends) {
+    for (const { value, column, offset } of this.legends) {
       const number = inside ? this.history.column(column)[index] : this.history.last(column);
-      setText(value, fixed(number * scaleOf(this.kind, this.unit), decimalsOf(this.kind, this.unit)));
+      setText(value, fixed((number + offset) * scaleOf(this.kind, this.unit), decimalsOf(this.kind, this.unit)));
     }
   }
 

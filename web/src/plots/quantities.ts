@@ -1,4 +1,4 @@
-import type { Channel, ModelInfo } from "../engine/engine";
+import type { Channel, HullInfo, ModelInfo } from "../engine/engine";
 
 /** One drawn line: what it is called, its colour, which column it comes from. */
 export interface Quantity {
@@ -6,6 +6,8 @@ export interface Quantity {
   label: string;
   /** Name of the column. */
   column: string;
+  /** Added to the column, in its unit. */
+  offset?: number;
 }
 
 /** What one figure can show. */
@@ -53,6 +55,7 @@ export function kindsOf(model: ModelInfo, channels: Channel[]): Record<FigureKey
     ],
     angles: [
       ...bodies.map(bodyAngles),
+      ...model.hulls.map(heave),
       ...coordinates.map((name) => coordinate(name, "position", "joint_position", unitOf(name), { m: "m", rad: "rad", deg: "°" })),
       ...labels("point_position").map((name) => point(name, "position", "m")),
     ],
@@ -94,6 +97,20 @@ function bodyAngles(body: string): PlotKind {
     units: { deg: "°", rad: "rad" },
     turns: true,
     wraps: true,
+  };
+}
+
+/** Rise of a hull's centre of mass above its place at the draught of its data, beside the wave. */
+function heave({ name, body, origin_m }: HullInfo): PlotKind {
+  return {
+    title: `Heave of ${body}`,
+    quantities: [
+      { key: "pitch", label: "Heave", column: `${body}.position.z`, offset: origin_m[2] },
+      { key: "yaw", label: "Wave", column: `wave_elevation.${name}` },
+    ],
+    units: { deg: "m", rad: "m" },
+    turns: false,
+    wraps: false,
   };
 }
 

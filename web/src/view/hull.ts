@@ -69,16 +69,6 @@ function deckOf(box: Box, bevel: number, palette: Palette): Mesh {
 /** An arrow along the deck and two frames' lines: where the bow is can be read from any side. */
 function markingsOf(box: Box, palette: Palette): Mesh[] {
   const [l, w, z] = [box.length_m, box.width_m, box.height_m / 2 + 0.02];
-  const arrow = new Shape();
-  const [tip, root, wing, stem] = [0.43 * l, 0.27 * l, 0.27 * w, 0.07 * w];
-  arrow.moveTo(tip, 0);
-  arrow.lineTo(root, wing);
-  arrow.lineTo(root, stem);
-  arrow.lineTo(0.08 * l, stem);
-  arrow.lineTo(0.08 * l, -stem);
-  arrow.lineTo(root, -stem);
-  arrow.lineTo(root, -wing);
-  arrow.closePath();
   const line = (x: number) => {
     const shape = new Shape();
     const half = 0.003 * l;
@@ -89,7 +79,24 @@ function markingsOf(box: Box, palette: Palette): Mesh[] {
     shape.closePath();
     return flat(shape, palette.marking, z);
   };
-  return [flat(arrow, palette.marking, z), line(0), line(-0.25 * l)];
+  const arrow = bowArrowOf(l, w, palette);
+  arrow.position.z = z;
+  return [arrow, line(0), line(-0.25 * l)];
+}
+
+/** An arrow along a deck of this length and width, about its centre. */
+export function bowArrowOf(l: number, w: number, palette: Palette): Mesh {
+  const arrow = new Shape();
+  const [tip, root, wing, stem] = [0.43 * l, 0.27 * l, 0.27 * w, 0.07 * w];
+  arrow.moveTo(tip, 0);
+  arrow.lineTo(root, wing);
+  arrow.lineTo(root, stem);
+  arrow.lineTo(0.08 * l, stem);
+  arrow.lineTo(0.08 * l, -stem);
+  arrow.lineTo(root, -stem);
+  arrow.lineTo(root, -wing);
+  arrow.closePath();
+  return flat(arrow, palette.marking, 0);
 }
 
 /** Red to port, green to starboard, at the bow. */

@@ -13,6 +13,9 @@ export interface Palette {
   rod: Color;
   pin: Color;
   grid: Color;
+  /** Of the water. */
+  trough: Color;
+  crest: Color;
   axes: { x: Color; y: Color; z: Color };
   label: string;
   halo: string;
@@ -35,6 +38,8 @@ export function readPalette(): Palette {
     rod: colour("--scene-rod"),
     pin: colour("--scene-pin"),
     grid: colour("--scene-grid"),
+    trough: colour("--scene-trough"),
+    crest: colour("--scene-crest"),
     axes: { x: colour("--roll"), y: colour("--pitch"), z: colour("--yaw") },
     label: text("--ink"),
     halo: text("--surface"),

@@ -1,4 +1,5 @@
 import type { Session } from "../app/session";
+import type { ModelInfo } from "../engine/engine";
 import { length } from "../app/format";
 import { byId, setText } from "../ui/dom";
 import { View } from "./view";
@@ -26,9 +27,20 @@ export function createScene(session: Session): { draw(): void } {
   session.listen({
     opened: (run, frame, isAnother) => {
       view.build(run.model, frame.poses, isAnother);
-      setText(byId("scene-note"), `Grid ${length(view.spacing())}. No water in this version.`);
+      view.showSea(frame.surface, true);
+      setText(byId("scene-note"), noteOf(run.model, view.spacing()));
     },
-    advanced: (_run, frame) => view.show(frame.poses),
+    advanced: (_run, frame) => {
+      view.show(frame.poses);
+      view.showSea(frame.surface, false);
+    },
   });
   return { draw: () => view.draw() };
+}
+
+/** What the picture shows of water. */
+function noteOf({ sea, hulls }: ModelInfo, spacing: number): string {
+  if (!sea || hulls.length === 0) return `Grid ${length(spacing)}. No water in this scenario.`;
+  if (sea.wave_components === 0) return "Still water.";
+  return `Incident waves, ${sea.wave_components} in all.`;
 }

@@ -1,17 +1,22 @@
 import { Color, LatheGeometry, Mesh, MeshStandardMaterial, SphereGeometry, Vector2 } from "three";
 import type { BufferGeometry, Object3D } from "three";
 import { RoundedBoxGeometry } from "three/addons/geometries/RoundedBoxGeometry.js";
-import type { BodyInfo, Shape } from "../engine/engine";
-import type { Box } from "./fit";
+import type { BodyInfo, HullInfo, MeshInfo, Shape } from "../engine/engine";
+import { boxOfMesh, meshHullOf } from "./afloat";
+import type { Box, Vec3 } from "./fit";
 import { hullOf } from "./hull";
 import type { Palette } from "./palette";
 
 /** Density that a point's ball is drawn with, kg/m3: a tonne is 1.2 m across. */
 const BALL_DENSITY = 1100;
 
-/** What a body looks like, about its own frame: x forward, y to port, z up. */
-export function solidOf(body: BodyInfo, palette: Palette, isShip: boolean): Object3D {
+/** A hull with its shape. */
+export type ShapedHull = HullInfo & { mesh: MeshInfo };
+
+/** What a body looks like, about its own frame: x forward, y to port, z up; as its hull where that has a shape. */
+export function solidOf(body: BodyInfo, palette: Palette, isShip: boolean, hull: ShapedHull | undefined): Object3D {
   const { shape } = body;
+  if (hull) return meshHullOf(hull, withHull(palette, body.colour));
   if (shape?.kind === "box" && isShip) return hullOf(shape, withHull(palette, body.colour));
   const geometry = shape && geometryOf(shape, body.mass_kg);
   const colour = body.colour ?? (shape?.kind === "point" ? palette.load : palette.plain);
@@ -69,14 +74,25 @@ export function ballRadius(mass_kg: number): number {
   return Math.cbrt((3 * mass_kg) / (4 * Math.PI * BALL_DENSITY));
 }
 
-/** The box around a body, with room for a frame of a given length at its centre. */
-export function boxOf(body: BodyInfo, frame = 0): Box {
+/** The box around a body. */
+export function boxOf(body: BodyInfo, hull: ShapedHull | undefined): Box {
+  if (hull) return boxOfMesh(hull.mesh);
   const [x, y, z] = halfSizes(body);
-  return { low: [-x, -y, -z], high: [Math.max(x, frame), Math.max(y, frame), Math.max(z, frame)] };
+  return { low: [-x, -y, -z], high: [x, y, z] };
+}
+
+/** The box with room for a frame of this length at the body's centre. */
+export function withFrame({ low, high }: Box, length: number): Box {
+  return { low, high: [Math.max(high[0], length), Math.max(high[1], length), Math.max(high[2], length)] };
+}
+
+/** Lengths of a box's edges. */
+export function edgesOf({ low, high }: Box): Vec3 {
+  return [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
 }
 
 /** Half sizes of the box around a body, body axes. */
-export function halfSizes(body: BodyInfo): [number, number, number] {
+function halfSizes(body: BodyInfo): [number, number, number] {
   const { shape } = body;
   switch (shape?.kind) {
     case "box":

@@ -1,12 +1,15 @@
 import { DirectionalLight, Group, HemisphereLight, Mesh, PCFShadowMap, Scene, Sprite, WebGLRenderer } from "three";
 import type { Material, Object3D } from "three";
 import type { ModelInfo } from "../engine/engine";
+import type { Surface } from "../engine/surface";
 import { Eye } from "./camera";
 import { Ground } from "./ground";
 import { Linkages } from "./linkages";
 import { readPalette } from "./palette";
 import type { Palette } from "./palette";
-import { boxOf, halfSizes, solidOf } from "./solids";
+import { Sea } from "./sea";
+import { boxOf, edgesOf, solidOf, withFrame } from "./solids";
+import type { ShapedHull } from "./solids";
 import { gridSpacing } from "./spacing";
 import { labelScale, triadOf } from "./triad";
 
@@ -22,6 +25,7 @@ export class View {
   private readonly scene = new Scene();
   private readonly eye: Eye;
   private readonly ground = new Ground();
+  private readonly sea = new Sea();
   private readonly sun = new DirectionalLight(0xffffff);
   private readonly sky = new HemisphereLight();
   private readonly world = new Group();
@@ -30,6 +34,7 @@ export class View {
   private palette: Palette = readPalette();
   private model: ModelInfo | null = null;
   private poses: ArrayLike<number> = [];
+  private surface: Surface | null = null;
   private framesShown = false;
   private stale = true;
 
@@ -43,7 +48,7 @@ export class View {
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0005;
     this.sun.shadow.normalBias = 0.03;
-    this.scene.add(this.ground, this.sky, this.sun, this.sun.target, this.world);
+    this.scene.add(this.ground, this.sea, this.sky, this.sun, this.sun.target, this.world);
     this.light();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
@@ -54,22 +59,33 @@ export class View {
     this.model = model;
     this.poses = poses;
     this.clear();
+    const hulls = model.bodies.map(({ name }) => shapedHull(model, name));
     this.bodies = model.bodies.map((body, i) => {
       const group = new Group();
       const isShip = model.joints[i]?.kind === "floating";
-      group.add(solidOf(body, this.palette, isShip));
+      group.add(solidOf(body, this.palette, isShip, hulls[i]));
       return group;
     });
     this.world.add(...this.bodies);
-    const thickness = model.bodies.map((body) => 2 * Math.min(...halfSizes(body)));
+    const boxes = model.bodies.map((body, i) => boxOf(body, hulls[i]));
+    const thickness = boxes.map((box) => Math.min(...edgesOf(box)));
     this.linkages = new Linkages(model, this.bodies, thickness, this.world, this.palette);
-    const size = Math.max(...model.bodies.map((body) => 2 * Math.hypot(...halfSizes(body))));
+    const size = Math.max(...boxes.map((box) => Math.hypot(...edgesOf(box))));
     const frame = this.framesShown ? FRAME_LENGTH * size : 0;
-    this.eye.watch(model.bodies.map((body) => boxOf(body, 1.3 * frame)), poses);
+    this.eye.watch(boxes.map((box) => withFrame(box, 1.3 * frame)), poses);
     if (frame > 0) this.addFrames(frame);
     this.ground.space(this.spacing());
+    this.ground.visible = model.sea === null || model.hulls.length === 0;
     this.place(poses);
     if (refit) this.eye.fit();
+    this.stale = true;
+  }
+
+  /** The sea around; null where there is none to draw. */
+  showSea(surface: Surface | null, isNew: boolean): void {
+    if (isNew) this.sea.begin();
+    this.surface = surface;
+    this.sea.show(surface);
     this.stale = true;
   }
 
@@ -133,6 +149,8 @@ export class View {
 
   private light(): void {
     this.ground.paint(this.palette);
+    this.sea.paint(this.palette);
+    this.sea.show(this.surface);
     this.sun.intensity = this.palette.isDark ? 2.2 : 2.4;
     this.sky.intensity = this.palette.isDark ? 1.1 : 1.5;
     this.sky.color.set(0xffffff);
@@ -162,6 +180,10 @@ export class View {
     this.world.traverse(dispose);
     this.world.clear();
   }
+}
+
+function shapedHull(model: ModelInfo, body: string): ShapedHull | undefined {
+  return model.hulls.find((hull): hull is ShapedHull => hull.body === body && hull.mesh !== null);
 }
 
 function dispose(object: Object3D): void {

@@ -9,6 +9,7 @@ import gestures from "./gestures.mjs";
 import layout from "./layout.mjs";
 import numbers from "./numbers.mjs";
 import scenarios from "./scenarios.mjs";
+import sea from "./sea.mjs";
 
 const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
 const LIMIT_MS = 120_000;
@@ -24,7 +25,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...numbers, ...controls, ...gestures, ...faults, ...layout, ...scenarios }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...numbers, ...controls, ...gestures, ...faults, ...layout, ...scenarios, ...sea }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const browser = await launch(executable);

@@ -1,5 +1,9 @@
 //! What a view needs to draw a scenario and to offer its parameters.
 
+mod afloat;
+
+pub use afloat::{HullDescription, MeshDescription, SeaDescription};
+
 use super::build::flexible::{owner, shape};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
 use crate::drives::{Cylinder, Drive};
@@ -31,6 +35,10 @@ pub struct Description {
     pub loops: Vec<LoopDescription>,
     /// The hydraulic cylinders that act, in the order of results.
     pub cylinders: Vec<CylinderDescription>,
+    /// The sea, where there is one.
+    pub sea: Option<SeaDescription>,
+    /// The hulls in it, in the order of results.
+    pub hulls: Vec<HullDescription>,
     /// The knobs with their values.
     pub parameters: Vec<ParameterDescription>,
 }
@@ -124,7 +132,9 @@ pub struct ParameterDescription {
 impl Scenario {
     /// Describes a scenario that builds; bodies that are not enabled are left out.
     pub fn describe(&self) -> Result<Description, super::ScenarioError> {
-        let Setup { model, drives, .. } = self.setup()?;
+        let setup = self.setup()?;
+        let (sea, hulls) = (afloat::sea(self, &setup), afloat::hulls(self, &setup));
+        let Setup { model, drives, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
             modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
@@ -160,6 +170,8 @@ impl Scenario {
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
             loops: model.loops.iter().map(|closed| describe_loop(&model, closed)).collect(),
             cylinders: drives.iter().filter_map(Drive::cylinder).map(|c| describe_cylinder(&model, c)).collect(),
+            sea,
+            hulls,
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
         })
     }

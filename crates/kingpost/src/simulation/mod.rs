@@ -5,6 +5,7 @@ mod errors;
 mod recording;
 mod settle;
 mod setup;
+mod surface;
 
 pub use errors::{InputError, RunError};
 pub use settle::{Equilibrium, NoEquilibrium};

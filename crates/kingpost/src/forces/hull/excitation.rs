@@ -43,6 +43,11 @@ impl<S: Scalar> Excitation<S> {
         Self { field, phasors, transfer, last: None, force: [S::ZERO; 6], elevation: S::ZERO }
     }
 
+    /// The waves.
+    pub fn field(&self) -> &WaveField<S> {
+        &self.field
+    }
+
     /// Force (N) and moment (N m).
     pub fn force(&mut self, clock: Clock, slow: &SlowFrame<S>) -> [S; 6] {
         self.update(clock, slow);

@@ -14,6 +14,7 @@ mod realization;
 mod record;
 mod spectrum;
 mod spreading;
+mod surface;
 mod water;
 
 pub use components::{MOST_COMPONENTS, WaveComponent, significant_height_of_components_m};

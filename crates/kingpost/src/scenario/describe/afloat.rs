@@ -1,0 +1,94 @@
+//! The sea and the hulls in it, to draw.
+
+use crate::forces::{Force, Hull};
+use crate::scenario::schema::{self, Scenario};
+use crate::sea::database::HullAtRest;
+use crate::simulation::Setup;
+use serde::Serialize;
+
+/// The sea to draw.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SeaDescription {
+    /// Density of the water, kg/m^3.
+    pub density_kg_m3: f64,
+    /// Depth of the still water, m; absent where it is infinite.
+    pub depth_m: Option<f64>,
+    /// Number of regular waves that the hulls feel; 0 for water that is level.
+    pub wave_components: usize,
+}
+
+/// A hull in the water, to draw.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HullDescription {
+    /// Name of the force.
+    pub name: String,
+    /// Its body.
+    pub body: String,
+    /// The hull's origin, on the water plane of its data, from the body's centre of mass, body axes, m.
+    pub origin_m: [f64; 3],
+    /// Draught of its data, m.
+    pub draught_m: f64,
+    /// Length of its water line, m.
+    pub length_m: f64,
+    /// Beam of its water line, m.
+    pub beam_m: f64,
+    /// Its shape, where the data have it.
+    pub mesh: Option<MeshDescription>,
+}
+
+/// Triangles to draw.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MeshDescription {
+    /// From the body's centre of mass, body axes, m.
+    pub vertices_m: Vec<[f64; 3]>,
+    /// Indices of vertices, counter-clockwise seen from the water.
+    pub triangles: Vec<[usize; 3]>,
+}
+
+/// The sea, where the scenario has one or a hull in it.
+pub fn sea(scenario: &Scenario, setup: &Setup) -> Option<SeaDescription> {
+    let mut hulls = setup.forces.iter().filter_map(Force::hull).peekable();
+    if scenario.sea.is_none() && hulls.peek().is_none() {
+        return None;
+    }
+    let sea = scenario.sea.clone().unwrap_or_default();
+    let felt = hulls.filter_map(|hull| hull.excitation.as_ref()).map(|excitation| excitation.field().len());
+    Some(SeaDescription {
+        density_kg_m3: sea.density_kg_m3.get(),
+        depth_m: sea.depth_m.map(|depth| depth.get()),
+        wave_components: felt.max().unwrap_or(0),
+    })
+}
+
+/// The hulls, in the order of results.
+pub fn hulls(scenario: &Scenario, setup: &Setup) -> Vec<HullDescription> {
+    let described = setup.forces.iter().filter_map(Force::hull).filter_map(|hull| {
+        let at_rest = at_rest(scenario, &hull.name)?;
+        Some(hull_description(hull, &setup.model.bodies[hull.frame.body].name, at_rest))
+    });
+    described.collect()
+}
+
+/// What the database of a force says of its hull.
+fn at_rest<'a>(scenario: &'a Scenario, force: &str) -> Option<&'a HullAtRest> {
+    let (_, force) = scenario.forces.iter().find(|(name, _)| name.as_str() == force)?;
+    let schema::Force::Hydrodynamics(water) = force else { return None };
+    Some(&scenario.databases.get(&water.database)?.hull)
+}
+
+fn hull_description(hull: &Hull, body: &str, at_rest: &HullAtRest) -> HullDescription {
+    let origin = hull.frame.origin.0;
+    let from_centre = |vertex: &[f64; 3]| core::array::from_fn(|k| vertex[k] + origin[k]);
+    HullDescription {
+        name: hull.name.clone(),
+        body: body.to_owned(),
+        origin_m: origin,
+        draught_m: at_rest.draught_m,
+        length_m: at_rest.length_m,
+        beam_m: at_rest.beam_m,
+        mesh: at_rest.mesh.as_ref().map(|mesh| MeshDescription {
+            vertices_m: mesh.vertices_m.iter().map(from_centre).collect(),
+            triangles: mesh.triangles.clone(),
+        }),
+    }
+}

@@ -1,0 +1,47 @@
+//! What a view draws of the sea: the hull's place in it and the surface around.
+
+mod common;
+
+use common::barge::{BEAM, DRAUGHT, LENGTH, scenario};
+use kingpost::simulation::Simulation;
+use serde_json::json;
+
+const SWELL: &str = "sea.waves.swell.regular.enabled";
+/// Of the hull's drawing frame, on the keel, to the origin of its data, on the water.
+const CENTRE_ABOVE_KEEL: f64 = 2.0;
+
+#[test]
+fn a_hull_is_described_from_its_centre_of_mass() {
+    let described = scenario(&[(SWELL, json!(true))]).describe().expect("it builds");
+    let sea = described.sea.expect("a sea");
+    assert_eq!((sea.density_kg_m3, sea.depth_m, sea.wave_components), (1025.0, None, 1));
+    let [hull] = described.hulls.as_slice() else { panic!("one hull") };
+    assert_eq!((hull.name.as_str(), hull.body.as_str()), ("water", "hull"));
+    assert_eq!((hull.draught_m, hull.length_m, hull.beam_m), (DRAUGHT, LENGTH, BEAM));
+    assert_eq!(hull.origin_m, [0.0, 0.0, DRAUGHT - CENTRE_ABOVE_KEEL]);
+    let mesh = hull.mesh.as_ref().expect("a mesh");
+    let lowest = mesh.vertices_m.iter().map(|vertex| vertex[2]).fold(f64::INFINITY, f64::min);
+    assert_eq!(lowest, -CENTRE_ABOVE_KEEL, "the keel");
+    assert!(mesh.triangles.iter().flatten().all(|&i| i < mesh.vertices_m.len()));
+    let calm = scenario(&[]).describe().expect("it builds").sea.expect("a sea");
+    assert_eq!(calm.wave_components, 0);
+}
+
+/// The surface drawn is the one that pushes the hull: at the hull's mean place it is the channel's.
+#[test]
+fn the_surface_is_the_wave_that_the_hull_feels() {
+    let mut simulation = Simulation::new(scenario(&[(SWELL, json!(true))]).setup().expect("it builds"));
+    for _ in 0..20 {
+        simulation.step(25).expect("it runs");
+        // What the filter of the slow frame holds over the step.
+        let [.., x, y, _heading] = simulation.state().d[..] else { panic!("a slow frame") };
+        let mut row = Vec::new();
+        simulation.write_row(&mut row);
+        let channel = simulation.channels().iter().find(|channel| channel.variable == "wave_elevation");
+        let felt = row[channel.expect("a channel").offset];
+        let [drawn] = simulation.surface(&[x], &[y])[..] else { panic!("one crossing") };
+        assert!((drawn - felt).abs() < 1e-12, "{drawn} {felt}");
+    }
+    let calm = Simulation::new(scenario(&[]).setup().expect("it builds"));
+    assert_eq!(calm.surface(&[0.0, 1.0], &[2.0]), [0.0, 0.0]);
+}

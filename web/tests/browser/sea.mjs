@@ -1,0 +1,112 @@
+// Ships afloat: the sea is drawn as the engine has it, and the page says how the ship floats.
+import assert from "node:assert/strict";
+import { close as near, numberIn, openApp, openFile, PHONE, sample, stepTo } from "./app.mjs";
+
+/** A barge in a regular wave, its data from the gallery's folder. */
+const BARGE = `version: 1
+title: A barge in a regular wave
+simulation: {step_s: 0.02, duration_s: 60, record_every_s: 0.1}
+sea:
+  waves:
+    swell: {regular: {height_m: 1.6, period_s: 4.5, direction_deg: 140}}
+bodies:
+  hull:
+    mass_t: 410
+    centre_of_mass_m: [0, 0, 0]
+    inertia: {radii_of_gyration: {radii_m: [3.5, 6, 6]}}
+    joint: {floating: {initial: {orientation_deg: [4, -2, 0]}}}
+forces:
+  gravity: {gravity: {}}
+  water: {hydrodynamics: {body: hull, database: hydro/barge.hydro.json}}
+`;
+
+const opened = (page, title) => page.waitForFunction((wanted) => document.title.endsWith(wanted), title);
+
+async function openBarge(host, options) {
+  const app = await openApp(host, options);
+  await openFile(app.page, "barge.yaml", BARGE);
+  await opened(app.page, "A barge in a regular wave");
+  return app;
+}
+
+/** How much of the picture is bluer than red: water and hull, not deck, sky at the foot or bottom paint. */
+async function blue(page) {
+  const picture = (await page.getByTestId("canvas").screenshot()).toString("base64");
+  return page.evaluate(async (base64) => {
+    const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
+    const pen = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+    pen.drawImage(bitmap, 0, 0);
+    const { data } = pen.getImageData(0, 0, bitmap.width, bitmap.height);
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i + 2] > data[i] + 45) count += 1;
+    return count / (data.length / 4);
+  }, picture);
+}
+
+const looks = ["light", "dark"].map((colorScheme) => [
+  `draws the sea around the ship, ${colorScheme}`,
+  async (host) => {
+    const { page, close } = await openBarge(host, { colorScheme, viewport: colorScheme === "light" ? undefined : PHONE });
+    await stepTo(page, 3);
+    await page.waitForTimeout(300);
+    const withSea = await blue(page);
+    assert.ok(withSea > 0.2, `water is on ${(100 * withSea).toFixed(0)} % of the picture`);
+    assert.match(await page.locator("#scene-note").textContent(), /Incident waves, 1 in all/);
+    await close();
+  },
+]);
+
+export default {
+  ...Object.fromEntries(looks),
+
+  async "moves the sea by the engine's wave, and says how the ship floats"(host) {
+    const { page, close } = await openBarge(host);
+    near(await numberIn(page, "heel"), 4, 0.005, "heel");
+    near(await numberIn(page, "trim"), -2, 0.005, "trim");
+    near(await numberIn(page, "draught"), 2, 0.005, "draught");
+    await stepTo(page, 2);
+    const { row, surface, poses, time_s } = await sample(page);
+    near(await numberIn(page, "heel"), (row["hull.roll"] * 180) / Math.PI, 0.0051, "heel shown");
+    near(await numberIn(page, "trim"), (row["hull.pitch"] * 180) / Math.PI, 0.0051, "trim shown");
+    near(await numberIn(page, "wave"), row["wave_elevation.water"], 0.0051, "wave shown");
+    // a cos(k (x cos b + y sin b) - w t), k = w^2 / g: the documented wave, at every crossing.
+    const [omega, direction] = [(2 * Math.PI) / 4.5, (140 * Math.PI) / 180];
+    const { x_m, y_m, spacing_m } = surface;
+    const elevations = Object.values(surface.elevation_m);
+    const lines = Math.sqrt(elevations.length);
+    elevations.forEach((elevation, at) => {
+      const [x, y] = [x_m + Math.floor(at / lines) * spacing_m, y_m + (at % lines) * spacing_m];
+      const along = x * Math.cos(direction) + y * Math.sin(direction);
+      near(elevation, 0.8 * Math.cos((omega ** 2 / 9.80665) * along - omega * time_s), 1e-9, `the surface at ${x}, ${y}`);
+    });
+    const reach = (lines - 1) * spacing_m;
+    assert.ok(x_m < poses[0] - 10 && x_m + reach > poses[0] + 10 && y_m < poses[1] - 5 && y_m + reach > poses[1] + 5);
+    await page.getByTestId("choice-angles").selectOption("Heave of hull");
+    await page.waitForTimeout(500);
+    near(await numberIn(page, "pitch-angles"), row["hull.position.z"], 1e-4, "heave plotted");
+    await close();
+  },
+
+  async "draws still water level, and none where the scenario has none"(host) {
+    const { page, close } = await openApp(host);
+    assert.equal(await page.getByTestId("floating").isVisible(), false);
+    assert.equal((await sample(page)).surface, null);
+    assert.match(await page.locator("#scene-note").textContent(), /No water in this scenario/);
+    await openFile(page, "calm.yaml", BARGE.replace("regular: {", "regular: {enabled: false, ").replace("in a regular wave", "in still water"));
+    await opened(page, "A barge in still water");
+    await stepTo(page, 0.5);
+    const { surface } = await sample(page);
+    assert.ok(Object.values(surface.elevation_m).every((elevation) => elevation === 0));
+    assert.match(await page.locator("#scene-note").textContent(), /Still water/);
+    await close();
+  },
+
+  async "says which file of a scenario is not there"(host) {
+    const { page, close } = await openApp(host);
+    // The address of a file that is not there is an error in the console too.
+    await openFile(page, "lost.yaml", BARGE.replace("hydro/barge.hydro.json", "../lost.hydro.json"));
+    await page.waitForFunction(() => document.querySelector("[data-testid=alert]").textContent.includes("no file"));
+    assert.match(await page.getByTestId("alert").textContent(), /lost\.hydro\.json/);
+    await close();
+  },
+};

@@ -1,0 +1,45 @@
+import { describe, expect, it } from "vitest";
+import { ScenarioFiles } from "../src/engine/files";
+
+const FOLDER = "https://ships.example/app/scenarios/";
+
+/** A folder with these files, and what was asked of it. */
+function folderOf(texts: Record<string, string>) {
+  const asked: string[] = [];
+  const files = new ScenarioFiles(FOLDER, async (url) => {
+    asked.push(url);
+    if (url.endsWith("/broken.json")) throw new TypeError("failed to fetch");
+    return texts[url.slice(FOLDER.length)] ?? null;
+  });
+  return { files, asked };
+}
+
+describe("the files that a scenario names", () => {
+  it("come from the gallery's folder by their names, each fetched once", async () => {
+    const { files, asked } = folderOf({ "hydro/barge.hydro.json": "barge", "hydro/sphere.hydro.json": "sphere" });
+    expect(await files.take([])).toEqual({});
+    expect(await files.take(["hydro/barge.hydro.json"])).toEqual({ "hydro/barge.hydro.json": "barge" });
+    const both = { "hydro/barge.hydro.json": "barge", "hydro/sphere.hydro.json": "sphere" };
+    expect(await files.take(Object.keys(both))).toEqual(both);
+    expect(asked).toEqual([`${FOLDER}hydro/barge.hydro.json`, `${FOLDER}hydro/sphere.hydro.json`]);
+  });
+
+  it("are fetched once when they are asked for twice at a time", async () => {
+    const { files, asked } = folderOf({ "a.json": "a" });
+    await Promise.all([files.take(["a.json"]), files.take(["a.json"])]);
+    expect(asked.length).toBe(1);
+  });
+
+  it("are left out where they are not there, and asked for again", async () => {
+    const { files, asked } = folderOf({ "a.json": "a" });
+    expect(await files.take(["missing.json", "a.json", "broken.json"])).toEqual({ "a.json": "a" });
+    await files.take(["missing.json"]);
+    expect(asked.filter((url) => url.endsWith("missing.json")).length).toBe(2);
+  });
+
+  it("are looked for nowhere but in that folder", async () => {
+    const { files, asked } = folderOf({});
+    expect(await files.take(["https://elsewhere.example/a.json", "../a.json", "/a.json", "//[", "hydro/../../a.json"])).toEqual({});
+    expect(asked).toEqual([]);
+  });
+});

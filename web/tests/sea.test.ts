@@ -1,0 +1,62 @@
+import { describe, expect, it } from "vitest";
+import { afloat } from "../src/app/afloat";
+import { Columns } from "../src/engine/columns";
+import type { ModelInfo } from "../src/engine/engine";
+import { readModel } from "../src/engine/engine";
+import { LINES, SurfaceGrid } from "../src/engine/surface";
+import { CHANNELS, FakeEngine } from "./fake";
+
+/** The stand-in's box as a hull of 20 m whose data's origin is 1.5 m above its centre of mass. */
+function model(wave_components: number): ModelInfo {
+  return {
+    ...readModel(new FakeEngine().model_json()),
+    sea: { density_kg_m3: 1025, depth_m: null, wave_components },
+    hulls: [{ name: "water", body: "ship", origin_m: [0, 0, 1.5], draught_m: 2, length_m: 20, beam_m: 10, mesh: null }],
+  };
+}
+
+const at = (x: number, y: number, z = 0) => [x, y, z, 1, 0, 0, 0];
+
+describe("the sea around the ship", () => {
+  it("is asked of the engine on lines that stay where they are while the ship drifts", () => {
+    const engine = new FakeEngine();
+    engine.step(20);
+    const grid = SurfaceGrid.around(model(3))!;
+    const [one, drifted, away] = [at(0, 0), at(0.3, -0.2), at(100, 40)].map((poses) => grid.surface(engine, poses));
+    expect([one.x_m, one.y_m]).toEqual([drifted.x_m, drifted.y_m]);
+    const lines = (away.x_m - one.x_m) / one.spacing_m;
+    expect(lines).toBeCloseTo(Math.round(lines), 9);
+    const middle = away.x_m + (LINES / 2) * away.spacing_m;
+    expect(Math.abs(middle - 100)).toBeLessThanOrEqual(away.spacing_m / 2);
+    // What the stand-in says of its surface: the time, everywhere.
+    expect(one.elevation_m.length).toBe(LINES * LINES);
+    expect(new Set(one.elevation_m)).toEqual(new Set([engine.time_s()]));
+  });
+
+  it("is a level plane without waves, and nothing without a hull", () => {
+    const engine = new FakeEngine();
+    engine.step(20);
+    expect(new Set(SurfaceGrid.around(model(0))!.surface(engine, at(0, 0)).elevation_m)).toEqual(new Set([0]));
+    expect(SurfaceGrid.around({ ...model(3), hulls: [] })).toBeNull();
+    expect(SurfaceGrid.around({ ...model(3), sea: null })).toBeNull();
+  });
+});
+
+describe("how a hull floats", () => {
+  const wave = { variable: "wave_elevation", long_name: "", unit: "m", frame: "none", dims: ["hull"], labels: [["water"]], offset: 13, len: 1 };
+  const columns = new Columns([...CHANNELS, wave]);
+  const row = Float64Array.of(0, 0, 0, 0, 0.02, -0.01, 0, 0, 0, 0, 0, 0, 0, 0.7);
+
+  it("is heel by roll, trim by pitch, the draught of the origin and the wave there", () => {
+    expect(afloat(model(0), columns, row, at(3, 4, -1.6))).toEqual({ heel_rad: 0.02, trim_rad: -0.01, draught_m: expect.closeTo(2.1, 12), wave_m: 0.7 });
+    expect(afloat({ ...model(0), hulls: [] }, columns, row, at(0, 0))).toBeNull();
+  });
+
+  it("measures the draught along the vertical of a ship that heels and trims", () => {
+    // A quarter turn about x carries z to -y, one about y carries x to -z.
+    const half = Math.SQRT1_2;
+    const one = { ...model(0), hulls: [{ ...model(0).hulls[0], origin_m: [5, 2, 1.5] as [number, number, number] }] };
+    expect(afloat(one, columns, row, [0, 0, 0, half, half, 0, 0])!.draught_m).toBeCloseTo(2 - 2, 12);
+    expect(afloat(one, columns, row, [0, 0, 0, half, 0, half, 0])!.draught_m).toBeCloseTo(2 + 5, 12);
+  });
+});
