@@ -91,7 +91,12 @@ class Batch:
         variants = [self.scenario.overrides + variant for variant in self._variants()]
         engine = _engine_for_this_processor()
         rows, errors, channels = engine.batch(
-            self.scenario.text, self.scenario.file, self.scenario.files, json.dumps(variants), threads, progress
+            self.scenario.text,
+            self.scenario.file,
+            self.scenario.files,
+            json.dumps(variants),
+            threads,
+            progress,
         )
         status = [FINISHED if error is None else str(error) for error in errors]
         about = f"{status.count(FINISHED)} of {len(status)} runs finished"

@@ -92,9 +92,7 @@ class Scenario:
 
     def _gradient(self, names: list[str], progress: Callable[[float], None] | None) -> tuple[Any, ...]:
         """Rows, their derivatives by name, the table of channels, the error that ended the run."""
-        found = _engine.gradient(
-            self.text, self.file, self._overrides_json, self.files, names, progress
-        )
+        found = _engine.gradient(self.text, self.file, self._overrides_json, self.files, names, progress)
         rows, derivatives, channels_json, error = found
         return rows, derivatives, json.loads(channels_json), error
 
