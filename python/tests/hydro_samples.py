@@ -31,13 +31,13 @@ def hemisphere_hull(radius_m: float) -> Hull:
 
 def database(frequencies, added_mass, damping, added_mass_infinite, **others) -> Database:
     """A database of a hemisphere of 5 m with these coefficients, without excitation unless given."""
-    none = np.zeros((len(frequencies), 1, 6), complex)
+    none = np.zeros((len(frequencies), 4, 6), complex)
     fields = {
         "title": "sample",
         "provenance": Provenance("tests", "closed form", "sample"),
         "water": Water(1000.0, 9.81, None),
         "hull": hemisphere_hull(5.0),
-        "wave_directions_rad": np.zeros(1),
+        "wave_directions_rad": 0.5 * np.pi * np.arange(4),
         "froude_krylov": none,
         "diffraction": none,
         **others,
@@ -80,3 +80,31 @@ def memory_of_bandpasses(omega: np.ndarray) -> np.ndarray:
         found[(slice(None), *group)] += gain * function[:, None, None]
     found[:, 1, 1] = 2e5 * s / ((s + 0.5) * (s + 2.0))
     return found
+
+
+def decay_by_convolution(kernel, mass, stiffness, step):
+    """Heave from 1 m at rest by M z'' + integral_0^t k(t - s) z'(s) ds + C z = 0.
+
+    Average acceleration and trapezoids, with the memory as it is: no states, no fit.
+
+    Parameters
+    ----------
+    kernel
+        k at 0, step, 2 step, ..., kg/s2.
+    mass
+        M = m + A_inf, kg.
+    stiffness
+        C = rho g S, N/m.
+    """
+    position, velocity, acceleration = np.zeros((3, len(kernel)))
+    position[0], acceleration[0] = 1.0, -stiffness / mass
+    for i in range(len(kernel) - 1):
+        past = step * (kernel[1 : i + 2][::-1] @ velocity[: i + 1] - 0.5 * kernel[i + 1] * velocity[0])
+        ahead_velocity = velocity[i] + 0.5 * step * acceleration[i]
+        ahead_position = position[i] + step * velocity[i] + 0.25 * step**2 * acceleration[i]
+        whole = mass + 0.25 * step**2 * kernel[0] + 0.25 * step**2 * stiffness
+        force = -stiffness * ahead_position - past - 0.5 * step * kernel[0] * ahead_velocity
+        acceleration[i + 1] = force / whole
+        velocity[i + 1] = ahead_velocity + 0.5 * step * acceleration[i + 1]
+        position[i + 1] = ahead_position + 0.25 * step**2 * acceleration[i + 1]
+    return position

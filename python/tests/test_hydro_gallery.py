@@ -5,9 +5,11 @@ import shlex
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
+import hydro_samples as samples
 import numpy as np
 import pytest
 from kingpost.hydro import checks, command, radiation_fit, read
+from kingpost.hydro.airy import wave_number
 from kingpost.hydro.build import database_hull, default_frequencies
 from kingpost.hydro.database import Water
 from kingpost.hydro.meshes import HullMeshes, parametric
@@ -93,3 +95,44 @@ def test_a_fit_to_the_stored_coefficients_is_the_stored_memory(name):
     # The poles of the barge follow rounding 10^5 times enlarged; other libraries of linear algebra round
     # otherwise. This is a two-hundredth of what the fit may miss.
     assert (np.abs(first - second) <= 1e-4 * np.sqrt(np.outer(peaks, peaks))).all()
+
+
+def cubic(x: np.ndarray, y: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """Through the four nearest points."""
+    found = []
+    for point in at:
+        first = np.clip(np.searchsorted(x, point) - 2, 0, len(x) - 4)
+        nodes, values = x[first : first + 4], y[first : first + 4]
+        found.append(np.polynomial.Polynomial.fit(nodes, values, 3)(point))
+    return np.array(found)
+
+
+def test_the_stored_sphere_has_the_coefficients_of_hulmes_table():
+    found, radius = read(FOLDER / "sphere.hydro.json"), 5.0
+    mass = found.water.density_kg_m3 * 2 / 3 * np.pi * radius**3
+    ka, added_mass, damping = samples.HULME.T
+    omega = np.sqrt(found.water.gravity_m_s2 * ka / radius)
+    stored = cubic(found.frequencies_rad_s, found.added_mass[:, 2, 2], omega) / mass
+    np.testing.assert_allclose(stored, added_mass, rtol=0.02)
+    stored = cubic(found.frequencies_rad_s, found.radiation_damping[:, 2, 2], omega) / mass / omega
+    assert (np.abs(stored - damping) <= np.maximum(0.02 * damping, 0.005)).all()
+    assert found.added_mass_infinite[2, 2] / mass == pytest.approx(samples.HULME_INFINITE, rel=0.02)
+
+
+def test_the_stored_barge_floats_as_a_block_and_head_seas_lift_it_as_a_box():
+    found = read(FOLDER / "barge.hydro.json")
+    hull, plane, weight = found.hull, found.hull.waterplane, 1025 * 9.80665
+    length, beam, draught = 20.0, 10.0, 2.0
+    volume = length * beam * draught
+    assert hull.volume_m3 == pytest.approx(volume, rel=1e-3)
+    bm = plane.second_moments_m4[[2, 0]] / hull.volume_m3
+    np.testing.assert_allclose(bm, [beam**2 / (12 * draught), length**2 / (12 * draught)], rtol=1e-3)
+    # Of buoyancy alone: C33 = rho g L B, C44 = rho g V (BM + z_B), C55 alike.
+    assert weight * plane.area_m2 == pytest.approx(weight * length * beam, rel=1e-3)
+    lever = bm + hull.centre_of_buoyancy_m[2]
+    closed = [beam**2 / (12 * draught) - draught / 2, length**2 / (12 * draught) - draught / 2]
+    np.testing.assert_allclose(weight * hull.volume_m3 * lever, weight * volume * np.array(closed), rtol=1e-3)
+    head = found.froude_krylov[:, len(found.wave_directions_rad) // 2, 2]
+    k = np.array([wave_number(omega, found.water) for omega in found.frequencies_rad_s])
+    exact = np.exp(-k * draught) * np.sinc(k * length / (2 * np.pi))
+    assert (np.abs(head / (weight * length * beam) - exact) < 0.01).all()

@@ -137,22 +137,6 @@ def test_the_cosine_transform_of_a_band_pass_is_its_impulse_response() -> None:
     assert np.abs(memory.cosine_transform(omega, damping, t) - exact).max() < limit
 
 
-def decay_by_convolution(kernel, mass, stiffness, step):
-    """Heave from 1 m at rest, M z'' + integral k z' + C z = 0: average acceleration, trapezoids."""
-    position, velocity, acceleration = np.zeros((3, len(kernel)))
-    position[0], acceleration[0] = 1.0, -stiffness / mass
-    for i in range(len(kernel) - 1):
-        past = step * (kernel[1 : i + 2][::-1] @ velocity[: i + 1] - 0.5 * kernel[i + 1] * velocity[0])
-        ahead_velocity = velocity[i] + 0.5 * step * acceleration[i]
-        ahead_position = position[i] + step * velocity[i] + 0.25 * step**2 * acceleration[i]
-        whole = mass + 0.25 * step**2 * kernel[0] + 0.25 * step**2 * stiffness
-        force = -stiffness * ahead_position - past - 0.5 * step * kernel[0] * ahead_velocity
-        acceleration[i + 1] = force / whole
-        velocity[i + 1] = ahead_velocity + 0.5 * step * acceleration[i + 1]
-        position[i + 1] = ahead_position + 0.25 * step**2 * acceleration[i + 1]
-    return position
-
-
 def decay_by_states(mode, mass, stiffness, step, steps):
     """The same with the fitted states: the matrix exponential's eighth-order series, a step at a time."""
     p, n = mode.poles_rad_s, len(mode.poles_rad_s)
@@ -182,7 +166,7 @@ def test_the_decay_of_a_sphere_agrees_with_direct_convolution() -> None:
     mass = 261.8e3 + database.added_mass_infinite[2, 2]
     stiffness = 1000.0 * 9.81 * np.pi * 5.0**2
     kernel = memory.retardation(database, step * np.arange(1001))[:, 2, 2]
-    direct = decay_by_convolution(kernel, mass, stiffness, step)
+    direct = samples.decay_by_convolution(kernel, mass, stiffness, step)
     fitted = decay_by_states(radiation_fit.fit(database).modes[2], mass, stiffness, step, 1000)
     extrema = 1 + np.flatnonzero(np.diff(np.sign(np.diff(direct))))
     assert len(extrema) == 4
