@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
+from . import hydrostatics_report
 from .report import steps, table
 from .results import gravity_m_s2
 
@@ -18,7 +19,8 @@ CARRIES_NOTHING = ("gravity", "quadratic_damping", "viscous_damping")
 
 
 def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
-    """What a scenario builds: bodies, joints, closed loops, parameters, drives and forces."""
+    """What a scenario builds: bodies, joints, closed loops, parameters, drives and forces, and how its
+    hulls float."""
     resolved = scenario.resolved
     described = scenario.model
     settings = resolved["simulation"]
@@ -34,6 +36,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         _cylinders({name: law["cylinder"] for name, law in drives.items() if "cylinder" in law}),
         _prescribed(resolved),
         _laws("forces", resolved.get("forces", {})),
+        *hydrostatics_report.sections(scenario),
         [f"warning: gravity acts and nothing carries {name}: it falls" for name in falling(resolved)],
         [
             f"{settings['integrator']}, {settings['duration_s']:g} s {steps(settings)}, "

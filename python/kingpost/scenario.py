@@ -77,6 +77,27 @@ class Scenario:
         """
         return json.loads(self._engine().model_json())
 
+    @cached_property
+    def hydrostatics(self) -> dict[str, Any]:
+        """How the hulls float at rest in still water with the crane as a run begins: ``hulls``, one for each
+        force `hydrodynamics`, and ``warnings``.
+
+        Of each hull, with units in the names (docs/afloat.md): displacement, draught, heel to
+        starboard and trim by the bow, KB, BM, KM, KG, GM with hanging loads where they hang from
+        (``metacentric_height_m``) and as if they were fixed, the loads that hang, and the righting arms at
+        constant displacement, free to trim. Pairs are across the ship and along it.
+
+        Raises
+        ------
+        KingpostError
+            When a hull is heavier than what it displaces wholly under water.
+
+        >>> barge = load("barge").hydrostatics["hulls"][0]
+        >>> round(barge["draught_m"], 3), round(barge["metacentric_height_m"][0], 2)
+        (2.0, 2.67)
+        """
+        return json.loads(self._engine().hydrostatics_json())
+
     def with_overrides(self, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
         """The same scenario with more set over it; the last value of a name counts.
 

@@ -242,6 +242,16 @@ class Simulation:
         """
         return Equilibrium(*self._engine.settle())
 
+    def hydrostatics(self) -> dict[str, Any]:
+        """As `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed coordinates stay,
+        the rest comes to rest in still water. The simulation itself does not move.
+
+        >>> simulation = Simulation(load("barge"))
+        >>> simulation.hydrostatics()["hulls"][0]["body"]
+        'ship'
+        """
+        return json.loads(self._engine.hydrostatics_json())
+
 
 def run(
     scenario_or_path: Scenario | str | Path, overrides: Overrides | None = None, **parameters: Any

@@ -3,6 +3,7 @@
 use crate::{Files, errors, read_with};
 use kingpost::analysis::Linearizer;
 use kingpost::dynamics::moving_frame::{Naming, Symbols};
+use kingpost::hydrostatics::HydrostaticsError;
 use kingpost::scenario::Scenario;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -205,6 +206,16 @@ impl Simulation {
         let naming = if names { Naming::Names } else { Naming::Numbers };
         let matrices = Symbols::new(self.inner.model(), naming).matrices();
         serde_json::to_string(&matrices).map_err(errors::input)
+    }
+
+    /// How the hulls float at rest with the crane as it stands, as JSON.
+    fn hydrostatics_json(&self, py: Python<'_>) -> PyResult<String> {
+        let report = py.detach(|| self.scenario.hydrostatic_report_at(&self.inner));
+        let report = report.map_err(|error| match error {
+            HydrostaticsError::Scenario(error) => errors::scenario(error),
+            HydrostaticsError::Hull { .. } => errors::input(error),
+        })?;
+        serde_json::to_string(&report).map_err(errors::input)
     }
 
     fn model_json(&self) -> PyResult<String> {

@@ -98,6 +98,11 @@ impl Simulation {
         json(&self.scenario.describe().map_err(thrown::scenario)?)
     }
 
+    /// How the hulls float at rest with the crane as it stands: draught, heel, trim, GM, righting arms.
+    pub fn hydrostatics_json(&self) -> Result<JsString, JsValue> {
+        json(&self.scenario.hydrostatic_report_at(&self.inner).map_err(thrown::hydrostatics)?)
+    }
+
     /// The scenario with defaults, parameters and overrides in place; it reads back to the same.
     pub fn resolved_json(&self) -> JsString {
         self.scenario.to_json().into()

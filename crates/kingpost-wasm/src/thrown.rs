@@ -1,5 +1,6 @@
 //! The engine's typed errors as plain objects: `kind` and `message`, and what else is known.
 
+use kingpost::hydrostatics::HydrostaticsError;
 use kingpost::scenario::ScenarioError;
 use kingpost::simulation::RunError;
 use serde_json::{Value, json};
@@ -17,6 +18,14 @@ pub fn scenario(error: ScenarioError) -> JsValue {
         "found": error.found,
         "allowed": error.allowed,
     }))
+}
+
+/// Hulls that do not float.
+pub fn hydrostatics(error: HydrostaticsError) -> JsValue {
+    match error {
+        HydrostaticsError::Scenario(error) => scenario(error),
+        HydrostaticsError::Hull { .. } => input(error),
+    }
 }
 
 /// A run that cannot go on.

@@ -34,6 +34,8 @@ pub mod simulation;
 
 pub mod scenario;
 
+pub mod hydrostatics;
+
 #[cfg(not(target_family = "wasm"))]
 pub mod analysis;
 #[cfg(not(target_family = "wasm"))]

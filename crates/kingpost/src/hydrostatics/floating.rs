@@ -1,0 +1,265 @@
+//! One hull at rest in still water.
+
+use super::hanging::{HangingLoad, Restraints, Weight, carried, loads, weight};
+use super::{HullAfloat, HydrostaticsError, RightingArmPoint};
+use crate::dynamics::Kinematics;
+use crate::forces::hull::{Hull, Hydrostatics};
+use crate::model::Model;
+use crate::sea::database::Database;
+use crate::sea::hull::{FloatingPosition, HullMesh, Loading, RightingArm, StabilityError, WettedHull};
+use crate::spatial::{Frame, Vector3};
+
+/// Linear hydrodynamics about a draught that differs from the database's by more than this share of it
+/// are warned of.
+const LARGEST_DRAUGHT_CHANGE: f64 = 0.05;
+/// Linear hydrodynamics about a heel or trim beyond this are warned of, and a bottom that comes out of
+/// the water before, deg.
+const LARGEST_ANGLE_DEG: f64 = 3.0;
+/// A displacement that differs from the mass by more than this share of it is warned of.
+const LARGEST_PULL: f64 = 1e-3;
+/// Angles of heel of the righting-arm curve, deg.
+const HEELS_DEG: [f64; 13] = [0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0];
+
+/// A hull, its data, and where everything is.
+pub(super) struct Floating<'a> {
+    pub(super) hull: &'a Hull,
+    pub(super) database: &'a Database,
+    pub(super) model: &'a Model,
+    pub(super) at: &'a Kinematics,
+    /// Acceleration, m/s^2.
+    pub(super) gravity: f64,
+}
+
+/// What is under water, seen from the hull's origin in its axes.
+struct Underwater {
+    volume: f64,
+    centre: Vector3,
+    metacentric_radius: [f64; 2],
+}
+
+impl Floating<'_> {
+    /// An error where the whole hull displaces less than its weight.
+    pub(super) fn check_capacity(&self) -> Result<(), HydrostaticsError> {
+        let Some(mesh) = self.mesh() else { return Ok(()) };
+        let mass = self.carried_weight().mass;
+        let (displacement_m3, largest_m3) = (mass / self.density(), mesh.volume());
+        if displacement_m3 < largest_m3 {
+            return Ok(());
+        }
+        let error = StabilityError::CannotFloat { mass_t: mass / 1000.0, displacement_m3, largest_m3 };
+        Err(HydrostaticsError::Hull { force: self.hull.name.clone(), error })
+    }
+
+    /// How it floats, if it does, and what a user should know of that.
+    pub(super) fn describe(&self, restraints: &Restraints) -> (Option<HullAfloat>, Vec<String>) {
+        let (position, mesh) = (self.position(), self.mesh());
+        let underwater = match &mesh {
+            Some(mesh) => Underwater::of_mesh(mesh, &position),
+            None => Underwater::of_waterplane(self.database, &position),
+        };
+        let name = &self.model.bodies[self.hull.frame.body].name;
+        if matches!(self.hull.hydrostatics, Hydrostatics::None) {
+            return (None, vec![format!("no hydrostatics of {name}: no buoyancy acts on it")]);
+        }
+        let Some(underwater) = underwater else {
+            return (None, vec![format!("no hydrostatics of {name}: it rests above the water")]);
+        };
+        let hanging = self.hanging(restraints);
+        let mut afloat = self.heights(&position, &underwater, &hanging);
+        let mut warnings = self.warnings(&afloat);
+        if let Some(mesh) = &mesh {
+            match self.righting_arm(mesh, &position, afloat.fluid_rise_m()[0]) {
+                Ok(curve) => afloat.righting_arm = curve,
+                Err(error) => warnings.push(format!("{name}: no righting-arm curve: {error}")),
+            }
+        }
+        afloat.hanging = hanging;
+        afloat.by_mesh = mesh.is_some();
+        (Some(afloat), warnings)
+    }
+
+    fn density(&self) -> f64 {
+        self.hull.specific_weight / self.gravity
+    }
+
+    /// The mesh of its data, where there is one that is sound.
+    fn mesh(&self) -> Option<HullMesh> {
+        let mesh = self.database.hull.mesh.as_ref()?;
+        HullMesh::new(mesh.vertices_m.clone(), mesh.triangles.clone()).ok()
+    }
+
+    /// The data's frame in the world.
+    fn frame(&self) -> Frame {
+        self.at.world[self.hull.frame.body].times(&Frame::translation(self.hull.frame.origin))
+    }
+
+    fn position(&self) -> FloatingPosition {
+        FloatingPosition::of(&self.frame())
+    }
+
+    fn carried_weight(&self) -> Weight {
+        weight(self.model, self.at, &carried(self.model, self.hull.frame.body))
+    }
+
+    /// Centre of gravity, hull axes, about the data's origin, m.
+    fn centre_of_gravity(&self) -> Vector3 {
+        self.frame().inverse().point(self.carried_weight().centre)
+    }
+
+    fn hanging(&self, restraints: &Restraints) -> Vec<HangingLoad> {
+        let frame = self.frame();
+        let axes = tangents(self.position().vertical).map(|t| frame.rotation * t);
+        // The vertical moves across the ship about the axis along it, and the other way round.
+        let [across, along] = axes;
+        loads(self.model, self.at, self.hull.frame.body, restraints, [along, across])
+    }
+
+    fn heights(&self, position: &FloatingPosition, water: &Underwater, hanging: &[HangingLoad]) -> HullAfloat {
+        let (vertical, draught) = (position.vertical, self.database.hull.draught_m);
+        let (mass, gravity) = (self.carried_weight().mass, self.centre_of_gravity());
+        let rise = [0, 1].map(|k| {
+            let moments = hanging.iter().map(|load| load.mass_kg * load.length_m * load.free_share[k]);
+            moments.sum::<f64>() / mass
+        });
+        let solid = water.metacentric_radius.map(|radius| radius + (water.centre - gravity).dot(vertical));
+        HullAfloat {
+            force: self.hull.name.clone(),
+            body: self.model.bodies[self.hull.frame.body].name.clone(),
+            mass_kg: mass,
+            displacement_kg: water.volume * self.density(),
+            displacement_m3: water.volume,
+            draught_m: vertical[2] * draught - position.height,
+            database_draught_m: draught,
+            heel_rad: libm::atan2(vertical[1], vertical[2]),
+            trim_rad: libm::atan2(-vertical[0], libm::hypot(vertical[1], vertical[2])),
+            keel_to_buoyancy_m: water.centre[2] + draught,
+            metacentric_radius_m: water.metacentric_radius,
+            keel_to_metacentre_m: water.metacentric_radius.map(|radius| water.centre[2] + draught + radius),
+            keel_to_gravity_m: gravity[2] + draught,
+            fluid_keel_to_gravity_m: rise.map(|rise| gravity[2] + draught + rise),
+            solid_metacentric_height_m: solid,
+            metacentric_height_m: [solid[0] - rise[0], solid[1] - rise[1]],
+            hanging: Vec::new(),
+            righting_arm: Vec::new(),
+            by_mesh: false,
+        }
+    }
+
+    /// Where a hull leaves what its linear data are about, and what is wrong with its stability.
+    fn warnings(&self, hull: &HullAfloat) -> Vec<String> {
+        let mut warnings = if self.is_linear() { self.off_the_database(hull) } else { Vec::new() };
+        let (body, draught) = (&hull.body, hull.draught_m);
+        let [length, beam] = [self.database.hull.length_m, self.database.hull.beam_m];
+        let out_at = [beam, length].map(|size| libm::atan2(2.0 * draught, size).to_degrees());
+        if out_at.iter().any(|angle| *angle < LARGEST_ANGLE_DEG) {
+            warnings.push(format!(
+                "{body}: it floats at {draught:.4} m: its bottom comes out of the water at about {:.2} deg of heel \
+                 or {:.2} deg of trim (warned of below {LARGEST_ANGLE_DEG} deg)",
+                out_at[0], out_at[1]
+            ));
+        }
+        if (hull.displacement_kg - hull.mass_kg).abs() > LARGEST_PULL * hull.mass_kg {
+            warnings.push(format!(
+                "{body}: it displaces {:.3} t and weighs {:.3} t: what else carries or pulls it is not in KG, GM and GZ",
+                hull.displacement_kg / 1000.0,
+                hull.mass_kg / 1000.0
+            ));
+        }
+        if hull.metacentric_height_m[0] <= 0.0 {
+            warnings.push(format!("{body}: GM is {:.3} m: it is not stable", hull.metacentric_height_m[0]));
+        }
+        warnings
+    }
+
+    /// Whether any load on it is about the draught of its data, upright.
+    fn is_linear(&self) -> bool {
+        let Hull { hydrostatics, radiation, excitation, frame, .. } = self.hull;
+        let added_mass = self.model.added_inertias.iter().any(|(body, _)| *body == frame.body);
+        let linear = matches!(hydrostatics, Hydrostatics::Linear(_));
+        linear || added_mass || radiation.is_some() || excitation.is_some()
+    }
+
+    fn off_the_database(&self, hull: &HullAfloat) -> Vec<String> {
+        let mut warnings = Vec::new();
+        let (body, draught, database) = (&hull.body, hull.draught_m, hull.database_draught_m);
+        let change = (draught - database).abs() / database;
+        let about = "linear hydrodynamics are about the database's draught, upright";
+        if change > LARGEST_DRAUGHT_CHANGE {
+            warnings.push(format!(
+                "{body}: draught {draught:.4} m, the database's is {database:.4} m, {:.1} % apart: {about} (warned of \
+                 beyond {:.0} %)",
+                100.0 * change,
+                100.0 * LARGEST_DRAUGHT_CHANGE
+            ));
+        }
+        for (what, angle) in [("heel", hull.heel_rad), ("trim", hull.trim_rad)] {
+            let angle = angle.to_degrees();
+            if angle.abs() > LARGEST_ANGLE_DEG {
+                let limit = format!("warned of beyond {LARGEST_ANGLE_DEG} deg");
+                warnings.push(format!("{body}: {what} {angle:.2} deg: {about} ({limit})"));
+            }
+        }
+        warnings
+    }
+
+    /// GZ of the weight whose centre hanging loads raise by so much along the vertical.
+    fn righting_arm(
+        &self,
+        mesh: &HullMesh,
+        position: &FloatingPosition,
+        rise_m: f64,
+    ) -> Result<Vec<RightingArmPoint>, StabilityError> {
+        let loading = Loading {
+            mass: self.carried_weight().mass,
+            centre_of_gravity: self.centre_of_gravity() + position.vertical * rise_m,
+            water_density: self.density(),
+        };
+        let curve = RightingArm::curve(mesh, &loading, &HEELS_DEG.map(f64::to_radians))?;
+        Ok(curve
+            .iter()
+            .map(|point| RightingArmPoint { heel_rad: point.heel, trim_rad: point.trim, arm_m: point.arm })
+            .collect())
+    }
+}
+
+impl HullAfloat {
+    /// How far hanging loads raise the centre of gravity, for heel and for trim, m.
+    fn fluid_rise_m(&self) -> [f64; 2] {
+        self.fluid_keel_to_gravity_m.map(|height| height - self.keel_to_gravity_m)
+    }
+}
+
+impl Underwater {
+    fn of_mesh(mesh: &HullMesh, position: &FloatingPosition) -> Option<Self> {
+        let mut wetted = WettedHull::new(mesh);
+        let (buoyancy, waterplane) = (wetted.buoyancy(mesh, position), wetted.waterplane(mesh, position));
+        let volume = buoyancy.volume;
+        (volume > 0.0).then(|| Self {
+            volume,
+            centre: buoyancy.centre(),
+            metacentric_radius: tangents(position.vertical).map(|t| waterplane.second_moment(t, t) / volume),
+        })
+    }
+
+    /// Of a hull whose sides stand upright about the waterplane of its data, and that hardly leans:
+    /// what it sinks by adds a strake of that area.
+    fn of_waterplane(database: &Database, position: &FloatingPosition) -> Option<Self> {
+        let (hull, plane) = (&database.hull, &database.hull.waterplane);
+        let ([x, y], [xx, _, yy]) = (plane.first_moments_m3, plane.second_moments_m4);
+        let (area, sinkage) = (plane.area_m2, -position.height);
+        let volume = hull.volume_m3 + area * sinkage;
+        let strake = Vector3::new(x * sinkage, y * sinkage, 0.5 * area * sinkage * sinkage);
+        let moment = Vector3(hull.centre_of_buoyancy_m) * hull.volume_m3 + strake;
+        (volume > 0.0).then(|| Self {
+            volume,
+            centre: moment * (1.0 / volume),
+            metacentric_radius: [(yy - y * y / area) / volume, (xx - x * x / area) / volume],
+        })
+    }
+}
+
+/// Unit vectors across and along the ship in the water's plane, hull axes.
+fn tangents(vertical: Vector3) -> [Vector3; 2] {
+    let along = (Vector3::new(1.0, 0.0, 0.0) - vertical * vertical[0]).direction();
+    [vertical.cross(along), along]
+}

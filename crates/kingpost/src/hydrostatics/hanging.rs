@@ -1,0 +1,143 @@
+//! Loads that hang freely: to the ship their weight acts where they hang from.
+
+use crate::drives::Drive;
+use crate::dynamics::Kinematics;
+use crate::forces::Force;
+use crate::model::{Attachment, Mode, Model};
+use crate::simulation::Setup;
+use crate::spatial::Vector3;
+use serde::Serialize;
+
+/// What hangs on a joint.
+///
+/// A joint counts where the centre of all that it carries is below it, at least one of its rotations
+/// is free, and no spring, brake, servo or motor acts on that; and where no closed loop, cylinder or
+/// spring line is tied to what it carries.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HangingLoad {
+    /// The joint that it hangs from.
+    pub joint: String,
+    /// The body under the joint.
+    pub body: String,
+    /// Of the body and all that it carries, kg.
+    pub mass_kg: f64,
+    /// How far the centre of that is below the joint, m.
+    pub length_m: f64,
+    /// The share of that length by which the centre of gravity rises where the ship heels, and where it
+    /// trims: `|P u|^2`, with u the axis of heel or trim and P the projection on the joint's free axes.
+    /// Of a load that swings about one axis at an angle a to u it is `cos^2 a`.
+    pub free_share: [f64; 2],
+}
+
+/// Which bodies and coordinates something keeps from swinging.
+pub(super) struct Restraints {
+    coordinates: Vec<usize>,
+    bodies: Vec<usize>,
+}
+
+impl Restraints {
+    pub(super) fn of(setup: &Setup) -> Self {
+        let by_springs = setup.forces.iter().filter_map(|force| match force {
+            Force::JointSpring(spring) => Some(spring.coordinate),
+            _ => None,
+        });
+        let by_drives = setup.drives.iter().filter_map(|drive| match drive {
+            Drive::Motor(motor) => Some(motor.coordinate),
+            Drive::Servo(servo) => Some(servo.coordinate),
+            Drive::Brake(brake) => Some(brake.friction.coordinate),
+            Drive::Prescribed(motion) => Some(motion.coordinate),
+            Drive::Cylinder(_) => None,
+        });
+        let loops = setup.model.loops.iter().map(|closed| [&closed.first, &closed.second]);
+        let cylinders = setup.drives.iter().filter_map(Drive::cylinder);
+        let lines = setup.forces.iter().filter_map(|force| match force {
+            Force::SpringLine(line) => Some([&line.first, &line.second]),
+            _ => None,
+        });
+        let ends = loops.chain(cylinders.map(|cylinder| [&cylinder.first, &cylinder.second])).chain(lines);
+        Self {
+            coordinates: by_springs.chain(by_drives).collect(),
+            bodies: ends.flatten().filter_map(|end: &Attachment| end.body).collect(),
+        }
+    }
+}
+
+/// A weight and its centre in the world.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Weight {
+    pub(super) mass: f64,
+    pub(super) centre: Vector3,
+}
+
+/// The bodies that hang together with one by the joints below it, itself among them.
+pub(super) fn carried(model: &Model, body: usize) -> Vec<usize> {
+    let mut found = vec![body];
+    for (child, node) in model.tree.nodes.iter().enumerate() {
+        if node.parent.is_some_and(|parent| found.contains(&parent)) {
+            found.push(child);
+        }
+    }
+    found
+}
+
+/// Of some bodies together.
+pub(super) fn weight(model: &Model, at: &Kinematics, bodies: &[usize]) -> Weight {
+    let mass: f64 = bodies.iter().map(|&body| model.bodies[body].mass).sum();
+    let moment = |sum: Vector3, &body: &usize| sum + at.world[body].position * model.bodies[body].mass;
+    Weight { mass, centre: bodies.iter().fold(Vector3::zero(), moment) * (1.0 / mass) }
+}
+
+/// The loads that hang on a hull, each at the outermost joint that lets it swing; `axes` are those of
+/// heel and trim in the world.
+pub(super) fn loads(
+    model: &Model,
+    at: &Kinematics,
+    hull: usize,
+    restraints: &Restraints,
+    axes: [Vector3; 2],
+) -> Vec<HangingLoad> {
+    let mut found: Vec<HangingLoad> = Vec::new();
+    let mut hanging: [Vec<usize>; 2] = Default::default();
+    for &body in carried(model, hull).iter().skip(1) {
+        let below = carried(model, body);
+        if below.iter().any(|body| restraints.bodies.contains(body)) {
+            continue;
+        }
+        let Weight { mass, centre } = weight(model, at, &below);
+        let pivot = at.world[body].point(-model.tree.nodes[body].kind.to_child());
+        let length_m = pivot[2] - centre[2];
+        let free = free_axes(model, at, body, restraints);
+        let mut free_share = axes.map(|axis| free.iter().map(|u| u.dot(axis) * u.dot(axis)).sum::<f64>());
+        for (share, hanging) in free_share.iter_mut().zip(&mut hanging) {
+            if hanging.contains(&body) || *share < SMALLEST_SHARE {
+                *share = 0.0;
+            } else if length_m > 0.0 {
+                hanging.extend(&below);
+            }
+        }
+        if length_m > 0.0 && free_share != [0.0; 2] {
+            let (joint, body) = (model.joints[body].name.clone(), model.bodies[body].name.clone());
+            found.push(HangingLoad { joint, body, mass_kg: mass, length_m, free_share });
+        }
+    }
+    found
+}
+
+/// Shares below are rounding.
+const SMALLEST_SHARE: f64 = 1e-9;
+
+/// Unit vectors, at right angles, that span the axes about which a body turns freely, in the world.
+fn free_axes(model: &Model, at: &Kinematics, body: usize, restraints: &Restraints) -> Vec<Vector3> {
+    let node = &model.tree.nodes[body];
+    let own = node.velocities..node.velocities + node.kind.velocity_count();
+    let free = own.filter(|i| model.modes[*i] == Mode::Free && !restraints.coordinates.contains(i));
+    let mut axes: Vec<Vector3> = Vec::new();
+    for i in free {
+        let axis = at.world[body].rotation * at.columns[i].angular;
+        let rest = axes.iter().fold(axis, |rest, u| rest - *u * u.dot(rest));
+        if rest.norm() > SMALLEST_SHARE {
+            axes.push(rest.direction());
+        }
+    }
+    axes
+}

@@ -1,0 +1,173 @@
+//! How the hulls of a scenario float with the crane as it stands: draught, heel and trim at rest, the
+//! metacentric height with hanging loads where they hang from, righting arms.
+//!
+//! ```no_run
+//! # fn of(scenario: &kingpost::Scenario) -> Result<(), kingpost::hydrostatics::HydrostaticsError> {
+//! let report = scenario.hydrostatic_report()?;
+//! for hull in &report.hulls {
+//!     println!("{}: GM {:.2} m", hull.body, hull.metacentric_height_m[0]);
+//! }
+//! # Ok(())
+//! # }
+//! ```
+
+mod floating;
+mod hanging;
+
+pub use hanging::HangingLoad;
+
+use crate::dynamics::Kinematics;
+use crate::forces::{Force, Hull};
+use crate::model::Model;
+use crate::scenario::{Scenario, ScenarioError, schema};
+use crate::sea::database::Database;
+use crate::sea::hull::StabilityError;
+use crate::simulation::Simulation;
+use floating::Floating;
+use hanging::Restraints;
+use serde::Serialize;
+use thiserror::Error;
+
+/// The hulls of a scenario, and what keeps them from being described.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct HydrostaticReport {
+    /// One for each hull in the water.
+    pub hulls: Vec<HullAfloat>,
+    /// What a user should know.
+    pub warnings: Vec<String>,
+}
+
+/// A hull at rest in still water with all that its joints carry. Pairs are across the ship, for heel,
+/// and along it, for trim.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HullAfloat {
+    /// Name of the force in the scenario.
+    pub force: String,
+    /// The body that is the hull.
+    pub body: String,
+    /// Of the hull and all that its joints carry, kg.
+    pub mass_kg: f64,
+    /// Of the water that it displaces, kg.
+    pub displacement_kg: f64,
+    /// V, m^3.
+    pub displacement_m3: f64,
+    /// Depth of the keel below the database's origin, m; that point is `draught_m` of the database
+    /// under the origin, in hull axes.
+    pub draught_m: f64,
+    /// The draught that the database is for, m.
+    pub database_draught_m: f64,
+    /// To starboard, rad.
+    pub heel_rad: f64,
+    /// By the bow, rad.
+    pub trim_rad: f64,
+    /// KB, m: all heights over the keel are along the hull's z.
+    pub keel_to_buoyancy_m: f64,
+    /// BM, `I / V`, m.
+    pub metacentric_radius_m: [f64; 2],
+    /// KM, `KB + BM`, m.
+    pub keel_to_metacentre_m: [f64; 2],
+    /// KG, m, with every load where it is.
+    pub keel_to_gravity_m: f64,
+    /// KG, m, with hanging loads at the joints that they hang from.
+    pub fluid_keel_to_gravity_m: [f64; 2],
+    /// GM with every load where it is and as if it were fixed there, m.
+    pub solid_metacentric_height_m: [f64; 2],
+    /// GM, m, with hanging loads at the joints that they hang from.
+    pub metacentric_height_m: [f64; 2],
+    /// The loads that hang.
+    pub hanging: Vec<HangingLoad>,
+    /// GZ at constant displacement, free to trim, hanging loads at their joints; empty without a mesh.
+    pub righting_arm: Vec<RightingArmPoint>,
+    /// Whether volume, KB and BM are of the mesh as it floats; else they are of the waterplane at the
+    /// database's draught, moved along the hull's z.
+    pub by_mesh: bool,
+}
+
+/// One point of a righting-arm curve.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RightingArmPoint {
+    /// To starboard, rad.
+    pub heel_rad: f64,
+    /// By the bow, rad.
+    pub trim_rad: f64,
+    /// GZ, m.
+    pub arm_m: f64,
+}
+
+/// Why hulls cannot be described.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum HydrostaticsError {
+    /// A scenario that does not build.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    /// A hull that does not float.
+    #[error("forces.{force}.hydrodynamics: {error}")]
+    Hull {
+        /// Name of the force.
+        force: String,
+        /// Why.
+        error: StabilityError,
+    },
+}
+
+impl Scenario {
+    /// How its hulls float where everything is at rest in still water, with the crane as a run begins.
+    ///
+    /// # Errors
+    /// As [`Self::hydrostatic_report_at`].
+    pub fn hydrostatic_report(&self) -> Result<HydrostaticReport, HydrostaticsError> {
+        self.hydrostatic_report_at(&Simulation::new(self.setup()?))
+    }
+
+    /// How its hulls float where a simulation of it would come to rest in still water, held and
+    /// prescribed coordinates where they stand now. A scenario that does not come to rest, or whose
+    /// water carries nothing, has no hulls here, and a warning that says so.
+    ///
+    /// # Errors
+    /// A hull whose weight is more than the whole hull displaces.
+    pub fn hydrostatic_report_at(&self, simulation: &Simulation) -> Result<HydrostaticReport, HydrostaticsError> {
+        let setup = self.setup()?;
+        let mut report = HydrostaticReport::default();
+        let hulls: Vec<Hull> = setup.forces.iter().filter_map(|force| force.hull().cloned()).collect();
+        let hulls = hulls.iter().filter_map(|hull| Some((hull, self.database_of(&hull.name)?)));
+        let hulls: Vec<(&Hull, &Database)> = hulls.collect();
+        if hulls.is_empty() {
+            return Ok(report);
+        }
+        let (model, restraints, gravity) = (setup.model.clone(), Restraints::of(&setup), gravity(&setup.forces));
+        let now = kinematics(&model, &simulation.state().q);
+        for &(hull, database) in &hulls {
+            Floating { hull, database, model: &model, at: &now, gravity }.check_capacity()?;
+        }
+        let mut simulation = simulation.clone();
+        if let Err(error) = simulation.settle() {
+            report.warnings.push(format!("no hydrostatics: {error}"));
+            return Ok(report);
+        }
+        let at_rest = kinematics(&model, &simulation.state().q);
+        for (hull, database) in hulls {
+            let floating = Floating { hull, database, model: &model, at: &at_rest, gravity };
+            let (afloat, warnings) = floating.describe(&restraints);
+            report.hulls.extend(afloat);
+            report.warnings.extend(warnings);
+        }
+        Ok(report)
+    }
+
+    fn database_of(&self, force: &str) -> Option<&Database> {
+        let (_, force) = self.forces.iter().find(|(name, _)| name.as_str() == force)?;
+        let schema::Force::Hydrodynamics(given) = force else { return None };
+        self.databases.get(&given.database).map(|database| &**database)
+    }
+}
+
+fn kinematics(model: &Model, q: &[f64]) -> Kinematics {
+    let mut at = Kinematics::new(&model.tree);
+    at.update(&model.tree, q, &vec![0.0; model.velocity_count]);
+    at
+}
+
+fn gravity(forces: &[Force]) -> f64 {
+    let acts = |force: &Force| if let Force::Gravity(gravity) = force { Some(gravity.acceleration) } else { None };
+    forces.iter().filter_map(acts).sum()
+}

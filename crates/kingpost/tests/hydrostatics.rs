@@ -1,0 +1,199 @@
+//! How the barge floats with its crane: closed forms of a box, loads that hang, what is warned of.
+
+mod common;
+
+use common::barge::{BEAM, DENSITY, DEPTH, LENGTH, scenario};
+use kingpost::Simulation;
+use kingpost::hydrostatics::{HullAfloat, HydrostaticReport, RightingArmPoint};
+use serde_json::{Value, json};
+
+const MAST: &str = "bodies.mast.joint.prismatic.position_m";
+const HYDROSTATICS: &str = "forces.water.hydrodynamics.hydrostatics";
+/// Masses of hull, mast and load, kg, and heights of their centres over the keel, m.
+const WEIGHTS: [(f64, f64); 3] = [(380e3, 2.0), (20e3, 7.0), (10e3, 7.5)];
+/// Of the load below its joint, m.
+const PENDANT: f64 = 1.5;
+
+fn report(overrides: &[(&str, Value)]) -> HydrostaticReport {
+    let upright = [(MAST, json!([0.0, 0.0, 7.0]))];
+    let overrides: Vec<_> = upright.into_iter().chain(overrides.iter().cloned()).collect();
+    scenario(&overrides).hydrostatic_report().expect("it floats")
+}
+
+fn afloat(overrides: &[(&str, Value)]) -> HullAfloat {
+    let report = report(overrides);
+    assert_eq!(report.warnings, Vec::<String>::new());
+    report.hulls.into_iter().next().expect("a hull")
+}
+
+fn near(found: f64, expected: f64, allowed: f64) {
+    assert!((found - expected).abs() <= allowed, "{found}, expected {expected} within {allowed:e}");
+}
+
+fn total() -> f64 {
+    WEIGHTS.iter().map(|(mass, _)| mass).sum()
+}
+
+/// KG of a box's weights, m.
+fn keel_to_gravity() -> f64 {
+    WEIGHTS.iter().map(|(mass, height)| mass * height).sum::<f64>() / total()
+}
+
+/// `T = M / (rho L B)`, `KB = T / 2`, `BM = B^2 / (12 T)` and `L^2 / (12 T)` (Barrass & Derrett, *Ship
+/// Stability for Masters and Mates*, ch. 12); settling leaves 1e-10 m/s^2, that is 1e-10 of a metre.
+#[test]
+fn a_box_barge_floats_with_the_metacentres_of_its_closed_forms() {
+    for hydrostatics in ["linear", "mesh"] {
+        let hull = afloat(&[(HYDROSTATICS, json!(hydrostatics))]);
+        let draught = total() / (DENSITY * LENGTH * BEAM);
+        near(hull.mass_kg, total(), 1e-6);
+        near(hull.displacement_kg, total(), 1e-4);
+        near(hull.displacement_m3, total() / DENSITY, 1e-7);
+        near(hull.draught_m, draught, 1e-9);
+        near(hull.heel_rad, 0.0, 1e-12);
+        near(hull.trim_rad, 0.0, 1e-12);
+        near(hull.keel_to_buoyancy_m, 0.5 * draught, 1e-9);
+        let radii = [BEAM, LENGTH].map(|size| size * size / (12.0 * draught));
+        for (k, radius) in radii.into_iter().enumerate() {
+            near(hull.metacentric_radius_m[k], radius, 1e-8);
+            near(hull.keel_to_metacentre_m[k], 0.5 * draught + radius, 1e-8);
+            near(hull.solid_metacentric_height_m[k], 0.5 * draught + radius - keel_to_gravity(), 1e-8);
+        }
+        near(hull.keel_to_gravity_m, keel_to_gravity(), 1e-12);
+    }
+}
+
+/// A load that hangs acts where it hangs from: KG rises by m l / M (Barrass & Derrett, ch. 6).
+#[test]
+fn a_hanging_load_raises_the_centre_of_gravity_by_its_moment_over_the_mass() {
+    let hull = afloat(&[]);
+    let rise = 10e3 * PENDANT / total();
+    assert_eq!(hull.hanging.len(), 1);
+    let load = &hull.hanging[0];
+    assert_eq!((load.joint.as_str(), load.body.as_str(), load.mass_kg), ("load", "load", 10e3));
+    near(load.length_m, PENDANT, 1e-9);
+    for k in [0, 1] {
+        near(load.free_share[k], 1.0, 1e-12);
+        near(hull.fluid_keel_to_gravity_m[k] - hull.keel_to_gravity_m, rise, 1e-9);
+        near(hull.solid_metacentric_height_m[k] - hull.metacentric_height_m[k], rise, 1e-9);
+    }
+}
+
+/// A joint that is held in one axis lets the load swing about the other only.
+#[test]
+fn a_load_that_swings_one_way_is_fluid_that_way() {
+    let held = |axis: &str| (format!("bodies.load.joint.universal.{axis}.mode"), json!("held"));
+    for (axis, swings) in [("first", [0.0, 1.0]), ("second", [1.0, 0.0])] {
+        let (name, mode) = held(axis);
+        let hull = afloat(&[(&name, mode)]);
+        let rise = 10e3 * PENDANT / total();
+        for k in [0, 1] {
+            near(hull.fluid_keel_to_gravity_m[k] - hull.keel_to_gravity_m, swings[k] * rise, 1e-9);
+        }
+    }
+    let ((first, mode), (second, _)) = (held("first"), held("second"));
+    let hull = afloat(&[(&first, mode.clone()), (&second, mode)]);
+    assert!(hull.hanging.is_empty());
+    assert_eq!(hull.metacentric_height_m, hull.solid_metacentric_height_m);
+}
+
+/// `GZ = sin(phi) (GM + BM tan^2(phi) / 2)` until the bottom or the deck meets the water, here at 21.8
+/// degrees (Barrass & Derrett, ch. on wall-sided ships), with the fluid GM.
+#[test]
+fn the_righting_arm_follows_the_wall_sided_formula_until_the_bilge_comes_out() {
+    let hull = afloat(&[]);
+    let [gm, bm] = [hull.metacentric_height_m[0], hull.metacentric_radius_m[0]];
+    let wall_sided = libm::atan(2.0 * hull.draught_m.min(DEPTH - hull.draught_m) / BEAM);
+    near(wall_sided.to_degrees(), 21.8, 0.05);
+    let inside = |point: &RightingArmPoint| point.heel_rad < wall_sided;
+    let (inside, outside): (Vec<RightingArmPoint>, Vec<_>) = hull.righting_arm.into_iter().partition(inside);
+    assert!(inside.len() == 5 && outside.len() == 8, "0, 5, ... 20 degrees and on to 60");
+    for point in inside {
+        let (sin, tan) = (libm::sin(point.heel_rad), libm::tan(point.heel_rad));
+        near(point.arm_m, sin * (gm + 0.5 * bm * tan * tan), 1e-8);
+        near(point.trim_rad, 0.0, 1e-9);
+    }
+    for point in outside {
+        let (sin, tan) = (libm::sin(point.heel_rad), libm::tan(point.heel_rad));
+        assert!(point.arm_m < sin * (gm + 0.5 * bm * tan * tan), "a box that lost its sides rights itself less");
+    }
+}
+
+/// The GM of the report is the heel that a small moment makes: `W GM phi = moment`, with the load free
+/// to swing.
+#[test]
+fn a_small_moment_heels_by_the_fluid_metacentric_height() {
+    let gm = afloat(&[]).metacentric_height_m[0];
+    let shift = 0.01;
+    let heel = afloat(&[("shift_m", json!(shift))]).heel_rad;
+    // Mast to port: the starboard side comes up. Terms of third order are 1e-7 of it.
+    near(heel, -30e3 * shift / (total() * gm), 1e-6 * heel.abs());
+}
+
+#[test]
+fn the_report_is_of_the_crane_as_it_stands() {
+    let built = scenario(&[(MAST, json!([0.0, 0.0, 7.0]))]);
+    let mut simulation = Simulation::new(built.setup().expect("it builds"));
+    let names = simulation.model().coordinate_names();
+    let mast = names.iter().position(|name| name == "mast").expect("a coordinate");
+    let (mut q, v) = (simulation.state().q.clone(), simulation.state().v.clone());
+    q[mast + 1] = 0.5;
+    simulation.set_state(&q, &v, None).expect("a state");
+    let moved = built.hydrostatic_report_at(&simulation).expect("it floats");
+    let shifted = report(&[("shift_m", json!(0.5))]);
+    near(moved.hulls[0].heel_rad, shifted.hulls[0].heel_rad, 1e-9);
+    assert_eq!(simulation.state().q, q, "the simulation stays where it is");
+}
+
+#[test]
+fn an_equilibrium_off_the_database_is_warned_of_with_the_limits() {
+    let heavy = report(&[("mass", json!(50e3))]).warnings;
+    assert_eq!(heavy.len(), 1, "{heavy:?}");
+    assert_eq!(
+        heavy[0],
+        "hull: draught 2.1951 m, the database's is 2.0000 m, 9.8 % apart: linear hydrodynamics are about the \
+         database's draught, upright (warned of beyond 5 %)"
+    );
+    let off = report(&[("shift_m", json!(4.0))]).warnings;
+    assert!(off.len() == 1 && off[0].starts_with("hull: heel -") && off[0].ends_with("beyond 3 deg)"), "{off:?}");
+    // Of the mesh alone nothing is linear.
+    let mesh_alone = ["added_mass", "radiation", "excitation"]
+        .map(|name| (format!("forces.water.hydrodynamics.{name}"), Value::Bool(false)));
+    let mut overrides: Vec<(&str, Value)> = vec![("mass", json!(50e3)), (HYDROSTATICS, json!("mesh"))];
+    overrides.extend(mesh_alone.iter().map(|(name, value)| (name.as_str(), value.clone())));
+    assert_eq!(report(&overrides).warnings, Vec::<String>::new());
+}
+
+#[test]
+fn a_hull_that_lies_on_the_water_or_capsizes_is_warned_of() {
+    let light = report(&[("bodies.hull.mass_kg", json!(20e3)), (HYDROSTATICS, json!("mesh"))]).warnings;
+    assert!(light.iter().any(|words| words.contains("its bottom comes out of the water at about")), "{light:?}");
+    let high = report(&[(MAST, json!([0.0, 0.0, 60.0]))]);
+    let gm = high.hulls[0].metacentric_height_m[0];
+    assert!(gm < 0.0 && high.warnings.iter().any(|words| words.ends_with("it is not stable")), "{gm} {high:?}");
+}
+
+#[test]
+fn a_hull_that_cannot_float_is_an_error_and_what_does_not_rest_is_a_warning() {
+    let built = scenario(&[("bodies.hull.mass_kg", json!(1.2e6))]);
+    let error = built.hydrostatic_report().expect_err("it sinks").to_string();
+    assert!(error.starts_with("forces.water.hydrodynamics: the hull cannot float: 1230.000 t displace"), "{error}");
+    let dry = scenario(&[(HYDROSTATICS, json!("none"))]).hydrostatic_report().expect("no error");
+    assert!(dry.hulls.is_empty() && dry.warnings[0].starts_with("no hydrostatics"), "{dry:?}");
+}
+
+/// A tag line keeps the load from swinging; a line that lifts the hull is told of.
+#[test]
+fn lines_hold_loads_and_what_they_carry_is_told() {
+    let line = |first: &str, height: f64, stiffness: f64| {
+        json!({"spring_line": {
+            "first": {"body": first}, "second": {"body": "world", "position_m": [0.0, 0.0, height]},
+            "unstretched_length_m": 1.0, "axial_stiffness_N": stiffness,
+        }})
+    };
+    let tagged = report(&[("forces.line", line("load", 20.0, 1.0))]);
+    assert!(tagged.hulls[0].hanging.is_empty(), "{tagged:?}");
+    let lifted = report(&[("forces.line", line("hull", 20.0, 1e5))]);
+    let told = lifted.warnings.iter().any(|words| words.contains("what else carries or pulls it is not in KG, GM"));
+    assert!(told && lifted.hulls[0].displacement_kg < 0.999 * lifted.hulls[0].mass_kg, "{lifted:?}");
+}

@@ -1,0 +1,81 @@
+"""What the command line prints of hulls afloat."""
+
+from __future__ import annotations
+
+from math import degrees
+from typing import TYPE_CHECKING, Any
+
+from .report import fixed, table
+
+if TYPE_CHECKING:
+    from .scenario import Scenario
+
+# Loads that swing by less than this share of their length are not told of.
+SMALLEST_SHARE = 0.005
+
+
+def sections(scenario: Scenario) -> list[list[str]]:
+    """Draught, heel, trim, stability and righting arms of each hull in the water, and warnings; nothing
+    for a scenario without one.
+
+    Raises
+    ------
+    KingpostError
+        When a hull cannot float.
+    """
+    found = scenario.hydrostatics
+    parts = [part for hull in found["hulls"] for part in (_hull(hull), _hanging(hull), _arms(hull))]
+    return [*parts, [f"warning: {words}" for words in found["warnings"]]]
+
+
+def _hull(hull: dict[str, Any]) -> list[str]:
+    """At rest in still water; heights are over the keel, along the hull's z."""
+
+    def both(quantity: str) -> tuple[str, str]:
+        across, along = hull[quantity]
+        return _metres(across), f"{_metres(along)} lengthwise"
+
+    across = 0
+    rows = [
+        ("displacement", f"{hull['displacement_kg'] / 1000:.3f} t", f"{hull['displacement_m3']:.3f} m3"),
+        ("mass afloat", f"{hull['mass_kg'] / 1000:.3f} t", ""),
+        ("draught", f"{hull['draught_m']:.4f} m", f"the database's is {hull['database_draught_m']:g} m"),
+        ("heel", f"{fixed(degrees(hull['heel_rad']), 4)} deg", "to starboard"),
+        ("trim", f"{fixed(degrees(hull['trim_rad']), 4)} deg", "by the bow"),
+        ("KB", _metres(hull["keel_to_buoyancy_m"]), ""),
+        ("BM", *both("metacentric_radius_m")),
+        ("KM", *both("keel_to_metacentre_m")),
+        ("KG", _metres(hull["keel_to_gravity_m"]), ""),
+        ("KG, fluid", _metres(hull["fluid_keel_to_gravity_m"][across]), "hanging loads where they hang from"),
+        ("GM, fluid", *both("metacentric_height_m")),
+        ("GM, solid", _metres(hull["solid_metacentric_height_m"][across]), "hanging loads as if fixed"),
+    ]
+    how = "its mesh" if hull["by_mesh"] else "its database's waterplane"
+    return [f"{hull['body']} afloat at rest in still water, by {how}", *table(rows, "<><")]
+
+
+def _metres(value: float) -> str:
+    return f"{fixed(value, 3)} m"
+
+
+def _hanging(hull: dict[str, Any]) -> list[str]:
+    rows = [("hanging load", "joint", "mass", "below the joint", "free in heel", "in trim")]
+    for load in hull["hanging"]:
+        if max(load["free_share"]) < SMALLEST_SHARE:
+            continue
+        shares = (f"{100 * share:.0f} %" for share in load["free_share"])
+        rows.append((load["body"], load["joint"], f"{load['mass_kg'] / 1000:g} t", _metres(load["length_m"]),
+                     *shares))  # fmt: skip
+    return table(rows, "<<>>>>") if len(rows) > 1 else []
+
+
+def _arms(hull: dict[str, Any]) -> list[str]:
+    """GZ at constant displacement, free to trim."""
+    if not hull["righting_arm"]:
+        return []
+    points = hull["righting_arm"]
+    return table([
+        ("heel, deg", *(f"{degrees(point['heel_rad']):.0f}" for point in points)),
+        ("GZ, m", *(fixed(point["arm_m"], 3) for point in points)),
+        ("trim, deg", *(fixed(degrees(point["trim_rad"]), 2) for point in points)),
+    ])  # fmt: skip
