@@ -1,7 +1,8 @@
 """The models that are measured, each at one fixed state, written for every engine from the resolved scenario.
 
 All numbers go through Kingpost's reader and the translators of the peer tests, so the engines run the same
-model: the paper's free one with load, from ``scenarios/paper.yaml``, and chains of several lengths.
+model: the paper's free one with load, from ``scenarios/paper.yaml``, and chains of several lengths. A ship with a
+crane in a sea, from ``scenarios/offshore_vessel.yaml``, no peer has: it is measured against its own clock.
 """
 
 from __future__ import annotations
@@ -9,8 +10,8 @@ from __future__ import annotations
 import importlib
 import json
 import sys
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,12 @@ from peers import loads, states, tree  # noqa: E402
 PAPER = "paper_free_load"
 OVERRIDES: dict[str, Any] = {"hold_centre": False, "load": True, "motor_1": True, "motor_2": True}
 CHAIN_LINKS = (2, 4, 8, 16, 32, 64)
+# a ship in a sea of 200 waves, by how the water carries it
+AFLOAT: dict[str, dict[str, Any]] = {
+    "linear": {"hydrostatics": "linear"},
+    "mesh": {"hydrostatics": "mesh"},
+}
+AFLOAT_STEP_S = 0.05
 SEED = 141
 STEP_S = 0.001
 
@@ -32,24 +39,25 @@ STEP_S = 0.001
 class Case:
     """One model at one state: the resolved scenario, its tree, and q and v in Kingpost's layout.
 
-    ``snapshot`` is Kingpost's own form of the state, for the WASM module; ``links`` is the number of links
-    of a chain, 0 for the paper's model.
+    ``files`` are what the scenario reads from others, ``snapshot`` is Kingpost's own form of the state, for the
+    WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree for the peers.
     """
 
     name: str
-    links: int
     scenario: str
     snapshot: bytes
-    tree: tree.Tree
     q: tree.Array
     v: tree.Array
+    tree: tree.Tree | None = None
+    links: int = 0
+    files: Mapping[str, str] = field(default_factory=dict)
 
 
 def paper() -> Case:
     """The paper's model with the ship free and the load on, both motors on, at a seeded random state."""
     import kingpost
 
-    return _case(PAPER, 0, kingpost.load("paper", OVERRIDES | {"simulation.step_s": STEP_S}))
+    return _case(PAPER, kingpost.load("paper", OVERRIDES | {"simulation.step_s": STEP_S}))
 
 
 def chain(links: int) -> Case:
@@ -57,7 +65,22 @@ def chain(links: int) -> Case:
     from kingpost.scenario import Scenario
 
     name = chain_name(links)
-    return _case(name, links, Scenario(json.dumps(_chain_scenario(links)), f"{name}.json"))
+    return _case(name, Scenario(json.dumps(_chain_scenario(links)), f"{name}.json"), links)
+
+
+def afloat(kind: str) -> Case:
+    """The offshore vessel with its crane at the start of a run in its JONSWAP sea, at equilibrium."""
+    import kingpost
+
+    scenario = kingpost.load("offshore_vessel", AFLOAT[kind] | {"waves": True, "simulation.step_s": AFLOAT_STEP_S})
+    simulation = kingpost.Simulation(scenario)
+    start = {"snapshot": simulation.snapshot(), "q": simulation.state.q, "v": simulation.state.v}
+    return Case(afloat_name(kind), scenario.json, **start, files=scenario.files)
+
+
+def afloat_name(kind: str) -> str:
+    """The model's name in the printed lines."""
+    return f"offshore_vessel_{kind}"
 
 
 def chain_name(links: int) -> str:
@@ -89,7 +112,7 @@ def _chain_scenario(links: int) -> dict[str, Any]:
     }
 
 
-def _case(name: str, links: int, scenario: Any) -> Case:
+def _case(name: str, scenario: Any, links: int = 0) -> Case:
     """A scenario at a random state from the fixed seed."""
     import kingpost
 
@@ -97,15 +120,16 @@ def _case(name: str, links: int, scenario: Any) -> Case:
     q, v = states.random_state(found, np.random.default_rng(SEED))
     simulation = kingpost.Simulation(scenario)
     simulation.set_state(q, v)
-    return Case(name, links, scenario.json, simulation.snapshot(), found, q, v)
+    return Case(name, scenario.json, simulation.snapshot(), q, v, found, links)
 
 
 def write_kingpost(case: Case, folder: Path) -> Path:
-    """Writes the scenario (.json) and the state (.txt, .snapshot); returns the path without ending."""
+    """Writes the scenario (.json, .files.json) and the state (.txt, .snapshot); returns the path without ending."""
     path = folder / f"{case.name}_kingpost"
     path.with_suffix(".json").write_text(case.scenario)
+    path.with_suffix(".files.json").write_text(json.dumps(dict(case.files)))
     path.with_suffix(".snapshot").write_bytes(case.snapshot)
-    force = loads.drive_forces(case.tree, case.q, case.v)
+    force = np.zeros_like(case.v) if case.tree is None else loads.drive_forces(case.tree, case.q, case.v)
     path.with_suffix(".txt").write_text(_lines([("q", case.q), ("v", case.v), ("force", force)]))
     return path
 

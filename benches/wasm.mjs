@@ -2,8 +2,8 @@
 //   time BATCHES REPETITIONS   nanoseconds per repetition, a line per batch
 //   check REPETITIONS          the result after that many repetitions, one number per line
 // The step with its ledger is the packed module's, as the browser app loads it; the other operations are
-// the benchmark program's, compiled for WASM. MODEL.json is the resolved scenario, MODEL.txt and
-// MODEL.snapshot the fixed state.
+// the benchmark program's, compiled for WASM. MODEL.json is the resolved scenario, MODEL.files.json what it
+// reads from other files, MODEL.txt and MODEL.snapshot the fixed state.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -16,7 +16,8 @@ async function packed() {
   engine.initSync({ module: readFileSync(join(folder, 'kingpost_wasm_bg.wasm')) });
   const start = readFileSync(`${model}.snapshot`);
   const scenario = readFileSync(`${model}.json`, 'utf8');
-  const simulation = new engine.Simulation(scenario, 'kingpost.json', '{}');
+  const files = readFileSync(`${model}.files.json`, 'utf8');
+  const simulation = new engine.Simulation(scenario, 'kingpost.json', '{}', files);
   return {
     reset: () => simulation.restore(start),
     repeat: (times) => simulation.step(times),
@@ -41,7 +42,8 @@ function positionsAndVelocities(row, channels) {
 
 function bare() {
   const { exports } = new WebAssembly.Instance(new WebAssembly.Module(readFileSync(benchModule)));
-  const texts = [readFileSync(`${model}.json`), readFileSync(`${model}.txt`), Buffer.from(operation)];
+  const endings = ['json', 'files.json', 'txt'];
+  const texts = [...endings.map((ending) => readFileSync(`${model}.${ending}`)), Buffer.from(operation)];
   texts.forEach((text, index) => {
     const at = exports.text(index, text.length);
     new Uint8Array(exports.memory.buffer, at, text.length).set(text);

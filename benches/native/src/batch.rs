@@ -3,6 +3,7 @@
 use crate::Outcome;
 use crate::operations::Operation;
 use kingpost::batch::{self, Variant};
+use kingpost::scenario::Files;
 use std::time::Instant;
 
 const RUNS: usize = 128;
@@ -41,7 +42,7 @@ impl Batch {
         };
         let variants: Vec<Variant> = (0..RUNS).map(variant).collect();
         let start = Instant::now();
-        let batch = batch::run(&self.scenario, "kingpost.json", &variants, self.threads, |_| true)?;
+        let batch = batch::run(&self.scenario, "kingpost.json", &Files::default(), &variants, self.threads, |_| true)?;
         let elapsed = start.elapsed().as_secs_f64();
         batch.runs.into_iter().try_for_each(|run| run.status)?;
         Ok(elapsed)

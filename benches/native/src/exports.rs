@@ -5,12 +5,12 @@ use crate::operations::{Operation, Task};
 use std::cell::RefCell;
 
 thread_local! {
-    static TEXTS: RefCell<[Vec<u8>; 3]> = const { RefCell::new([Vec::new(), Vec::new(), Vec::new()]) };
+    static TEXTS: RefCell<[Vec<u8>; 4]> = const { RefCell::new([const { Vec::new() }; 4]) };
     static OPERATION: RefCell<Option<Box<dyn Operation>>> = const { RefCell::new(None) };
     static RESULT: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Room for a text: 0 the scenario, 1 the state, 2 the operation's name. The host writes it.
+/// Room for a text: 0 the scenario, 1 its files, 2 the state, 3 the operation's name. The host writes it.
 #[unsafe(no_mangle)]
 pub extern "C" fn text(index: usize, length: usize) -> *mut u8 {
     TEXTS.with_borrow_mut(|texts| {
@@ -19,12 +19,12 @@ pub extern "C" fn text(index: usize, length: usize) -> *mut u8 {
     })
 }
 
-/// Makes the operation from the three texts; 0 where that fails.
+/// Makes the operation from the four texts; 0 where that fails.
 #[unsafe(no_mangle)]
 pub extern "C" fn prepare() -> u32 {
     let made = TEXTS.with_borrow(|texts| {
-        let [scenario, state, name] = texts.each_ref().map(|text| String::from_utf8_lossy(text));
-        Task::read(&scenario, &state).and_then(|task| task.operation(&name))
+        let [scenario, files, state, name] = texts.each_ref().map(|text| String::from_utf8_lossy(text));
+        Task::read(&scenario, &files, &state).and_then(|task| task.operation(&name))
     });
     OPERATION.set(made.ok());
     u32::from(OPERATION.with_borrow(Option::is_some))

@@ -1,6 +1,6 @@
 //! Kingpost's forward dynamics and steps, in the manner of the peers' programs:
-//! `kingpost-bench MODEL OPERATION MODE NUMBERS`, where `MODEL.json` is the resolved scenario and
-//! `MODEL.txt` the state.
+//! `kingpost-bench MODEL OPERATION MODE NUMBERS`, where `MODEL.json` is the resolved scenario,
+//! `MODEL.files.json` what it reads from other files, by name, and `MODEL.txt` the state.
 //!
 //! ```text
 //! time BATCHES REPETITIONS   one line per batch: nanoseconds per repetition
@@ -27,17 +27,18 @@ fn main() -> Outcome<()> {
     };
     let numbers = numbers.iter().map(|text| text.parse()).collect::<Result<Vec<usize>, _>>()?;
     let scenario = std::fs::read_to_string(format!("{path}.json"))?;
+    let files = std::fs::read_to_string(format!("{path}.files.json"))?;
     let state = std::fs::read_to_string(format!("{path}.txt"))?;
-    run(prepared(operation, &scenario, &state)?.as_mut(), mode, &numbers)
+    run(prepared(operation, &scenario, &files, &state)?.as_mut(), mode, &numbers)
 }
 
 /// The operation of that name; whole batches are for hosts with threads.
-fn prepared(name: &str, scenario: &str, state: &str) -> Outcome<Box<dyn Operation>> {
+fn prepared(name: &str, scenario: &str, files: &str, state: &str) -> Outcome<Box<dyn Operation>> {
     #[cfg(not(target_arch = "wasm32"))]
     if let Some(kind) = name.strip_prefix("batch_") {
         return Ok(Box::new(batch::Batch::new(scenario, kind)?));
     }
-    Task::read(scenario, state)?.operation(name)
+    Task::read(scenario, files, state)?.operation(name)
 }
 
 fn run(operation: &mut dyn Operation, mode: &str, numbers: &[usize]) -> Outcome<()> {

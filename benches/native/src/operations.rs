@@ -5,9 +5,10 @@ use kingpost::integrate::{Interval, Scheme, Sizes, Stage, System};
 use kingpost::plant::Plant;
 use kingpost::scalar::{LANES, Lanes, Scalar};
 use kingpost::scenario::build::{assemble, reading::Reading};
-use kingpost::scenario::{self, Scenario};
+use kingpost::scenario::{self, Files, Scenario};
 use kingpost::simulation::{Setup, Simulation};
 use kingpost::state::State;
+use std::collections::BTreeMap;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -40,9 +41,11 @@ pub struct Task {
 }
 
 impl Task {
-    /// Reads a resolved scenario and a state with the lines `q ...`, `v ...` and `force ...`.
-    pub fn read(scenario: &str, state: &str) -> Outcome<Self> {
-        let scenario = scenario::read(scenario, "kingpost.json", &[])?;
+    /// Reads a resolved scenario, the files that it names as a JSON object of texts, and a state with the
+    /// lines `q ...`, `v ...` and `force ...`.
+    pub fn read(scenario: &str, files: &str, state: &str) -> Outcome<Self> {
+        let files = serde_json::from_str::<BTreeMap<String, String>>(files)?;
+        let scenario = scenario::read_with(scenario, "kingpost.json", &[], &Files::new(files))?;
         let setup = scenario.setup()?;
         let [q, v, force] = ["q", "v", "force"].map(|word| numbers(state, word));
         Ok(Self { scenario, setup, q: q?, v: v?, force: force? })

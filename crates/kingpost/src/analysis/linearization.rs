@@ -146,7 +146,7 @@ impl Linearizer {
     /// Prescribed coordinates that have a rate at a stage, or an acceleration.
     fn moving(&self, at: Stage<'_>) -> Vec<String> {
         let Stage { time_s, interval, .. } = at;
-        let clock = Clock { time_s, start_s: interval.start_s, middle_s: interval.middle_s() };
+        let clock = Clock { time_s, middle_s: interval.middle_s() };
         let moves = |motion: &PrescribedMotion<Number>| {
             let rates = [at.v[motion.coordinate], motion.rate_at(clock).value, motion.acceleration_at(clock).value];
             rates.iter().any(|rate| *rate != 0.0)

@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     fn at(time_s: f64) -> Clock {
-        Clock { time_s, start_s: time_s, middle_s: time_s + 1e-9 }
+        Clock { time_s, middle_s: time_s + 1e-9 }
     }
 
     #[test]
@@ -109,7 +109,7 @@ mod tests {
     #[test]
     fn an_edge_belongs_to_the_interval_that_is_stepped() {
         let profile = Profile::pulse(Pulse { rise_s: 0.0, hold_s: 1.0, reverse_s: 1.0 });
-        assert_eq!(profile.value(Clock { time_s: 1.0, start_s: 0.9, middle_s: 0.95 }), 1.0);
-        assert_eq!(profile.value(Clock { time_s: 1.0, start_s: 1.0, middle_s: 1.05 }), -1.0);
+        assert_eq!(profile.value(Clock { time_s: 1.0, middle_s: 0.95 }), 1.0);
+        assert_eq!(profile.value(Clock { time_s: 1.0, middle_s: 1.05 }), -1.0);
     }
 }

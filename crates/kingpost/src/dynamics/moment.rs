@@ -9,8 +9,6 @@ use crate::model::Model;
 pub struct Clock {
     /// Time, s.
     pub time_s: f64,
-    /// Begin of the interval, s.
-    pub start_s: f64,
     /// Middle of the interval, s.
     pub middle_s: f64,
 }

@@ -184,8 +184,7 @@ impl<S: Scalar> Plant<S> {
         let middle_s = interval.middle_s();
         for drive in &self.drives {
             if let Drive::Prescribed(motion) = drive {
-                v[motion.coordinate] =
-                    motion.rate_at(Clock { time_s: interval.start_s, start_s: interval.start_s, middle_s });
+                v[motion.coordinate] = motion.rate_at(Clock { time_s: interval.start_s, middle_s });
             }
         }
     }

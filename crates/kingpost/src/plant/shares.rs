@@ -43,7 +43,7 @@ impl Shares {
         at: Stage<'a, S>,
     ) -> Moments<'a, S> {
         let Stage { time_s, interval, .. } = at;
-        let clock = Clock { time_s, start_s: interval.start_s, middle_s: interval.middle_s() };
+        let clock = Clock { time_s, middle_s: interval.middle_s() };
         let (drives, forces) =
             at.s.get(self.ledger..).unwrap_or_default().split_at_checked(self.drives).unwrap_or_default();
         let (inputs, held) = at.d.split_at(at.d.len().saturating_sub(self.held));

@@ -7,47 +7,49 @@ use core::f64::consts::TAU;
 /// that is exact for what has no more harmonics than half the grid's points. A ship's transfer
 /// functions have about `k L / 2` of them.
 ///
-/// Row by row, a number f(beta - psi) at a component's own direction beta is kept as the weights of
-/// 1, cos psi, sin psi, cos 2 psi, ..., so that all rows share the powers of one heading psi.
+/// Each of several parts is a number f(beta - psi) of every wave, at the wave's own direction beta. It
+/// is kept as the weights of 1, cos psi, sin psi, cos 2 psi, ..., so that all share the powers of one
+/// heading psi, and a loop over the waves becomes SIMD code.
 #[derive(Clone)]
 pub struct ByHeading<S = f64> {
-    harmonics: usize,
-    weights: Vec<f64>,
+    waves: usize,
+    /// Part by part, one for each wave.
+    means: Vec<f64>,
+    harmonics: Vec<Harmonic>,
     heading: Option<S>,
-    basis: Vec<S>,
     values: Vec<S>,
 }
 
+/// Weights of cos m psi and sin m psi, m being the place in the list from 1, part by part, for the
+/// waves that have any: a long wave has few harmonics.
+#[derive(Clone)]
+struct Harmonic {
+    first: usize,
+    waves: usize,
+    cosine: Vec<f64>,
+    sine: Vec<f64>,
+}
+
+/// A harmonic below this share of the largest number of its part is noise: data has seven digits.
+const NEGLIGIBLE: f64 = 1e-7;
+
 impl<S: Scalar> ByHeading<S> {
-    /// No rows, on a grid of so many directions.
-    pub fn new(directions: usize) -> Self {
-        let harmonics = directions / 2;
-        let basis = vec![S::ONE; 2 * harmonics + 1];
-        Self { harmonics, weights: Vec::new(), heading: None, basis, values: Vec::new() }
+    /// For waves that go to these directions in the world, rad: `on_grid(part, wave)` is f on the grid.
+    pub fn new(parts: usize, directions_rad: &[f64], on_grid: impl Fn(usize, usize) -> Vec<f64>) -> Self {
+        let waves = directions_rad.len();
+        let rows: Vec<Vec<f64>> = (0..parts * waves).map(|row| on_grid(row / waves, row % waves)).collect();
+        let most = rows.iter().map(Vec::len).max().unwrap_or(0) / 2;
+        let weights = |m: usize| -> Vec<[f64; 2]> {
+            let turns: Vec<[f64; 2]> = directions_rad.iter().map(|beta| turn(m as f64 * beta)).collect();
+            rows.iter().zip(turns.iter().cycle()).map(|(f, of_wave)| weights(f, m, *of_wave)).collect()
+        };
+        let least: Vec<f64> = (0..parts).map(|part| NEGLIGIBLE * largest(&rows[part * waves..][..waves])).collect();
+        let harmonics = (1..=most).map(|m| Harmonic::new(&weights(m), &least)).collect();
+        let means = weights(0).iter().map(|[mean, _]| *mean).collect();
+        Self { waves, means, harmonics, heading: None, values: vec![S::ZERO; parts * waves] }
     }
 
-    /// Appends a row: f on the grid, for waves that go to `direction_rad` in the world.
-    pub fn push(&mut self, direction_rad: f64, on_grid: &[f64]) {
-        let n = on_grid.len() as f64;
-        for m in 0..=self.harmonics {
-            let (mut cosine, mut sine) = (0.0, 0.0);
-            for (k, f) in on_grid.iter().enumerate() {
-                let (sin, cos) = libm::sincos(TAU * ((m * k) % on_grid.len()) as f64 / n);
-                cosine += f * cos;
-                sine += f * sin;
-            }
-            // The highest harmonic of an even grid is its own mirror image.
-            let whole = if m == 0 || 2 * m == on_grid.len() { 1.0 } else { 2.0 } / n;
-            let (sin, cos) = libm::sincos(m as f64 * direction_rad);
-            self.weights.push(whole * (cosine * cos + sine * sin));
-            if m > 0 {
-                self.weights.push(whole * (cosine * sin - sine * cos));
-            }
-        }
-        self.values.push(S::ZERO);
-    }
-
-    /// All rows at a heading, rad.
+    /// All numbers at a heading, rad, part by part.
     pub fn at(&mut self, heading: S) -> &[S] {
         if self.heading != Some(heading) {
             self.turn_to(heading);
@@ -57,37 +59,86 @@ impl<S: Scalar> ByHeading<S> {
 
     fn turn_to(&mut self, heading: S) {
         let (sin, cos) = heading.sin_cos();
-        let mut power = [S::ONE, S::ZERO];
-        for pair in self.basis[1..].chunks_exact_mut(2) {
-            power = [power[0] * cos - power[1] * sin, power[0] * sin + power[1] * cos];
-            pair.copy_from_slice(&power);
+        for (value, mean) in self.values.iter_mut().zip(&self.means) {
+            *value = S::constant(*mean);
         }
-        for (value, weights) in self.values.iter_mut().zip(self.weights.chunks_exact(self.basis.len())) {
-            *value = dot(weights, &self.basis);
+        let mut power = [S::ONE, S::ZERO];
+        for harmonic in &self.harmonics {
+            power = times(power, [cos, sin]);
+            harmonic.add(power, self.waves, &mut self.values);
         }
         self.heading = Some(heading);
     }
 }
 
-/// A sum in one order, in four strands that a processor can add side by side.
-fn dot<S: Scalar>(weights: &[f64], basis: &[S]) -> S {
-    let mut strands = [S::ZERO; 4];
-    let (weights, basis) = (weights.chunks_exact(4), basis.chunks_exact(4));
-    let rest = weights.remainder().iter().zip(basis.remainder());
-    let rest = rest.fold(S::ZERO, |sum, (w, b)| sum + S::constant(*w) * *b);
-    for (w, b) in weights.zip(basis) {
-        for k in 0..4 {
-            strands[k] += S::constant(w[k]) * b[k];
+impl Harmonic {
+    fn new(weights: &[[f64; 2]], least: &[f64]) -> Self {
+        let waves = weights.len() / least.len();
+        let counts = |&wave: &usize| {
+            let of_wave = weights.iter().skip(wave).step_by(waves);
+            of_wave.zip(least).any(|(pair, least)| pair.iter().any(|weight| weight.abs() > *least))
+        };
+        let first = (0..waves).find(counts).unwrap_or(0);
+        let last = (first..waves).rev().find(counts).map_or(first, |wave| wave + 1);
+        let kept = |k: usize| {
+            let of_part = |part: usize| weights[part * waves..][first..last].iter().map(move |pair| pair[k]);
+            (0..least.len()).flat_map(of_part).collect()
+        };
+        Self { first, waves: last - first, cosine: kept(0), sine: kept(1) }
+    }
+
+    fn add<S: Scalar>(&self, [cos, sin]: [S; 2], stride: usize, values: &mut [S]) {
+        if self.waves == 0 {
+            return;
+        }
+        let parts = self.cosine.chunks_exact(self.waves).zip(self.sine.chunks_exact(self.waves));
+        for ((cosine, sine), values) in parts.zip(values.chunks_exact_mut(stride)) {
+            let values = &mut values[self.first..][..self.waves];
+            for ((value, c), s) in values.iter_mut().zip(cosine).zip(sine) {
+                *value += S::constant(*c) * cos + S::constant(*s) * sin;
+            }
         }
     }
-    (strands[0] + strands[1]) + (strands[2] + strands[3]) + rest
+}
+
+/// Weights of cos m psi and sin m psi in f(beta - psi), where f is given on the grid, and cos m beta and
+/// sin m beta.
+fn weights(on_grid: &[f64], m: usize, [cos, sin]: [f64; 2]) -> [f64; 2] {
+    let n = on_grid.len();
+    let step = turn(TAU * m as f64 / n as f64);
+    let (mut cosine, mut sine, mut at) = (0.0, 0.0, [1.0, 0.0]);
+    for f in on_grid {
+        cosine += f * at[0];
+        sine += f * at[1];
+        at = times(at, step);
+    }
+    // The highest harmonic of an even grid is its own mirror image.
+    let whole = if m == 0 || 2 * m == n { 1.0 } else { 2.0 } / n as f64;
+    [whole * (cosine * cos + sine * sin), whole * (cosine * sin - sine * cos)]
+}
+
+/// cos and sin of an angle, rad.
+fn turn(angle: f64) -> [f64; 2] {
+    let (sin, cos) = libm::sincos(angle);
+    [cos, sin]
+}
+
+/// cos and sin of the sum of two angles.
+fn times<S: Scalar>(a: [S; 2], b: [S; 2]) -> [S; 2] {
+    [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
+}
+
+fn largest(rows: &[Vec<f64>]) -> f64 {
+    rows.iter().flatten().fold(0.0, |largest, f| f.abs().max(largest))
 }
 
 /// The weights are many: a hash stands for them.
 impl<S: core::fmt::Debug> core::fmt::Debug for ByHeading<S> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let hash = self.weights.iter().fold(0_u64, |hash, w| (hash ^ w.to_bits()).wrapping_mul(0x0100_0000_01b3));
-        f.debug_struct("ByHeading").field("harmonics", &self.harmonics).field("hash", &hash).finish()
+        let harmonics = self.harmonics.iter().flat_map(|harmonic| harmonic.cosine.iter().chain(&harmonic.sine));
+        let fold = |hash: u64, weight: &f64| (hash ^ weight.to_bits()).wrapping_mul(0x0100_0000_01b3);
+        let hash = self.means.iter().chain(harmonics).fold(0, fold);
+        f.debug_struct("ByHeading").field("harmonics", &self.harmonics.len()).field("hash", &hash).finish()
     }
 }
 
@@ -101,18 +152,24 @@ mod tests {
         1.5 + libm::cos(beta) - 0.25 * libm::sin(3.0 * beta) + 0.125 * libm::cos(11.0 * beta)
     }
 
-    fn table(direction: f64) -> ByHeading {
-        let grid: Vec<f64> = (0..DIRECTIONS).map(|k| f(TAU * k as f64 / DIRECTIONS as f64)).collect();
-        let mut table = ByHeading::new(DIRECTIONS);
-        table.push(direction, &grid);
-        table
-    }
-
     #[test]
     fn what_has_few_harmonics_is_met_between_the_points_of_the_grid() {
-        for (direction, heading) in [(0.0, 0.0), (2.1, 0.3), (-1.0, 4.0), (3.0, -7.5)] {
-            let found = table(direction).at(heading)[0];
-            assert!((found - f(direction - heading)).abs() < 1e-13, "{direction} {heading}: {found}");
+        let grid: Vec<f64> = (0..DIRECTIONS).map(|k| f(TAU * k as f64 / DIRECTIONS as f64)).collect();
+        let (directions, parts) = ([0.0, 2.1, -1.0, 3.0], 2);
+        // The second part of a wave is its number times the first; wave 0 has the mean alone.
+        let row = |part: usize, wave: usize| -> Vec<f64> {
+            let share = if part == 0 { 1.0 } else { wave as f64 };
+            grid.iter().map(|f| if wave == 0 { 1.5 * share } else { f * share }).collect()
+        };
+        let mut table = ByHeading::<f64>::new(parts, &directions, row);
+        for heading in [0.0, 0.3, 4.0, -7.5] {
+            let found = table.at(heading).to_vec();
+            for (wave, direction) in directions.into_iter().enumerate() {
+                let expected = if wave == 0 { 1.5 } else { f(direction - heading) };
+                assert!((found[wave] - expected).abs() < 1e-13, "{wave} {heading}");
+                let second = found[directions.len() + wave];
+                assert!((second - expected * wave as f64).abs() < 1e-12, "{wave} {heading}");
+            }
         }
     }
 
@@ -120,8 +177,7 @@ mod tests {
     fn a_table_on_any_grid_goes_through_its_points() {
         for n in [4_usize, 5, 8, 9] {
             let grid: Vec<f64> = (0..n).map(|k| libm::sin(1.0 + (k * k) as f64)).collect();
-            let mut table = ByHeading::<f64>::new(n);
-            table.push(0.0, &grid);
+            let mut table = ByHeading::<f64>::new(1, &[0.0], |_, _| grid.clone());
             for (k, expected) in grid.iter().enumerate() {
                 let found = table.at(-TAU * k as f64 / n as f64)[0];
                 assert!((found - expected).abs() < 1e-13, "{n} {k}: {found} {expected}");

@@ -5,7 +5,6 @@
 
 mod by_heading;
 mod excitation;
-mod phasors;
 mod place;
 mod radiation;
 
@@ -116,7 +115,7 @@ impl<S: Scalar> Hull<S> {
             by_the_sea = radiation.force(self.own_states(at));
         }
         if let Some(excitation) = self.excitation.as_mut().filter(|_| !self.calm) {
-            let force = excitation.force(at.clock, &slow);
+            let force = excitation.force(at.clock.time_s, &slow);
             by_the_sea.iter_mut().zip(force).for_each(|(sum, force)| *sum += force);
         }
         let by_the_sea = in_body(&by_the_sea, &motion, &slow);
@@ -132,9 +131,9 @@ impl<S: Scalar> Hull<S> {
         let none = [S::ZERO; 6];
         HullReading {
             radiation_force: self.radiation.as_ref().map_or(none, |radiation| radiation.force(states)),
-            excitation_force: self.excitation.as_mut().map_or(none, |waves| waves.force(at.clock, &slow)),
+            excitation_force: self.excitation.as_mut().map_or(none, |waves| waves.force(at.clock.time_s, &slow)),
             water_kinetic_energy: self.water_kinetic_energy(at),
-            wave_elevation: self.excitation.as_mut().map_or(S::ZERO, |waves| waves.elevation(at.clock, &slow)),
+            wave_elevation: self.excitation.as_mut().map_or(S::ZERO, |waves| waves.elevation(at.clock.time_s, &slow)),
         }
     }
 

@@ -61,7 +61,7 @@ pub fn build<S: Gathered>(
         });
     }
     for motion in prescribed(scenario, model)? {
-        v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, start_s: 0.0, middle_s: 0.0 });
+        v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
         drives.push(Drive::Prescribed(motion));
     }
     Ok(Drives { drives, inputs })
