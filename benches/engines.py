@@ -26,6 +26,8 @@ PINOCCHIO_DEFINITIONS = (
 )
 # many runs at once: scheme and threads
 BATCHES = ("batch_euler_1", "batch_euler_2", "batch_rk4_1", "batch_rk4_2")
+# of a ship in the water: the step as it ships
+AFLOAT = ("rk4_step_ledger",)
 WASM_PACKAGE = models.REPOSITORY / "web" / "src" / "engine" / "pkg"
 
 
@@ -62,6 +64,8 @@ def kingpost_native(case: models.Case, folder: Path, quick: bool) -> Engine:
     path = models.write_kingpost(case, folder)
     steps = ("euler_step", "rk4_step", "rk4_step_ledger", "lanes_euler", "lanes_rk4", *BATCHES)
     operations = ("forward",) if case.links else ("forward", *steps)
+    if case.tree is None:
+        operations = AFLOAT
     version = importlib.metadata.version("kingpost")
     return Engine("kingpost", case, (str(program), str(path)), operations, True, version, same, same)
 
@@ -90,7 +94,7 @@ def kingpost_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
     bare = None if quick else _wasm_program()
     if not packed and bare is None:
         raise NotHereError("the WASM package is not built")
-    measured = ("forward", "rk4_step", "rk4_step_ledger")
+    measured = AFLOAT if case.tree is None else ("forward", "rk4_step", "rk4_step_ledger")
     operations = tuple(name for name in measured if (packed if name == "rk4_step_ledger" else bare))
     path = models.write_kingpost(case, folder)
     command = (node, str(BENCHES / "wasm.mjs"), str(WASM_PACKAGE), str(bare), str(path))
@@ -173,8 +177,16 @@ BUILDERS: dict[str, Builder] = {
     "mujoco": mujoco,
     "mujoco-rollout": mujoco_rollout,
 }
-# these run the chains as well as the paper's model
+# these run other models than the paper's: chains, and a ship in the water
 ON_CHAINS = ("kingpost", "pinocchio", "mujoco")
+ON_WATER = ("kingpost", "kingpost-wasm")
+
+
+def takes(name: str, case: models.Case) -> bool:
+    """Whether an engine is measured on a model."""
+    if case.tree is None:
+        return name in ON_WATER
+    return name in ON_CHAINS or not case.links
 
 
 def _tool(name: str) -> str:

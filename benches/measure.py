@@ -135,7 +135,8 @@ def check_values(engine: Engine, operation: str) -> tree.Array:
 def agreement(engines: Sequence[Engine]) -> list[tuple[str, str, float]]:
     """Largest difference of every engine from the first, relative to the first's largest entry.
 
-    The accelerations agree to rounding; the steps to what each engine's RK4 does with the rotation.
+    The accelerations agree to rounding; the steps to what each engine's RK4 does with the rotation; WASM
+    to the bit.
     """
     rows = []
     for case in dict.fromkeys(engine.case.name for engine in engines):

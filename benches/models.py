@@ -72,7 +72,9 @@ def afloat(kind: str) -> Case:
     """The offshore vessel with its crane at the start of a run in its JONSWAP sea, at equilibrium."""
     import kingpost
 
-    scenario = kingpost.load("offshore_vessel", AFLOAT[kind] | {"waves": True, "simulation.step_s": AFLOAT_STEP_S})
+    scenario = kingpost.load(
+        "offshore_vessel", AFLOAT[kind] | {"waves": True, "simulation.step_s": AFLOAT_STEP_S}
+    )
     simulation = kingpost.Simulation(scenario)
     start = {"snapshot": simulation.snapshot(), "q": simulation.state.q, "v": simulation.state.v}
     return Case(afloat_name(kind), scenario.json, **start, files=scenario.files)

@@ -1,4 +1,4 @@
-"""What a run's figures come to: ratios, growth with the number of links, and the tables of README.md."""
+"""What a run's figures come to: ratios, speeds, growth with the number of links, and the tables of README.md."""
 
 from __future__ import annotations
 
@@ -45,6 +45,19 @@ def _ratio(ours: Figure, peer: Figure) -> str:
     return text
 
 
+def speeds(figures: Sequence[Figure]) -> Iterator[str]:
+    """How much faster than real time a ship in the water is, and what WASM takes of it."""
+    afloat = [figure for figure in figures if figure.model in map(models.afloat_name, models.AFLOAT)]
+    for figure in afloat:
+        native = next((f for f in afloat if (f.engine, f.model) == ("kingpost", figure.model)), figure)
+        share = "" if native is figure else f", {native.median_ns / figure.median_ns:.2f} of kingpost's"
+        yield (
+            f"{figure.engine}, {figure.model}: {figure.median_ns / 1000:.1f} us a step of "
+            f"{models.AFLOAT_STEP_S * 1000:g} ms, {_count(figure)} instructions, "
+            f"{models.AFLOAT_STEP_S * 1e9 / figure.median_ns:,.0f} times real time{share}"
+        )
+
+
 def growth(figures: Sequence[Figure]) -> Iterator[str]:
     """Instructions of one more link, from each length of chain to the next: equal where growth is linear."""
     for engine in dict.fromkeys(figure.engine for figure in figures):
@@ -62,7 +75,7 @@ def growth(figures: Sequence[Figure]) -> Iterator[str]:
 def table(figures: Sequence[Figure], head: str) -> str:
     """The figures, ratios and growth as Markdown."""
     chains = {models.chain_name(links) for links in models.CHAIN_LINKS}
-    paper = [figure for figure in figures if figure.model not in chains]
+    paper = [figure for figure in figures if figure.model == models.PAPER]
     rows = [
         f"{datetime.datetime.now(datetime.UTC).date().isoformat()}, {head}.",
         "",
@@ -75,7 +88,14 @@ def table(figures: Sequence[Figure], head: str) -> str:
         cells = [figure.engine, figure.operation, f"{figure.median_ns:,.0f}", f"{figure.low_ns:,.0f}"]
         rows.append(f"| {' | '.join([*cells, _count(figure)])} |")
     rows += ["", *(f"- {line.replace(f', {models.PAPER}', '')}" for line in ratios(paper))]
-    if len(paper) < len(figures):
+    if afloat := list(speeds(figures)):
+        rows += [
+            "",
+            "### The offshore vessel with its crane in a JONSWAP sea",
+            "",
+            *(f"- {line}" for line in afloat),
+        ]
+    if any(figure.model in chains for figure in figures):
         rows += ["", "### Chains: forward dynamics", "", *_chains(figures)]
         rows += ["", *(f"- {line}" for line in growth(figures))]
     return "\n".join(rows)

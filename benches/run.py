@@ -1,4 +1,4 @@
-"""Kingpost beside Pinocchio and MuJoCo: the paper's model, chains, and many runs at once.
+"""Kingpost beside Pinocchio and MuJoCo: the paper's model, chains, many runs at once; and a ship in a sea.
 
 Prints ``engine|model|operation|median_ns|instructions``, a line for each; lines that start with ``#`` are
 for people. See README.md beside this file.
@@ -42,6 +42,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         lines.add(_line(figure))
     for line in report.ratios(figures):
         lines.add(f"# ratio: {line}")
+    for line in report.speeds(figures):
+        lines.add(f"# speed: {line}")
     for line in report.growth(figures):
         lines.add(f"# growth: {line}")
     lines.write()
@@ -85,14 +87,14 @@ def _engines(options: argparse.Namespace, folder: Path, lines: _Lines) -> list[p
         raise SystemExit(f"unknown engine {unknown[0]!r}, known: {', '.join(programs.BUILDERS)}")
     chains = models.CHAIN_LINKS[::2] if options.quick else models.CHAIN_LINKS
     found = []
-    for case in (models.paper(), *map(models.chain, chains)):
-        for name in names if not case.links else [n for n in names if n in programs.ON_CHAINS]:
+    for case in (models.paper(), *map(models.chain, chains), *map(models.afloat, models.AFLOAT)):
+        for name in [name for name in names if programs.takes(name, case)]:
             try:
                 engine = programs.BUILDERS[name](case, folder, options.quick)
             except programs.NotHereError as reason:
                 lines.add(f"# skipped: {name}, {case.name}: {reason}")
                 continue
-            if not case.links:
+            if case.name == models.PAPER:
                 lines.add(f"# engine: {name}: {engine.version}")
             found.append(engine)
     return found
