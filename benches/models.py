@@ -1,8 +1,8 @@
 """The models that are measured, each at one fixed state, written for every engine from the resolved scenario.
 
 All numbers go through Kingpost's reader and the translators of the peer tests, so the engines run the same
-model: the paper's free one with load, from ``scenarios/paper.yaml``, and chains of several lengths. A ship with a
-crane in a sea, from ``scenarios/offshore_vessel.yaml``, no peer has: it is measured against its own clock.
+model: the paper's free one with load, from ``scenarios/paper.yaml``, and chains of several lengths. No
+peer has a ship in a sea: ``scenarios/offshore_vessel.yaml`` is measured against its own clock.
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ STEP_S = 0.001
 class Case:
     """One model at one state: the resolved scenario, its tree, and q and v in Kingpost's layout.
 
-    ``files`` are what the scenario reads from others, ``snapshot`` is Kingpost's own form of the state, for the
-    WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree for the peers.
+    ``files`` are what the scenario reads from others, ``snapshot`` is Kingpost's own form of the state, for
+    the WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree for the peers.
     """
 
     name: str
@@ -126,7 +126,7 @@ def _case(name: str, scenario: Any, links: int = 0) -> Case:
 
 
 def write_kingpost(case: Case, folder: Path) -> Path:
-    """Writes the scenario (.json, .files.json) and the state (.txt, .snapshot); returns the path without ending."""
+    """Writes scenario (.json, .files.json) and state (.txt, .snapshot); returns the path without ending."""
     path = folder / f"{case.name}_kingpost"
     path.with_suffix(".json").write_text(case.scenario)
     path.with_suffix(".files.json").write_text(json.dumps(dict(case.files)))
