@@ -40,7 +40,7 @@ class Case:
     """One model at one state: the resolved scenario, its tree, and q and v in Kingpost's layout.
 
     ``files`` are what the scenario reads from others, ``snapshot`` is Kingpost's own form of the state, for
-    the WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree for the peers.
+    the WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree.
     """
 
     name: str

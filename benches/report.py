@@ -1,4 +1,4 @@
-"""What a run's figures come to: ratios, speeds, growth with the number of links, and the tables of README.md."""
+"""What a run's figures come to: ratios, speeds, growth along chains, and the tables of README.md."""
 
 from __future__ import annotations
 
