@@ -66,6 +66,15 @@ def parser() -> argparse.ArgumentParser:
     modes.add_argument("--sweep", metavar="name=from:to:n", help="n values of a parameter or a field")
     modes.set_defaults(command=_modes)
 
+    statistics = commands.add_parser("statistics", help="statistics and extremes of recorded runs")
+    statistics.add_argument("files", nargs="+", metavar="FILE", help="results in NetCDF, one for each seed")
+    statistics.add_argument("--after_s", type=float, metavar="T",
+                            help="leave out what is before, s (default: the ramp of the waves)")  # fmt: skip
+    statistics.add_argument("--channels", nargs="+", default=[], metavar="NAME",
+                            help="columns, as ship.roll or 'load.*' (default: the main ones)")  # fmt: skip
+    statistics.add_argument("-o", "--output", metavar="FILE", help="the table: .csv")
+    statistics.set_defaults(command=_statistics)
+
     gallery = commands.add_parser("list", help="list the gallery")
     gallery.set_defaults(command=_list)
 
@@ -139,6 +148,19 @@ def _modes(options: argparse.Namespace) -> int:
     print(modes_report.text(found))
     if output:
         print(f"\nwritten  {vibration.write(found, output)}")
+    return DONE
+
+
+def _statistics(options: argparse.Namespace) -> int:
+    from . import results, statistics_report
+
+    output = results.check_output(options.output, (".csv",)) if options.output is not None else None
+    runs = [statistics_report.read(path) for path in options.files]
+    found = statistics_report.frame(runs, options.after_s, options.channels)
+    print(statistics_report.text(runs, found, options.after_s))
+    if output:
+        found.to_csv(output, index=False)
+        print(f"\nwritten  {output}")
     return DONE
 
 

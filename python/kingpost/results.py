@@ -165,7 +165,7 @@ def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
         "versions": json.dumps(versions),
         "seed": resolved["simulation"]["seed"],
         "gravity_m_s2": gravity_m_s2(resolved),
-        "water_density_kg_m3": 0.0,
+        "water_density_kg_m3": water_density_kg_m3(resolved),
         "axes": AXES,
     }
 
@@ -174,3 +174,9 @@ def gravity_m_s2(resolved: dict[str, Any]) -> float:
     """Acceleration of gravity that acts in a resolved scenario, m/s2; 0 where it is off."""
     laws = (force.get("gravity") for force in resolved.get("forces", {}).values())
     return float(sum(law["acceleration_m_s2"] for law in laws if law and law["enabled"]))
+
+
+def water_density_kg_m3(resolved: dict[str, Any]) -> float:
+    """Density of the water in a resolved scenario, kg/m3; 0 where there is no sea."""
+    sea = resolved.get("sea")
+    return float(sea["density_kg_m3"]) if sea else 0.0

@@ -1,0 +1,182 @@
+"""What the command line prints of the statistics of recorded runs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from fnmatch import fnmatchcase
+from itertools import product
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from . import statistics
+from .errors import KingpostError
+from .report import fixed, table
+from .results import column_name
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+# Of these where no channels are named; a floating body's place and angles, and all of the others.
+OF_SHIPS = ("position.z", "roll", "pitch", "yaw")
+ALL_OF = ("wave_elevation", "joint_position", "line_tension")
+FEWEST_RUNS = 5
+"""Runs that an extreme is fitted to."""
+HEADINGS = {
+    "mean": "mean",
+    "standard_deviation": "deviation",
+    "significant_double_amplitude": "sig. double",
+    "zero_up_crossing_period": "period, s",
+    "maximum": "largest",
+    "minimum": "smallest",
+}
+
+
+def read(path: str | Path) -> xarray.Dataset:
+    """A data set that `kingpost run -o FILE.nc` wrote, or `Batch`."""
+    import xarray
+
+    try:
+        found = xarray.load_dataset(path, engine="h5netcdf")
+    except OSError as error:
+        raise KingpostError(f"{path}: {error.strerror or error}, allowed: results in NetCDF, .nc") from None
+    if "time" not in found.dims:
+        raise KingpostError(f"{path}: found no dimension time, allowed: results of kingpost run")
+    return found
+
+
+def start_s(results: xarray.Dataset, after_s: float | None) -> float:
+    """From when on records count: as asked, else the end of the waves' ramp."""
+    if after_s is not None:
+        return after_s
+    sea = json.loads(results.attrs.get("scenario", "{}")).get("sea")
+    return float(sea["ramp_s"]) if sea else 0.0
+
+
+def frame(
+    runs: Sequence[xarray.Dataset], after_s: float | None, patterns: Sequence[str] = ()
+) -> pandas.DataFrame:
+    """A row for each channel: its unit (angles in deg), its statistics, the means over several runs, and
+    from five runs on the expected largest and smallest value of three hours with their standard errors."""
+    import pandas
+
+    first = start_s(runs[0], after_s)
+    names = _chosen(runs[0], patterns)
+    rows = []
+    for name, unit in names.items():
+        series = [part for run in runs for part in _series(run, name)]
+        scale = 180 / np.pi if unit == "rad" else 1.0
+        rows.append({"channel": name, "unit": "deg" if unit == "rad" else unit, **_row(series, first, scale)})
+    return pandas.DataFrame(rows)
+
+
+def text(runs: Sequence[xarray.Dataset], found: pandas.DataFrame, after_s: float | None) -> str:
+    """The statistics as a table, with what they are of."""
+    first, time = start_s(runs[0], after_s), runs[0]["time"].values
+    count = sum(run.sizes.get("run", 1) for run in runs)
+    of = f"{count} runs, means over them" if count > 1 else "one run"
+    lines = [str(runs[0].attrs.get("title", "")), f"{first:g} to {time[-1]:g} s of {of}", ""]
+    rows = [("channel", "", *HEADINGS.values())]
+    for row in found.to_dict("records"):
+        rows.append((row["channel"], row["unit"], *(_number(row[name]) for name in HEADINGS)))
+    lines += table(rows, "<<" + ">" * len(HEADINGS))
+    if count >= FEWEST_RUNS:
+        rows = [("three-hour extreme, expected", "", "largest", "", "smallest", "")]
+        for row in found.to_dict("records"):
+            cells = [(_number(row[side]), f"+- {_number(row[f'{side}_error'])}")
+                     for side in ("extreme_largest", "extreme_smallest")]  # fmt: skip
+            rows.append((row["channel"], row["unit"], *cells[0], *cells[1]))
+        lines += ["", *table(rows, "<<><><")]
+    else:
+        lines += ["", f"three-hour extremes want {FEWEST_RUNS} runs or more, each of another seed"]
+    return "\n".join(lines)
+
+
+def _chosen(results: xarray.Dataset, patterns: Sequence[str]) -> dict[str, str]:
+    """Names of flat columns with their units."""
+    units = {name: str(series.attrs.get("units", "")) for name, series in _columns(results)}
+    if not patterns:
+        return {name: unit for name, unit in units.items() if _is_default(results, name)}
+    chosen = {name: unit for name, unit in units.items() if any(fnmatchcase(name, p) for p in patterns)}
+    for pattern in patterns:
+        if not any(fnmatchcase(name, pattern) for name in units):
+            raise KingpostError(
+                f"--channels: found {pattern!r}, allowed: columns as ship.roll, or patterns as ship.*"
+            )
+    return chosen
+
+
+def _is_default(results: xarray.Dataset, name: str) -> bool:
+    described = json.loads(results.attrs.get("scenario", "{}")).get("bodies", {})
+    floating = [body for body, given in described.items() if "floating" in given["joint"]]
+    return name in [f"{body}.{quantity}" for body in floating for quantity in OF_SHIPS] or any(
+        variable in name.split(".") for variable in ALL_OF
+    )
+
+
+def _columns(results: xarray.Dataset) -> Iterator[tuple[str, xarray.DataArray]]:
+    """Flat columns as `kingpost run -o FILE.csv` names them, over time and, of many runs, ``run``."""
+    for variable, values in results.data_vars.items():
+        if "time" not in values.dims:
+            continue
+        dims = [dim for dim in values.dims if dim not in ("time", "run")]
+        for labels in product(*(results[dim].values for dim in dims)):
+            at = dict(zip(dims, labels, strict=True))
+            yield column_name(str(variable), at), values.sel(at)
+
+
+def _series(results: xarray.Dataset, name: str) -> list[xarray.DataArray]:
+    """One channel of each run of a data set."""
+    for found, series in _columns(results):
+        if found == name:
+            return (
+                [series]
+                if "run" not in series.dims
+                else [series.isel(run=i) for i in range(series.sizes["run"])]
+            )
+    raise KingpostError(
+        f"{results.attrs.get('source', '')}: found no channel {name}, allowed: runs of one scenario"
+    )
+
+
+def _row(series: Sequence[xarray.DataArray], after_s: float, scale: float) -> dict[str, float]:
+    summaries = [statistics.summary(part, after_s) for part in series]
+    by_name = {
+        name: np.array([float(s.sel(statistic=name)) for s in summaries]) for name in statistics.STATISTICS
+    }
+    row = {
+        name: float(values.mean()) * (1.0 if name == "zero_up_crossing_period" else scale)
+        for name, values in by_name.items()
+    }
+    # The largest is that of all runs.
+    row["maximum"], row["minimum"] = (
+        scale * float(by_name["maximum"].max()),
+        scale * float(by_name["minimum"].min()),
+    )
+    if len(series) >= FEWEST_RUNS:
+        record_s = float(series[0]["time"].values[-1]) - after_s
+        for side, sign, values in (("largest", 1, by_name["maximum"]), ("smallest", -1, by_name["minimum"])):
+            row |= _extreme(side, scale, sign, values, record_s)
+    return row
+
+
+def _extreme(side: str, scale: float, sign: int, values: np.ndarray, record_s: float) -> dict[str, float]:
+    """Expected extreme of three hours and its standard error; not a number where nothing moves."""
+    if not np.isfinite(values).all() or np.ptp(values) == 0:
+        return {f"extreme_{side}": np.nan, f"extreme_{side}_error": np.nan}
+    found = statistics.extreme(sign * values, record_s)
+    return {
+        f"extreme_{side}": sign * scale * found.expected,
+        f"extreme_{side}_error": scale * found.expected_error,
+    }
+
+
+def _number(value: float) -> str:
+    """Four digits, without an exponent where none is needed."""
+    if not np.isfinite(value):
+        return "-"
+    size = abs(value)
+    return f"{value:.4g}" if size >= 1e4 or 0 < size < 1e-3 else fixed(value, 4 if size < 10 else 2)

@@ -1,0 +1,212 @@
+"""Statistics of records: Gaussian processes of a known spectrum, Gumbel samples, the engine's own sea."""
+
+import kingpost
+import numpy as np
+import pytest
+import xarray
+from kingpost import KingpostError, statistics
+from kingpost.cli import main
+
+# A spectrum as broad as that of a sea, m0 = 1, about 0.8 rad/s.
+PEAK, WIDTH = 0.8, 0.2
+
+
+def density(omega: np.ndarray) -> np.ndarray:
+    return np.exp(-0.5 * ((omega - PEAK) / WIDTH) ** 2) / (WIDTH * np.sqrt(2 * np.pi))
+
+
+def gaussian_process(
+    rng: np.random.Generator, duration_s: float = 10800.0, step_s: float = 0.25
+) -> xarray.DataArray:
+    """A record of the spectrum above with normal amplitudes at the lines of the whole record, so that
+    it is Gaussian and of the exact variance on average."""
+    count = int(duration_s / step_s)
+    omega = 2 * np.pi * np.fft.rfftfreq(count, step_s)
+    size = np.sqrt(density(omega) * (omega[1] - omega[0]))
+    phasors = size * (rng.standard_normal(len(omega)) - 1j * rng.standard_normal(len(omega)))
+    values = np.fft.irfft(phasors, count) * count / 2
+    time = xarray.DataArray(step_s * np.arange(count), dims="time", attrs={"units": "s"})
+    return xarray.DataArray(values, {"time": time}, ("time",), "heave", {"units": "m"})
+
+
+def test_a_gaussian_process_of_a_known_spectrum_gives_its_variance_and_period() -> None:
+    records = [gaussian_process(np.random.default_rng(seed)) for seed in range(10)]
+    found = xarray.concat([statistics.summary(record) for record in records], "seed")
+    variance = found.sel(statistic="standard_deviation") ** 2
+    # The variance of a sample variance is 2 pi Int S^2 dw / T (Bendat & Piersol, Random Data, 8.2).
+    error = np.sqrt(2 * np.pi / (2 * WIDTH * np.sqrt(np.pi)) / 10800.0)
+    assert abs(float(variance.mean()) - 1) < 4 * error / np.sqrt(10)
+    assert float(variance.std()) == pytest.approx(error, rel=0.7)
+    period = found.sel(statistic="zero_up_crossing_period")
+    assert float(period.mean()) == pytest.approx(2 * np.pi / np.hypot(PEAK, WIDTH), rel=0.003)
+    significant = found.sel(statistic="significant_double_amplitude") / found.sel(
+        statistic="significant_amplitude"
+    )
+    assert np.allclose(significant, 2)
+
+
+def test_the_spectrum_comes_back_with_its_moments() -> None:
+    records = xarray.concat([gaussian_process(np.random.default_rng(seed)) for seed in range(4)], "run")
+    found = statistics.spectrum(records, segment_s=400.0)
+    assert found.dims == ("run", "frequency")
+    assert found.attrs["units"] == "(m)^2 s/rad"
+    # Fifty segments a record and four of them: 7 % of error by line, and the window's own smearing.
+    mean = found.mean("run")
+    assert float(mean.max()) == pytest.approx(density(PEAK), rel=0.15)
+    m0, m1, m2, _ = statistics.moments(mean).values
+    variance = float((records.std("time") ** 2).mean())
+    assert m0 == pytest.approx(variance, rel=0.01)
+    assert m1 / m0 == pytest.approx(PEAK, rel=0.005)
+    assert np.sqrt(m0 / m2) == pytest.approx(1 / np.hypot(PEAK, WIDTH), rel=0.005)
+
+
+def test_a_sine_gives_all_of_its_power_to_its_line() -> None:
+    time = 0.25 * np.arange(4000)
+    wave = xarray.DataArray(3 * np.cos(2 * np.pi * time / 10), {"time": time}, ("time",), "roll")
+    found = statistics.spectrum(wave, segment_s=100.0)
+    assert float(found.integrate("frequency")) == pytest.approx(4.5, rel=1e-3)
+    assert float(found.idxmax("frequency")) == pytest.approx(2 * np.pi / 10)
+
+
+def test_the_spectrum_is_that_of_scipy() -> None:
+    signal = pytest.importorskip("scipy.signal")
+    record = gaussian_process(np.random.default_rng(5), duration_s=1000.0)
+    found = statistics.spectrum(record, segment_s=125.0)
+    hertz, density = signal.welch(record.values - record.values.mean(), fs=4.0, nperseg=500, detrend=False)
+    assert np.allclose(found["frequency"], 2 * np.pi * hertz)
+    assert np.allclose(found, density / (2 * np.pi), rtol=1e-12, atol=1e-14)
+
+
+def test_the_largest_value_of_three_hours_is_that_of_rayleigh_peaks() -> None:
+    """Cartwright & Longuet-Higgins (Proc. Roy. Soc. A 237, 1956): of N peaks the largest is
+    sigma (sqrt(2 ln N) + gamma / sqrt(2 ln N)) on average."""
+    maxima = [float(gaussian_process(np.random.default_rng(seed)).max()) for seed in range(120)]
+    found = statistics.extreme(maxima, record_s=10800.0)
+    peaks = 10800.0 * np.hypot(PEAK, WIDTH) / (2 * np.pi)
+    root = np.sqrt(2 * np.log(peaks))
+    # Neighbouring peaks are alike and records miss the very tops, which lowers it by about a per cent.
+    assert found.expected == pytest.approx(root + statistics.EULER / root, rel=0.02)
+    assert found.expected_error == pytest.approx(np.std(maxima) / np.sqrt(120), rel=0.25)
+
+
+def test_gumbel_samples_come_back_within_their_standard_error() -> None:
+    rng = np.random.default_rng(7)
+    fits = [statistics.extreme(rng.gumbel(7.0, 0.5, 40), record_s=10800.0) for _ in range(400)]
+    location, scale = (np.array([getattr(fit, name) for fit in fits]) for name in ("location", "scale"))
+    errors = np.sqrt(np.mean([np.diag(fit.covariance) for fit in fits], axis=0))
+    for values, true, error in ((location, 7.0, errors[0]), (scale, 0.5, errors[1])):
+        # Bias of the scale is of order 1/n, 0.8/n of it; a deviation of 400 fits is known to 3.5 %.
+        assert abs(values.mean() - true) < 4 * error / np.sqrt(400) + 0.8 / 40 * 0.5
+        assert values.std() == pytest.approx(error, rel=0.15)
+    high = np.array([fit.quantile(0.9) for fit in fits])
+    assert high.std() == pytest.approx(np.mean([fit.quantile_error(0.9) for fit in fits]), rel=0.15)
+
+
+def test_the_extreme_of_a_longer_time_is_the_largest_of_its_parts() -> None:
+    rng = np.random.default_rng(3)
+    parts = rng.gumbel(5.0, 0.3, (6, 3000))
+    whole = statistics.extreme(parts.max(axis=0), record_s=10800.0)
+    by_parts = statistics.extreme(parts.ravel(), record_s=1800.0)
+    error = np.hypot(whole.expected_error, by_parts.expected_error)
+    assert abs(whole.expected - by_parts.expected) < 4 * error
+    assert by_parts.expected_error > 0
+
+
+def test_the_start_is_left_out_and_the_rest_stays() -> None:
+    time = np.arange(0.0, 101.0)
+    series = xarray.DataArray(np.where(time < 20, 50.0, np.sin(time)), {"time": time}, ("time",), "sway")
+    results = xarray.Dataset({"sway": series, "mass": 3.0})
+    found = statistics.summary(results, after_s=20.0)
+    assert float(found["sway"].sel(statistic="maximum")) < 1.01
+    assert float(found["mass"]) == 3.0
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda s: statistics.summary(s, after_s=200.0), "after_s: found 200 s"),
+        (lambda s: statistics.summary(s.rename(time="place")), "allowed: time among them"),
+        (lambda s: statistics.spectrum(s, segment_s=1e4), "segment_s: found 10000 s"),
+        (lambda s: statistics.spectrum(s.isel(time=[0, 1, 2, 4, 5, 6, 9, 10, 13])), "allowed: even steps"),
+        (lambda s: statistics.extreme([1.0, 2.0], 10.0), "maxima: found 2 values"),
+        (lambda s: statistics.extreme([1.0] * 9, 10.0), "values that differ"),
+        (lambda s: statistics.extreme([1.0, 2, 3, 4, np.nan], 10.0), "all finite"),
+        (lambda s: statistics.extreme([1.0, 2, 3, 4, 5], 0.0), "record_s: found 0"),
+        (lambda s: statistics.extreme([1.0, 2, 3, 4, 5], 9.0).quantile(1.0), "probability: found 1"),
+    ],
+)  # fmt: skip
+def test_bad_input_is_named(call, message: str) -> None:
+    time = np.arange(0.0, 100.0)
+    with pytest.raises(KingpostError, match=message):
+        call(xarray.DataArray(np.sin(time), {"time": time}, ("time",), "sway"))
+
+
+def recorded(tmp_path, seed: int) -> str:
+    """A file as `kingpost run` writes it, of half an hour of the process above as roll."""
+    record = gaussian_process(np.random.default_rng(seed), duration_s=1800.0).values
+    time = 0.25 * np.arange(len(record))
+    ramp = np.where(time < 20, 100.0, 1.0)
+    results = xarray.Dataset(
+        {"roll": (("time", "body"), (0.02 * ramp * record)[:, None], {"units": "rad"})},
+        {"time": time, "body": ["ship"]},
+        {"title": "a barge", "scenario": kingpost.load("barge").json},
+    )
+    path = tmp_path / f"run_{seed}.nc"
+    results.to_netcdf(path, engine="h5netcdf")
+    return str(path)
+
+
+def test_the_command_prints_what_runs_show_after_the_ramp(tmp_path, capsys) -> None:
+    files = [recorded(tmp_path, seed) for seed in range(6)]
+    table = tmp_path / "table.csv"
+    assert main(["statistics", *files, "-o", str(table)]) == 0
+    shown = capsys.readouterr().out
+    assert "20 to 1799.75 s of 6 runs, means over them" in shown, "the barge's ramp is 20 s"
+    roll = next(line.split() for line in shown.splitlines() if line.startswith("ship.roll"))
+    deviation = np.rad2deg(0.02)
+    # A deviation over half an hour is known to 2.8 %, over six of them to 1.2 %.
+    assert float(roll[3]) == pytest.approx(deviation, rel=0.04)
+    assert float(roll[4]) == pytest.approx(4 * float(roll[3]), rel=1e-3)
+    assert float(roll[5]) == pytest.approx(2 * np.pi / np.hypot(PEAK, WIDTH), rel=0.01)
+    root = np.sqrt(2 * np.log(10800.0 * np.hypot(PEAK, WIDTH) / (2 * np.pi)))
+    rayleigh = deviation * (root + statistics.EULER / root)
+    with table.open() as lines:
+        names, values = (line.strip().split(",") for line in lines)
+    row = dict(zip(names, values, strict=True))
+    for side, sign in (("largest", 1), ("smallest", -1)):
+        error = float(row[f"extreme_{side}_error"])
+        assert 0 < error < 0.2 * rayleigh
+        assert abs(float(row[f"extreme_{side}"]) - sign * rayleigh) < 3 * error
+
+
+def test_the_command_reads_what_run_writes(tmp_path, capsys) -> None:
+    file = str(tmp_path / "run.nc")
+    settings = ["--set", "waves=on", "--set", "simulation.duration_s=3"]
+    assert main(["run", "barge", "-o", file, *settings]) == 0
+    capsys.readouterr()
+    assert main(["statistics", file, "--after_s", "1"]) == 0
+    shown = capsys.readouterr().out
+    assert all(name in shown for name in ("ship.position.z", "ship.roll", "wave_elevation", "pendant.first"))
+    assert "arm.roll" not in shown
+    assert "three-hour extremes want 5 runs" in shown
+    assert main(["statistics", file, "--after_s", "1", "--channels", "arm.ro*"]) == 0
+    shown = capsys.readouterr().out
+    assert "arm.roll" in shown
+    assert "ship.roll" not in shown
+
+
+def test_the_command_names_what_is_wrong(tmp_path, capsys) -> None:
+    file = recorded(tmp_path, 0)
+    for arguments, message in [
+        ([file, "--channels", "boat.roll"], "--channels: found 'boat.roll'"),
+        ([file, "--after_s", "5000"], "after_s: found 5000 s"),
+        ([str(tmp_path / "none.nc")], "none.nc: "),
+        ([file, "-o", "table.txt"], "table.txt: unknown ending, allowed: .csv"),
+    ]:
+        assert main(["statistics", *arguments]) == 2
+        assert message in capsys.readouterr().err
+
+
+def test_a_run_keeps_the_density_of_its_water() -> None:
+    assert kingpost.run("barge", {"simulation.duration_s": 0.1}).attrs["water_density_kg_m3"] == 1025
+    assert kingpost.run("paper", {"simulation.duration_s": 0.1}).attrs["water_density_kg_m3"] == 0
