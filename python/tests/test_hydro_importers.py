@@ -293,12 +293,3 @@ def test_an_option_of_a_file_is_refused_for_a_hull(tmp_path, capsys) -> None:
     hull = "box:length_m=20,beam_m=10,draught_m=2,depth_m=5"
     assert main(["hydro", hull, "-o", str(tmp_path / "a.hydro.json"), "--time_sign=+"]) != 0
     assert "--time_sign: found a hull" in capsys.readouterr().err
-
-
-def test_coverage_refuses_a_sea_beyond_the_frequencies() -> None:
-    base = writers.database()
-    coverage(base, 0.2, 2.4)
-    with pytest.raises(HydrodynamicsError, match=r"0.2 to 2.4 rad/s, allowed: .* the sea's, 0.1 to 2 rad/s"):
-        coverage(base, 0.1, 2.0)
-    with pytest.raises(HydrodynamicsError):
-        coverage(base, 0.3, 3.0)

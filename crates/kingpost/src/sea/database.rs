@@ -6,6 +6,7 @@
 //! `Re{X a e^(-i w t)}`. For zero forward speed.
 
 mod check;
+mod physical;
 
 use serde::Deserialize;
 use serde_json::Value;

@@ -1,13 +1,13 @@
 //! What every database must hold.
 
-use super::{Database, DatabaseError, Excitation, RadiationModel, SixBySix};
+use super::{Database, DatabaseError, Excitation, RadiationModel, SixBySix, physical};
 
 /// By how much a direction may miss its place in the regular grid, rad: what seven digits leave.
 const GRID_TOLERANCE_RAD: f64 = 1e-5;
 
-type Checked = Result<(), DatabaseError>;
+pub(super) type Checked = Result<(), DatabaseError>;
 
-fn unless(holds: bool, field: &str, found: impl ToString, allowed: &str) -> Checked {
+pub(super) fn unless(holds: bool, field: &str, found: impl ToString, allowed: &str) -> Checked {
     if holds {
         return Ok(());
     }
@@ -22,7 +22,11 @@ pub(super) fn check(database: &Database) -> Checked {
     check_matrices(database)?;
     check_excitation("froude_krylov", database, &database.froude_krylov)?;
     check_excitation("diffraction", database, &database.diffraction)?;
-    database.radiation.as_ref().map_or(Ok(()), check_radiation)
+    physical::check_matrices(database)?;
+    database.radiation.as_ref().map_or(Ok(()), |model| {
+        check_radiation(model)?;
+        physical::check_radiation(model, &database.frequencies_rad_s)
+    })
 }
 
 fn check_water_and_hull(database: &Database) -> Checked {
@@ -62,10 +66,7 @@ fn check_matrices(database: &Database) -> Checked {
         unless(fine, field, format!("{} matrices", matrices.len()), &allowed)?;
     }
     let infinite = &database.added_mass_infinite;
-    unless(is_finite(infinite), "added_mass_infinite", "a number that is not finite", "finite numbers")?;
-    let negative = (0..6).find(|&i| infinite[i][i] < 0.0);
-    let found = negative.map_or(0.0, |i| infinite[i][i]);
-    unless(negative.is_none(), "added_mass_infinite", found, "no negative entry on the diagonal")
+    unless(is_finite(infinite), "added_mass_infinite", "a number that is not finite", "finite numbers")
 }
 
 fn is_finite(matrix: &SixBySix) -> bool {
