@@ -11,7 +11,6 @@ import pytest
 from kingpost.cli import main
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import importers, read
-from kingpost.hydro.coverage import coverage
 from kingpost.hydro.importers import Options, wamit
 from kingpost.hydro.importers.convert import about_origin
 from kingpost.hydro.memory import added_mass_infinite
