@@ -38,7 +38,7 @@ pub enum Dimension {
     Cylinder,
     /// Hulls in the water by the name of their force.
     Hull,
-    /// Mooring lines by the name of their force.
+    /// Lines by the name of their force.
     Line,
 }
 
@@ -122,7 +122,7 @@ struct Table<S>(PhantomData<S>);
 #[rustfmt::skip]
 impl<S: Scalar> Table<S> {
     /// Every channel: the single source of names, units and frames.
-    const ENTRIES: [Entry<S>; 36] = [
+    const ENTRIES: [Entry<S>; 38] = [
         Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
         Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
             write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
@@ -162,7 +162,11 @@ impl<S: Scalar> Table<S> {
         Entry { variable: "water_kinetic_energy", long_name: "the water's part of the kinetic energy, by the infinite-frequency added mass", unit: Plain("J"), frame: Number, dims: &[Hull],
             write: |x, out| out.extend(x.observed.hulls.iter().map(|hull| hull.water_kinetic_energy)) },
         Entry { variable: "line_tension", long_name: "tension of a line at its first end, or its fairlead", unit: Plain("N"), frame: Number, dims: &[Line],
-            write: |x, out| out.extend(x.observed.line_tensions) },
+            write: |x, out| out.extend(x.observed.lines.iter().map(|line| line.tension)) },
+        Entry { variable: "line_end_tension", long_name: "tension of a line at its second end, or its anchor", unit: Plain("N"), frame: Number, dims: &[Line],
+            write: |x, out| out.extend(x.observed.lines.iter().map(|line| line.end_tension)) },
+        Entry { variable: "line_grounded_length", long_name: "unstretched length of a line that lies on the seabed", unit: Plain("m"), frame: Number, dims: &[Line],
+            write: |x, out| out.extend(x.observed.lines.iter().map(|line| line.grounded_length)) },
         Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
             write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
         Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],

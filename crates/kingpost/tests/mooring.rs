@@ -2,7 +2,8 @@
 
 mod common;
 
-use common::{simulation, values};
+use common::{moored, simulation, values};
+use kingpost::forces::lines::{Catenary, Span};
 use kingpost::scenario::read;
 use kingpost::spatial::Vector3;
 
@@ -160,4 +161,64 @@ fn lines_and_drag_are_linearised_exactly() {
         "orientation_rad: [0.1, 0.2, -0.1], velocity_m_s: [0.4, 0.5, -0.2], angular_velocity_rad_s: [0.1, -0.2, 0.3]",
         &both,
     ));
+}
+
+/// Lines that hang, and lift off and lie down on the seabed, keep the energy that they are given. A step over the
+/// hawser's coming taut with the speed v errs by a share of k (v h)^2, 10 J here, of which RK4 leaves a hundredth.
+#[test]
+fn what_is_moored_keeps_its_energy() {
+    let mut simulation = simulation(&moored());
+    let mut grounded = Vec::new();
+    for _ in 0..30 {
+        simulation.step(20).unwrap();
+        let lies = values(&mut simulation, "line_grounded_length");
+        grounded.push(lies[0]);
+        assert!(lies[1] > 20.0 && lies[2] == 0.0, "{lies:?}");
+        let size = values(&mut simulation, "kinetic_energy")[0] + values(&mut simulation, "potential_energy")[0].abs();
+        let errors =
+            ["energy_error", "momentum_error", "linear_momentum_error"].map(|e| values(&mut simulation, e)[0].abs());
+        assert!(errors[0] < 0.1 && errors[1] < 1e-11 * size && errors[2] < 1e-11 * size, "{errors:?} of {size}");
+    }
+    let least = grounded.iter().fold(f64::INFINITY, |least, length| least.min(*length));
+    assert!(least > 5.0 && least < grounded[0] - 5.0, "{grounded:?}");
+}
+
+/// T at the fairlead and H at an anchor with line on the seabed, by the catenary alone; a spring has one tension.
+#[test]
+fn the_results_hold_what_a_line_carries() {
+    let mut simulation = simulation(&moored());
+    let [tension, end, grounded] =
+        ["line_tension", "line_end_tension", "line_grounded_length"].map(|channel| values(&mut simulation, channel));
+    let bow = Catenary { unstretched_length: 93.0, weight: 15.0, axial_stiffness: 8e4, on_seabed: true };
+    let force = bow.force(&Span { across: libm::hypot(47.0, 10.0), up: 59.0 });
+    assert!((tension[0] - libm::hypot(force.horizontal, force.vertical)).abs() < 1e-9 * tension[0]);
+    assert!((grounded[0] - (93.0 - force.vertical / 15.0).max(0.0)).abs() < 1e-9);
+    assert_eq!((tension.len(), tension[3], grounded[3]), (4, end[3], 0.0));
+    let channel = simulation.channels().iter().find(|channel| channel.variable == "line_tension").unwrap();
+    assert_eq!(channel.labels, [["bow", "port", "stern", "hawser"]]);
+}
+
+#[test]
+fn mooring_lines_are_linearised_exactly() {
+    common::assert_linearised(&moored());
+}
+
+#[test]
+fn lines_that_cannot_be_are_refused() {
+    let refused = |from: &str, to: &str, message: &str| {
+        let text = moored();
+        assert!(text.contains(from));
+        let error = read(&text.replacen(from, to, 1), "test.yaml", &[]).unwrap_err().to_string();
+        assert!(error.contains(message), "{error}");
+    };
+    refused("fairlead: {body: ship", "fairlead: {body: world", "fairlead.body: found world, allowed: a body");
+    refused("fairlead: {body: ship", "fairlead: {body: shp", "fairlead.body: found shp");
+    refused(
+        "anchor_m: [50, 10, -60]",
+        "anchor_m: [50, 10, -50]",
+        "bow.catenary_line.anchor_m.2: found -50, allowed: -60",
+    );
+    refused("position_m: [3, 0, -1]", "position_m: [3, 0, -70]", "starts 10 m below the seabed");
+    refused("unstretched_length_m: 93", "unstretched_length_m: 0", "unstretched_length_m");
+    refused("second: {body: world", "second: {body: ship", "hawser.spring_line.second.body: found ship");
 }

@@ -63,6 +63,14 @@ fn a_step_allocates_nothing_with_every_joint_force_and_drive() {
 }
 
 #[test]
+fn a_step_allocates_nothing_on_mooring_lines() {
+    let mut simulation = common::simulation(&common::moored());
+    let before = ALLOCATIONS.with(Cell::get);
+    simulation.step(200).unwrap();
+    assert_eq!(ALLOCATIONS.with(Cell::get), before);
+}
+
+#[test]
 fn a_step_allocates_nothing_with_every_kind_of_joint() {
     for integrator in common::INTEGRATORS {
         let text = common::every_joint().replace("step_s: 0.0001", &format!("step_s: 0.001, integrator: {integrator}"));

@@ -1499,6 +1499,9 @@ export type Force =
     }
   | {
       spring_line: SpringLine;
+    }
+  | {
+      catenary_line: CatenaryLine;
     };
 /**
  * A force and a moment against a body's velocity and angular velocity, each in body axes. Velocity is relative to the
@@ -1647,6 +1650,51 @@ export type SpringLine = {
    * Damping along the line: a in T = EA/L0 s (1 + a s') at the stretch s, never less than 0, s/m.
    */
   dissipation_s_per_m?: number;
+};
+/**
+ * A mooring line from a fairlead to an anchor: at every moment the elastic catenary in which it would rest, without
+ * inertia, drag and seabed friction of its own.
+ */
+export type CatenaryLine = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it is there.
+   */
+  enabled?: boolean;
+  fairlead: Pin2;
+  /**
+   * The lower end in the world, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  anchor_m: [number, number, number];
+  /**
+   * Length without tension, m.
+   */
+  unstretched_length_m: number;
+  /**
+   * Weight less buoyancy of the unstretched length, N/m.
+   */
+  weight_in_water_N_per_m?: number;
+  /**
+   * The same as `weight_in_water_N_per_m`, in the unit of this name.
+   */
+  weight_in_water_kN_per_m?: number;
+  /**
+   * EA: tension per strain, N.
+   */
+  axial_stiffness_N?: number;
+  /**
+   * The same as `axial_stiffness_N`, in the unit of this name.
+   */
+  axial_stiffness_kN?: number;
+  /**
+   * Whether the anchor stands on a flat seabed, at the anchor's depth everywhere, that carries the line. Without it
+   * the line hangs freely.
+   */
+  seabed?: boolean;
 };
 /**
  * What acts between two bodies, mostly in the joint that connects them.
@@ -1905,8 +1953,8 @@ export type Cylinder = {
    * Whether it acts.
    */
   enabled?: boolean;
-  first: Pin2;
-  second: Pin3;
+  first: Pin3;
+  second: Pin4;
   /**
    * Length between the pins where the cylinder is drawn in, m: a stop.
    */
@@ -2537,7 +2585,7 @@ export interface Pin1 {
   position_m?: [number, number, number];
 }
 /**
- * Pin on one body.
+ * The upper end, on a body.
  */
 export interface Pin2 {
   /**
@@ -2553,9 +2601,25 @@ export interface Pin2 {
   position_m?: [number, number, number];
 }
 /**
- * Pin on the other.
+ * Pin on one body.
  */
 export interface Pin3 {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+}
+/**
+ * Pin on the other.
+ */
+export interface Pin4 {
   /**
    * The body, or `world`.
    */

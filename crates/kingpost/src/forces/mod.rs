@@ -8,8 +8,8 @@ pub mod hull;
 mod joint_damping;
 mod joint_spring;
 mod joint_stop;
+pub mod lines;
 mod quadratic_damping;
-mod spring_line;
 mod viscous_damping;
 
 pub use coulomb_friction::CoulombFriction;
@@ -18,8 +18,8 @@ pub use hull::Hull;
 pub use joint_damping::JointDamping;
 pub use joint_spring::JointSpring;
 pub use joint_stop::{JointStop, StopSide, hunt_crossley};
+pub use lines::{CatenaryLine, LineReading, SpringLine};
 pub use quadratic_damping::QuadraticDamping;
-pub use spring_line::SpringLine;
 pub use viscous_damping::ViscousDamping;
 
 use crate::dynamics::{LinkKinematics, Loads, Moment};
@@ -47,6 +47,8 @@ pub enum Force<S = f64> {
     Hull(Box<Hull<S>>),
     /// A line without weight.
     SpringLine(Box<SpringLine<S>>),
+    /// A mooring line that hangs.
+    CatenaryLine(Box<CatenaryLine<S>>),
 }
 
 impl<S: Scalar> Force<S> {
@@ -62,6 +64,7 @@ impl<S: Scalar> Force<S> {
             Force::JointStop(stop) => stop.apply(at.q, at.v, loads),
             Force::Hull(hull) => hull.apply(at, loads),
             Force::SpringLine(line) => line.apply(at, loads),
+            Force::CatenaryLine(line) => line.apply(at, loads),
         }
     }
 
@@ -73,6 +76,7 @@ impl<S: Scalar> Force<S> {
             Force::JointStop(stop) => stop.potential_energy(q),
             Force::Hull(hull) => hull.potential_energy(model, links),
             Force::SpringLine(line) => line.potential_energy(model, links),
+            Force::CatenaryLine(line) => line.potential_energy(model, links),
             Force::ViscousDamping(_)
             | Force::QuadraticDamping(_)
             | Force::JointDamping(_)
@@ -92,12 +96,20 @@ impl<S: Scalar> Force<S> {
 
     /// The name of the line, where it is one.
     pub fn line(&self) -> Option<&str> {
-        if let Force::SpringLine(line) = self { Some(&line.name) } else { None }
+        match self {
+            Force::SpringLine(line) => Some(&line.name),
+            Force::CatenaryLine(line) => Some(&line.name),
+            _ => None,
+        }
     }
 
-    /// The tension of the line at its first end, N, where it is one.
-    pub fn line_tension(&self, at: &Moment<'_, S>) -> Option<S> {
-        if let Force::SpringLine(line) = self { Some(line.reading(at)) } else { None }
+    /// What there is to see of the line, where it is one.
+    pub fn line_reading(&self, at: &Moment<'_, S>) -> Option<LineReading<S>> {
+        match self {
+            Force::SpringLine(line) => Some(line.reading(at)),
+            Force::CatenaryLine(line) => Some(line.reading(at)),
+            _ => None,
+        }
     }
 
     /// Number of its extra states.

@@ -10,7 +10,7 @@ use crate::drives::{CylinderReading, Drive};
 use crate::dynamics::loops::{LoopFault, LoopSolver, Projection};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
 use crate::dynamics::{Clock, Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
-use crate::forces::{Force, hull::HullReading};
+use crate::forces::{Force, LineReading, hull::HullReading};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{Mode, Model, Node};
@@ -51,7 +51,7 @@ pub struct Plant<S = f64> {
     loops: LoopSolver<S>,
     cylinders: Vec<CylinderReading<S>>,
     hulls: Vec<HullReading<S>>,
-    line_tensions: Vec<S>,
+    lines: Vec<LineReading<S>>,
     rotation_rates: Vec<bool>,
     /// Evaluations of the right-hand side so far.
     pub evaluations: u64,
@@ -88,7 +88,7 @@ impl<S: Scalar> Plant<S> {
             loops: LoopSolver::new(&model),
             cylinders: Vec::with_capacity(drives.len()),
             hulls: Vec::with_capacity(forces.len()),
-            line_tensions: Vec::with_capacity(forces.len()),
+            lines: Vec::with_capacity(forces.len()),
             rotation_rates,
             evaluations: 0,
             model,
@@ -153,15 +153,15 @@ impl<S: Scalar> Plant<S> {
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
         let totals = self.totals_here(at.q, at.v);
         let shares = self.shares();
-        let Self { model, links, bodies, inverse, loops, forces, drives, cylinders, hulls, line_tensions, .. } = self;
+        let Self { model, links, bodies, inverse, loops, forces, drives, cylinders, hulls, lines, .. } = self;
         let Moments { of_drives, of_forces } = shares.moments(model, links, at);
         cylinders.clear();
         cylinders.extend(drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.reading(&of_drives)));
         hulls.clear();
         hulls.extend(forces.iter_mut().filter_map(Force::hull_mut).map(|hull| hull.reading(&of_forces)));
-        line_tensions.clear();
-        line_tensions.extend(forces.iter().filter_map(|force| force.line_tension(&of_forces)));
-        Observation { model, bodies, inverse, loops, cylinders, hulls, line_tensions, totals }
+        lines.clear();
+        lines.extend(forces.iter().filter_map(|force| force.line_reading(&of_forces)));
+        Observation { model, bodies, inverse, loops, cylinders, hulls, lines, totals }
     }
 
     /// Frames and twists of the bodies at a state.
@@ -315,8 +315,8 @@ pub struct Observation<'a, S = f64> {
     pub cylinders: &'a [CylinderReading<S>],
     /// The sea at the hulls, in the order of the forces.
     pub hulls: &'a [HullReading<S>],
-    /// Tensions of the lines, N, in the order of the forces.
-    pub line_tensions: &'a [S],
+    /// The lines, in the order of the forces.
+    pub lines: &'a [LineReading<S>],
     /// Energy and momentum.
     pub totals: Totals<S>,
 }

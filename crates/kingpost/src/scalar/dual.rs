@@ -149,6 +149,17 @@ impl<const N: usize> Scalar for Dual<N> {
         self.chain(power, power)
     }
 
+    fn ln_1p(self) -> Self {
+        self.chain(libm::log1p(self.value), 1.0 / (1.0 + self.value))
+    }
+
+    fn from_values<const K: usize, const M: usize>(
+        arguments: [Self; K],
+        function: impl Fn([f64; K]) -> [f64; M],
+    ) -> [Self; M] {
+        function(arguments.map(Self::value)).map(Self::constant)
+    }
+
     #[inline]
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
         if self.value < limit.value { below() } else { above() }
@@ -172,6 +183,7 @@ mod tests {
         let mut sum = x / (y * y + S::ONE) - x.sqrt() * angle;
         sum += -cos;
         sum -= y.clipped(S::constant(-1.0), x) * sin;
+        sum += (x * x).ln_1p();
         sum.select_below(0.3, || sum * sum, || sum * S::constant(0.6) - S::constant(0.09))
     }
 

@@ -133,6 +133,19 @@ impl Scalar for Lanes {
         Self::new(self.to_array().map(libm::exp))
     }
 
+    fn ln_1p(self) -> Self {
+        Self::new(self.to_array().map(libm::log1p))
+    }
+
+    fn from_values<const N: usize, const M: usize>(
+        arguments: [Self; N],
+        function: impl Fn([f64; N]) -> [f64; M],
+    ) -> [Self; M] {
+        let arguments = arguments.map(Self::to_array);
+        let lanes: [[f64; M]; LANES] = core::array::from_fn(|k| function(arguments.map(|lanes| lanes[k])));
+        core::array::from_fn(|i| Self::new(lanes.map(|numbers| numbers[i])))
+    }
+
     /// Where the lanes agree, only one side is evaluated.
     #[inline]
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
@@ -164,6 +177,8 @@ mod tests {
         sum += x.atan2(y);
         sum += (-x * x).exp() * y.sin_cos_of_turns().1;
         sum -= -y;
+        let [difference, product] = S::from_values([sum, x], |[a, b]| [a - b, a * b]);
+        sum += difference / product + (x * x).ln_1p();
         sum.select_less(x, || sum * y, || sum / root)
     }
 

@@ -53,6 +53,14 @@ pub trait Scalar:
     fn sqrt(self) -> Self;
     /// The exponential.
     fn exp(self) -> Self;
+    /// log(1 + self), exact to rounding near 0; `self` must be greater than -1.
+    fn ln_1p(self) -> Self;
+    /// Plain numbers from plain numbers, lane by lane, without derivatives: what an iteration has found, before a last
+    /// step of it that carries them.
+    fn from_values<const N: usize, const M: usize>(
+        arguments: [Self; N],
+        function: impl Fn([f64; N]) -> [f64; M],
+    ) -> [Self; M];
     /// `below()` where `self < limit`, otherwise `above()`, also where `self` is not a number. A
     /// scalar of several lanes may evaluate both, so both must be free of side effects.
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self;
@@ -109,6 +117,19 @@ impl Scalar for f64 {
     #[inline]
     fn exp(self) -> Self {
         libm::exp(self)
+    }
+
+    #[inline]
+    fn ln_1p(self) -> Self {
+        libm::log1p(self)
+    }
+
+    #[inline]
+    fn from_values<const N: usize, const M: usize>(
+        arguments: [Self; N],
+        function: impl Fn([f64; N]) -> [f64; M],
+    ) -> [Self; M] {
+        function(arguments)
     }
 
     #[inline]

@@ -69,7 +69,9 @@ fn open<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldErro
     forces.extend(in_joints);
     forces.extend(in_water);
     let drives::Drives { drives, inputs } = drives::build(scenario, &model, &mut v)?;
-    Ok(Setup { model, forces, drives, inputs, settings, q, v })
+    let setup = Setup { model, forces, drives, inputs, settings, q, v };
+    lines::check_start(&setup)?;
+    Ok(setup)
 }
 
 fn settings(scenario: &Scenario) -> Result<Settings, FieldError> {
@@ -156,6 +158,7 @@ fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result
             ForceSchema::ViscousDamping(_) => forces.extend(damping::viscous(scenario, name, model)?),
             ForceSchema::QuadraticDamping(_) => forces.extend(damping::quadratic(scenario, name, model)?),
             ForceSchema::SpringLine(_) => forces.extend(lines::spring(scenario, name, model)?),
+            ForceSchema::CatenaryLine(_) => forces.extend(lines::catenary(scenario, name, model)?),
             // With what it does to the model: see `water`.
             ForceSchema::Hydrodynamics(_) => {}
         }

@@ -42,7 +42,7 @@ pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
 pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
-pub use lines::SpringLine;
+pub use lines::{CatenaryLine, SpringLine};
 pub use loops::{Attachment, Constraint, Distance, Loop};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;

@@ -149,6 +149,27 @@ pub fn every_joint() -> String {
     text
 }
 
+/// A body between a quay and the seabed, on lines of every kind, in a stream.
+pub fn moored() -> String {
+    let mut text = "version: 1\ntitle: Moored\nsimulation: {step_s: 0.005, duration_s: 100}\nbodies:\n  ship:\n    mass_kg: 2000\n    \
+                    shape: {box: {length_m: 6, width_m: 3, height_m: 2}}\n    joint: {floating: {initial: {velocity_m_s: [0.5, 1, 0], \
+                    angular_velocity_rad_s: [0.1, -0.2, 0.3]}}}\nsea: {depth_m: 60, current_m_s: [0.5, 0.2]}\nforces:\n"
+        .to_owned();
+    for (name, place, anchor, seabed) in [
+        ("bow", "[3, 0, -1]", "[50, 10, -60]", true),
+        ("port", "[0, 1.5, 1]", "[5, 30, -60]", true),
+        ("stern", "[-3, 0, 0]", "[-60, 0, -40]", false),
+    ] {
+        text += &format!(
+            "  {name}: {{catenary_line: {{fairlead: {{body: ship, position_m: {place}}}, anchor_m: {anchor}, unstretched_length_m: 93, \
+             weight_in_water_N_per_m: 15, axial_stiffness_kN: 80, seabed: {seabed}}}}}\n"
+        );
+    }
+    text + "  hawser: {spring_line: {first: {body: ship, position_m: [1, 0, 0]}, second: {body: world, position_m: [9, 3, 12]}, \
+            unstretched_length_m: 10, axial_stiffness_kN: 60, dissipation_s_per_m: 0.1}}\n  \
+            drag: {quadratic_damping: {body: ship, position_m: [0.3, 0, -0.5], linear_N_s2_m2: [10, 30, 20], angular_N_m_s2: [40, 50, 60]}}\n"
+}
+
 /// A source of random models; the seed makes a failure repeatable.
 pub struct Random(StdRng);
 

@@ -4,8 +4,12 @@ use super::super::schema::{self, Force as ForceSchema, Scenario};
 use super::flexible::carrier_in_model;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
-use crate::forces::{Force, SpringLine};
+use crate::dynamics::LinkKinematics;
+use crate::forces::lines::Catenary;
+use crate::forces::{CatenaryLine, Force, SpringLine};
 use crate::model::{Attachment, Model};
+use crate::scalar::Scalar;
+use crate::simulation::Setup;
 use crate::spatial::Frame;
 
 /// A line without weight, where it is on and between bodies that are there.
@@ -33,6 +37,63 @@ pub fn spring<S: Gathered>(
     }))))
 }
 
+/// A mooring line, where it is on and its body there.
+pub fn catenary<S: Gathered>(
+    scenario: &Reading<Scenario>,
+    name: &str,
+    model: &Model<S>,
+) -> Result<Option<Force<S>>, FieldError> {
+    let line = scenario.part(|scenario| &scenario.forces[name]).kind(catenary_line_of);
+    let given = line.first();
+    let field = |field: &str| format!("forces.{name}.catenary_line.{field}");
+    if given.fairlead.named_body().is_none() {
+        return Err(FieldError::new(
+            field("fairlead.body"),
+            &given.fairlead.body,
+            "a body: the anchor is in the world",
+        ));
+    }
+    let fairlead = end(scenario, model, &field("fairlead.body"), &line.part(|line| &line.fairlead))?;
+    let depth = scenario.first().sea.as_ref().and_then(|sea| sea.depth_m).filter(|_| given.seabed);
+    if let Some(depth) = depth.map(|depth| depth.get()).filter(|depth| !same(given.anchor_m[2], -depth, *depth)) {
+        let allowed = format!("{}, the seabed by sea.depth_m, or seabed: false", -depth);
+        return Err(FieldError::new(field("anchor_m.2"), given.anchor_m[2], allowed));
+    }
+    let (Some(fairlead), true) = (fairlead, given.enabled) else { return Ok(None) };
+    Ok(Some(Force::CatenaryLine(Box::new(CatenaryLine {
+        name: name.to_owned(),
+        fairlead,
+        anchor: line.vector(|line| line.anchor_m),
+        line: Catenary {
+            unstretched_length: line.number(|line| line.unstretched_length_m.get()),
+            weight: line.number(|line| line.weight_in_water_n_per_m.get()),
+            axial_stiffness: line.number(|line| line.axial_stiffness_n.get()),
+            on_seabed: given.seabed,
+        },
+    }))))
+}
+
+fn same(a: f64, b: f64, size: f64) -> bool {
+    (a - b).abs() <= 1e-9 * size
+}
+
+/// Where a run begins, fairleads are above the seabed.
+pub fn check_start<S: Scalar>(setup: &Setup<S>) -> Result<(), FieldError> {
+    let Setup { model, forces, q, v, .. } = setup;
+    let mut links = LinkKinematics::new(model);
+    links.update(model, q, v);
+    let lines = forces.iter().filter_map(|force| if let Force::CatenaryLine(line) = force { Some(line) } else { None });
+    for line in lines.filter(|line| line.line.on_seabed) {
+        let up = line.span(model, &links).up;
+        if !up.all(|up| up > 0.0) {
+            let found = format!("a fairlead that starts {} m below the seabed", -up.value());
+            let allowed = "one above it (it is flat, at the anchor's depth), or seabed: false";
+            return Err(FieldError::new(format!("forces.{}.catenary_line.fairlead", line.name), found, allowed));
+        }
+    }
+    Ok(())
+}
+
 /// An end seen from the centre of mass of its body; `None` on a body that is not there.
 fn end<S: Gathered>(
     scenario: &Reading<Scenario>,
@@ -48,6 +109,10 @@ fn end<S: Gathered>(
     }
     let (body, centre) = carrier_in_model(scenario, model, first.named_body(), first.position_m);
     Ok(Some(model.attachment(body, Frame::translation(pin.vector(|pin| pin.position_m) - centre))))
+}
+
+fn catenary_line_of(force: &ForceSchema) -> Option<&schema::CatenaryLine> {
+    if let ForceSchema::CatenaryLine(line) = force { Some(line) } else { None }
 }
 
 fn spring_line_of(force: &ForceSchema) -> Option<&schema::SpringLine> {

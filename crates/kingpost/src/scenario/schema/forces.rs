@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Hydrodynamics, Name, NonNegative, SpringLine, yes};
+use super::{CatenaryLine, Hydrodynamics, Name, NonNegative, SpringLine, yes};
 
 /// What acts on the bodies from outside.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,6 +19,8 @@ pub enum Force {
     Hydrodynamics(Hydrodynamics),
     /// A line without weight that pulls between two points.
     SpringLine(SpringLine),
+    /// A mooring line that hangs, and may lie on the seabed.
+    CatenaryLine(CatenaryLine),
 }
 
 /// Weight of every body, downwards along the world's z axis.

@@ -26,3 +26,30 @@ pub struct SpringLine {
     #[serde(default)]
     pub dissipation_s_per_m: NonNegative,
 }
+
+/// A mooring line from a fairlead to an anchor: at every moment the elastic catenary in which it would rest, without
+/// inertia, drag and seabed friction of its own.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct CatenaryLine {
+    /// Whether it is there.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The upper end, on a body.
+    pub fairlead: Pin,
+    /// The lower end in the world, m.
+    pub anchor_m: [f64; 3],
+    /// Length without tension, m.
+    pub unstretched_length_m: Positive,
+    /// Weight less buoyancy of the unstretched length, N/m.
+    #[serde(rename = "weight_in_water_N_per_m")]
+    pub weight_in_water_n_per_m: Positive,
+    /// EA: tension per strain, N.
+    #[serde(rename = "axial_stiffness_N")]
+    pub axial_stiffness_n: Positive,
+    /// Whether the anchor stands on a flat seabed, at the anchor's depth everywhere, that carries the line. Without it
+    /// the line hangs freely.
+    #[serde(default = "yes")]
+    pub seabed: bool,
+}

@@ -1,10 +1,11 @@
 //! A rope without weight between two points: a mooring hawser, a towline, a tugger line.
 
-use super::joint_stop::hunt_crossley;
+use super::{LineReading, place, pull_at, velocity};
 use crate::dynamics::{LinkKinematics, Loads, Moment};
+use crate::forces::hunt_crossley;
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
-use crate::spatial::{Vector3, Wrench};
+use crate::spatial::Vector3;
 
 /// A spring that pulls only. At the stretch s = L - L0 beyond the unstretched length L0,
 ///
@@ -42,11 +43,12 @@ impl<S: Scalar> SpringLine<S> {
         pull_at(&self.second, -pull, at, loads);
     }
 
-    /// The tension, N.
-    pub fn reading(&self, at: &Moment<'_, S>) -> S {
+    /// What there is to see of it.
+    pub fn reading(&self, at: &Moment<'_, S>) -> LineReading<S> {
         let (way, rate) = self.way(at);
         let (length, direction) = length_and_direction(way);
-        self.tension(length, direction.dot(rate)).0
+        let (tension, _) = self.tension(length, direction.dot(rate));
+        LineReading { tension, end_tension: tension, grounded_length: S::ZERO }
     }
 
     /// Energy stored, J.
@@ -74,27 +76,6 @@ impl<S: Scalar> SpringLine<S> {
         let beyond = length - self.unstretched_length;
         beyond.select_below(0.0, || S::ZERO, || beyond)
     }
-}
-
-/// Where an end is in the world, m.
-pub(super) fn place<S: Scalar>(end: &Attachment<S>, model: &Model<S>, links: &LinkKinematics<S>) -> Vector3<S> {
-    let point = end.in_body.position;
-    end.body.map_or(point, |body| links.body_frame(model, body).point(point))
-}
-
-/// How an end moves in the world, m/s.
-fn velocity<S: Scalar>(end: &Attachment<S>, at: &Moment<'_, S>) -> Vector3<S> {
-    let Some(body) = end.body else { return Vector3::zero() };
-    let twist = at.links.body_twist(at.model, body);
-    let in_body = twist.linear + twist.angular.cross(end.in_body.position);
-    at.links.body_frame(at.model, body).rotation * in_body
-}
-
-/// Adds a force in world axes at an end; on the world itself nothing is added.
-pub(super) fn pull_at<S: Scalar>(end: &Attachment<S>, pull: Vector3<S>, at: &Moment<'_, S>, loads: &mut Loads<S>) {
-    let Some(body) = end.body else { return };
-    let force = at.links.to_body_axes(at.model, body, pull);
-    loads.wrenches.push((body, Wrench { moment: end.in_body.position.cross(force), force }));
 }
 
 /// Of a way; without length it has no direction, and a line is slack.

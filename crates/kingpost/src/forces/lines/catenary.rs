@@ -1,0 +1,262 @@
+//! The elastic catenary: how a line hangs between its ends.
+
+use crate::scalar::Scalar;
+
+/// A uniform elastic line that hangs from its upper end to its lower one, in the vertical plane through both.
+///
+/// With the horizontal force H and the vertical force V at the upper end, the tension at the
+/// unstretched length s from it is T = sqrt(H^2 + v^2), v = V - w s. It hangs over the length L_s, from V to
+/// v_a = V - w L_s, and what is left of L lies on the seabed, without friction:
+///
+/// ```text
+/// x = L - L_s + H/w [asinh(V/H) - asinh(v_a/H)] + H L / EA
+/// z = L_s (V + v_a) [1 / (T + T_a) + 1 / 2EA],     L_s = min(V/w, L) on a seabed, else L
+/// ```
+///
+/// (Irvine, *Cable Structures*, 1981, ch. 1; Jonkman, NREL/TP-500-41958, 2007, eqs. 2-35 to 2-38, which it becomes
+/// by (V^2 - v_a^2) / w = L_s (V + v_a)). These are the derivatives by H and V of the complementary energy
+///
+/// ```text
+/// C(H, V) = Integral (T + T^2 / 2EA) ds = (L - L_s) (H + H^2 / 2EA) + ...
+/// ```
+///
+/// which is convex: the forces under given ends are one, and Newton's method finds them. The energy of weight and
+/// stretch is then U = H x + V z - C, against that of the line unstretched at the height of its lower end, and its
+/// gradient along x and z is (H, V).
+#[derive(Clone, Copy, Debug)]
+pub struct Catenary<S = f64> {
+    /// L without tension, m.
+    pub unstretched_length: S,
+    /// w, weight less buoyancy of the unstretched length, N/m.
+    pub weight: S,
+    /// EA, N.
+    pub axial_stiffness: S,
+    /// Whether a flat seabed at the lower end carries the line.
+    pub on_seabed: bool,
+}
+
+/// From the lower end to the upper one, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span<S = f64> {
+    /// x, horizontally; positive.
+    pub across: S,
+    /// z, upwards.
+    pub up: S,
+}
+
+/// What holds the upper end, N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EndForce<S = f64> {
+    /// H, away from the lower end.
+    pub horizontal: S,
+    /// V, upwards.
+    pub vertical: S,
+}
+
+/// What hangs of a line, and what does not.
+struct Hanging<S> {
+    /// L_s, m.
+    length: S,
+    /// L - L_s, m.
+    grounded: S,
+    /// v_a, N.
+    lower_vertical: S,
+    /// T, N.
+    tension: S,
+    /// T_a, N.
+    lower_tension: S,
+    /// asinh(V/H) - asinh(v_a/H).
+    turn: S,
+}
+
+/// Iterations before a solution is given up; 6 are usual.
+const MOST_ITERATIONS: usize = 200;
+/// Error of the ends that counts as none, of all lengths.
+const ROUNDING: f64 = 1e-13;
+/// The least of a force that an iteration leaves.
+const LEAST_LEFT: f64 = 0.1;
+/// The least height over the seabed, of the length: at none the line's stiffness is infinite.
+const LEAST_HEIGHT: f64 = 1e-9;
+
+impl<S: Scalar> Catenary<S> {
+    /// The ends under a force; H must be positive.
+    pub fn span(&self, force: &EndForce<S>) -> Span<S> {
+        let hanging = self.hanging(force);
+        let EndForce { horizontal, vertical } = *force;
+        let slack = horizontal / self.weight * hanging.turn;
+        let stretch = horizontal * self.unstretched_length / self.axial_stiffness;
+        let sum = hanging.length * (vertical + hanging.lower_vertical);
+        Span {
+            across: hanging.grounded + slack + stretch,
+            up: sum / (hanging.tension + hanging.lower_tension) + sum * half() / self.axial_stiffness,
+        }
+    }
+
+    /// The force under given ends: along a seabed none where the line is slack. Not a number where an end is none.
+    pub fn force(&self, span: &Span<S>) -> EndForce<S> {
+        let span = self.above_seabed(span);
+        let Self { unstretched_length, weight, axial_stiffness, on_seabed } = *self;
+        let given = [span.across, span.up, unstretched_length, weight, axial_stiffness];
+        let [horizontal, vertical] = S::from_values(given, |[across, up, length, weight, stiffness]| {
+            let line = Catenary { unstretched_length: length, weight, axial_stiffness: stiffness, on_seabed };
+            let EndForce { horizontal, vertical } = line.iterate(&Span { across, up });
+            [horizontal, vertical]
+        });
+        let pulls = horizontal.select_below(f64::MIN_POSITIVE, || S::ZERO, || S::ONE);
+        let or = |other: S, value: S| pulls.select_below(0.5, || other, || value);
+        // The derivatives come with a last step of Newton's method.
+        let found = EndForce { horizontal: or(S::ONE, horizontal), vertical };
+        let step = self.newton_step(&found, &span);
+        EndForce {
+            horizontal: or(S::ZERO, found.horizontal + step.horizontal),
+            vertical: or(self.hanging_weight(span.up), found.vertical + step.vertical),
+        }
+    }
+
+    /// Energy of weight and stretch, J, where the ends are and the force is theirs.
+    pub fn potential_energy(&self, span: &Span<S>, force: &EndForce<S>) -> S {
+        let span = self.above_seabed(span);
+        let slack = force.horizontal.select_below(f64::MIN_POSITIVE, || S::ONE, || S::ZERO);
+        let or = |other: S, value: S| slack.select_below(0.5, || value, || other);
+        let at = EndForce { horizontal: or(S::ONE, force.horizontal), vertical: force.vertical };
+        let hanging = self.hanging(&at);
+        let (h, v, v_a) = (force.horizontal, force.vertical, hanging.lower_vertical);
+        // Where H is none, so is the tension below.
+        let tension = or(v, hanging.tension);
+        let height = hanging.length * (v + v_a) / (tension + or(S::ZERO, hanging.lower_tension));
+        let of_weight = hanging.length * tension + v_a * height + h * h / self.weight * hanging.turn;
+        let of_stretch = hanging.length * (h * h + (v * v + v * v_a + v_a * v_a) * S::constant(1.0 / 3.0));
+        let complementary = hanging.grounded * h
+            + of_weight * half()
+            + (of_stretch + hanging.grounded * h * h) * half() / self.axial_stiffness;
+        h * span.across + v * span.up - complementary
+    }
+
+    /// The tension at the upper end, at the lower one (N), and how much lies on the seabed (m).
+    pub fn tensions(&self, force: &EndForce<S>) -> [S; 3] {
+        let hanging = self.hanging(force);
+        [hanging.tension, hanging.lower_tension, hanging.grounded]
+    }
+
+    fn hanging(&self, force: &EndForce<S>) -> Hanging<S> {
+        let EndForce { horizontal: h, vertical: v } = *force;
+        let free = v - self.weight * self.unstretched_length;
+        let lies = if self.on_seabed { free.select_below(0.0, || S::ONE, || S::ZERO) } else { S::ZERO };
+        let or = |hangs: S, lying: S| lies.select_below(0.5, || hangs, || lying);
+        let lower_vertical = or(free, S::ZERO);
+        let length = or(self.unstretched_length, v / self.weight);
+        let tension = (h * h + v * v).sqrt();
+        let lower_tension = or((h * h + lower_vertical * lower_vertical).sqrt(), h);
+        let weight = self.weight * length;
+        // Each form where nothing cancels in it.
+        let turn = (v * lower_vertical).select_below(
+            0.0,
+            || asinh(v / h) + asinh(-lower_vertical / h),
+            || (weight * S::constant(2.0) / (tension + lower_tension - weight)).ln_1p(),
+        );
+        Hanging { length, grounded: self.unstretched_length - length, lower_vertical, tension, lower_tension, turn }
+    }
+
+    /// What Newton's method adds to a force for these ends.
+    fn newton_step(&self, force: &EndForce<S>, span: &Span<S>) -> EndForce<S> {
+        let at = self.span(force);
+        let (across, up) = (span.across - at.across, span.up - at.up);
+        let [xx, xz, zz] = self.compliance(force);
+        let determinant = xx * zz - xz * xz;
+        EndForce { horizontal: (zz * across - xz * up) / determinant, vertical: (xx * up - xz * across) / determinant }
+    }
+
+    /// The second derivatives of C: dx/dH, dx/dV = dz/dH, dz/dV, m/N.
+    pub fn compliance(&self, force: &EndForce<S>) -> [S; 3] {
+        let hanging = self.hanging(force);
+        let EndForce { horizontal: h, vertical: v } = *force;
+        let (t, t_a, v_a) = (hanging.tension, hanging.lower_tension, hanging.lower_vertical);
+        let rise = v / t - v_a / t_a;
+        [
+            (hanging.turn - rise) / self.weight + self.unstretched_length / self.axial_stiffness,
+            h / self.weight * (S::ONE / t - S::ONE / t_a),
+            rise / self.weight + hanging.length / self.axial_stiffness,
+        ]
+    }
+
+    /// The weight that a vertical line to this height carries: z = V / w + V^2 / 2 EA w.
+    fn hanging_weight(&self, up: S) -> S {
+        let weight = self.weight * up * S::constant(2.0);
+        weight / (S::ONE + (S::ONE + weight / self.axial_stiffness).sqrt())
+    }
+
+    /// An upper end in the seabed counts as lying on it.
+    fn above_seabed(&self, span: &Span<S>) -> Span<S> {
+        if !self.on_seabed {
+            return *span;
+        }
+        let least = self.unstretched_length * S::constant(LEAST_HEIGHT);
+        Span { up: span.up.select_less(least, || least, || span.up), ..*span }
+    }
+}
+
+impl Catenary {
+    fn iterate(&self, span: &Span) -> EndForce {
+        let hanging_weight = self.hanging_weight(span.up);
+        let lying = self.unstretched_length - hanging_weight / self.weight;
+        if self.on_seabed && lying >= span.across {
+            return EndForce { horizontal: 0.0, vertical: hanging_weight };
+        }
+        let mut force = self.guess(span);
+        let rounding = ROUNDING * (self.unstretched_length + span.across + span.up.abs());
+        for _ in 0..MOST_ITERATIONS {
+            let at = self.span(&force);
+            if (at.across - span.across).abs() + (at.up - span.up).abs() <= rounding {
+                return force;
+            }
+            force = self.improved(&force, span);
+        }
+        EndForce { horizontal: f64::NAN, vertical: f64::NAN }
+    }
+
+    /// One step downhill to the least of C - H x - V z, which is convex, by Newton's method: shortened where it would
+    /// leave the forces that there are, or climb.
+    fn improved(&self, force: &EndForce, span: &Span) -> EndForce {
+        let step = self.newton_step(force, span);
+        let after = |share: f64| EndForce {
+            horizontal: force.horizontal + share * step.horizontal,
+            vertical: force.vertical + share * step.vertical,
+        };
+        let slope = |at: &EndForce| {
+            let there = self.span(at);
+            (there.across - span.across) * step.horizontal + (there.up - span.up) * step.vertical
+        };
+        let keeps = |before: f64, after: f64| after >= LEAST_LEFT * before;
+        let allowed = |at: &EndForce| {
+            keeps(force.horizontal, at.horizontal) && (!self.on_seabed || keeps(force.vertical, at.vertical))
+        };
+        let downhill = slope(force);
+        let mut share = 1.0;
+        while share > f64::EPSILON && !(allowed(&after(share)) && slope(&after(share)) <= -0.5 * downhill) {
+            share *= 0.5;
+        }
+        after(share)
+    }
+
+    /// Jonkman's (2007, eqs. 2-39 and 2-40).
+    fn guess(&self, span: &Span) -> EndForce {
+        let (x, z, length) = (span.across, span.up, self.unstretched_length);
+        let excess = (length * length - z * z) / (x * x) - 1.0;
+        let sag = libm::sqrt(3.0 * excess.max(0.0)).max(0.2);
+        EndForce {
+            horizontal: 0.5 * self.weight * x / sag,
+            vertical: 0.5 * self.weight * (z / libm::tanh(sag) + length),
+        }
+    }
+}
+
+fn half<S: Scalar>() -> S {
+    S::constant(0.5)
+}
+
+/// Of what is not negative.
+fn asinh<S: Scalar>(x: S) -> S {
+    let size = x.select_below(0.0, || -x, || x);
+    let of_size = (size + size * size / (S::ONE + (S::ONE + size * size).sqrt())).ln_1p();
+    x.select_below(0.0, || -of_size, || of_size)
+}

@@ -1,0 +1,66 @@
+//! A mooring line to an anchor, by the quasi-static catenary.
+
+use super::catenary::{Catenary, EndForce, Span};
+use super::{LineReading, place, pull_at};
+use crate::dynamics::{LinkKinematics, Loads, Moment};
+use crate::model::{Attachment, Model};
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+
+/// A [`Catenary`] from a fairlead on a body to an anchor in the world: at every moment in the shape that it would have
+/// at rest, without inertia and drag of its own. It pulls with H towards the anchor and with V downwards, and the
+/// energy of its weight and stretch is potential energy.
+#[derive(Clone, Debug)]
+pub struct CatenaryLine<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// Its upper end, on a body.
+    pub fairlead: Attachment<S>,
+    /// Its lower end in the world, m.
+    pub anchor: Vector3<S>,
+    /// What hangs between them.
+    pub line: Catenary<S>,
+}
+
+/// Where the fairlead stands above the anchor, nearer than this of the length, H grows with the distance.
+const NEAREST: f64 = 1e-6;
+
+impl<S: Scalar> CatenaryLine<S> {
+    /// Adds the pull at the fairlead.
+    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let (way, span) = self.way(at.model, at.links);
+        let EndForce { horizontal, vertical } = self.line.force(&span);
+        let per_length = horizontal / span.across;
+        let pull = Vector3::new(per_length * way[0], per_length * way[1], -vertical);
+        pull_at(&self.fairlead, pull, at, loads);
+    }
+
+    /// What there is to see of it.
+    pub fn reading(&self, at: &Moment<'_, S>) -> LineReading<S> {
+        let (_, span) = self.way(at.model, at.links);
+        let [tension, end_tension, grounded_length] = self.line.tensions(&self.line.force(&span));
+        LineReading { tension, end_tension, grounded_length }
+    }
+
+    /// Energy of its weight and stretch, J.
+    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
+        let (way, span) = self.way(model, links);
+        let force = self.line.force(&span);
+        let nearer = way[0] * way[0] + way[1] * way[1] - span.across * span.across;
+        self.line.potential_energy(&span, &force) + force.horizontal / span.across * nearer * S::constant(0.5)
+    }
+
+    /// From the anchor to the fairlead, m.
+    pub fn span(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Span<S> {
+        self.way(model, links).1
+    }
+
+    /// From the fairlead to the anchor in the world, and the span of the line, m.
+    fn way(&self, model: &Model<S>, links: &LinkKinematics<S>) -> (Vector3<S>, Span<S>) {
+        let way = self.anchor - place(&self.fairlead, model, links);
+        let square = way[0] * way[0] + way[1] * way[1];
+        let nearest = self.line.unstretched_length * S::constant(NEAREST);
+        let across = square.select_less(nearest * nearest, || nearest, || square.sqrt());
+        (way, Span { across, up: -way[2] })
+    }
+}
