@@ -41,8 +41,11 @@ def database(highest: float = 2.4, count: int = 12) -> Database:
     excitation[:, :, 0] = -1j * square * (mass + added_mass[:, 0, 0, None]) * ahead
     excitation[:, :, 1] = -1j * square * (mass + added_mass[:, 1, 1, None]) * athwart
     excitation[:, :, 2] = 9810.0 * 80.0 - square * (mass + added_mass[:, 2, 2, None])
-    excitation[:, :, 3] = (2.0 - 1j) * 1e4 * athwart * square
-    excitation[:, :, 4] = -9810.0 * 24.0 + (1.0 - 3j) * 1e4 * ahead * square
+    # The slope of a long wave meets buoyancy's stiffness, its acceleration the added mass; k = w^2 / g.
+    roll = 1000.0 * (480.0 - 262.0 * 1.9) - added_mass[:, 3, 1, None]
+    pitch = 1000.0 * (700.0 - 262.0 * 1.9) + added_mass[:, 4, 0, None]
+    excitation[:, :, 3] = (2e4 + 1j * roll) * athwart * square
+    excitation[:, :, 4] = -9810.0 * 24.0 + (1e4 - 1j * pitch) * ahead * square
     excitation[:, :, 5] = (0.5 + 2j) * 1e3 * athwart * square
     return samples.database(
         omega, added_mass, memory.real, infinite, hull=hull, water=water, wave_directions_rad=directions,

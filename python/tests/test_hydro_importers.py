@@ -175,6 +175,19 @@ def test_what_a_file_does_not_say_is_asked_for_by_name(tmp_path, option) -> None
         importers.load(path, Options(**given))
 
 
+def test_all_that_a_file_does_not_say_is_asked_for_at_once(tmp_path) -> None:
+    path = writers.Wamit().write(tmp_path / "hull", writers.database())
+    with pytest.raises(HydrodynamicsError) as caught:
+        importers.load(path, Options(density_kg_m3=1000.0))
+    for option in ("gravity_m_s2", "reference_m", "length_scale_m", "time_sign", "beam_m", "volume_m3"):
+        assert option in str(caught.value)
+    writers.write_bemio(tmp_path / "hull.h5", writers.database())
+    with pytest.raises(
+        HydrodynamicsError, match="no draught_m, length_m, beam_m, restoring.* each as an option"
+    ):
+        importers.load(tmp_path / "hull.h5")
+
+
 def test_what_contradicts_the_file_is_an_error(tmp_path) -> None:
     writers.write_bemio(tmp_path / "hull.h5", writers.database())
     with pytest.raises(HydrodynamicsError, match=r"density_kg_m3: found 1025.0, while the file says 1000.0"):
@@ -189,6 +202,10 @@ def test_what_contradicts_the_file_is_an_error(tmp_path) -> None:
         ({"density_kg_m3": -1.0}, "density_kg_m3: found -1.0"),
         ({"time_sign": "x"}, "time_sign: found 'x'"),
         ({"reference_m": (1.0, 2.0)}, "reference_m"),
+        (
+            {"restoring_includes_weight": True, "centre_of_gravity_m": (0.4, 0.0, -1.2)},
+            "restoring: found .* in roll by a long wave's slope .* check restoring_includes_weight",
+        ),
     ],
 )
 def test_a_wrong_answer_shows_in_long_waves(tmp_path, wrong, message) -> None:
@@ -292,3 +309,14 @@ def test_an_option_of_a_file_is_refused_for_a_hull(tmp_path, capsys) -> None:
     hull = "box:length_m=20,beam_m=10,draught_m=2,depth_m=5"
     assert main(["hydro", hull, "-o", str(tmp_path / "a.hydro.json"), "--time_sign=+"]) != 0
     assert "--time_sign: found a hull" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "option", [["--loading", "kg_m=2"], ["--panels", "900"], ["--no-lid"], ["--flip_normals"]]
+)
+def test_an_option_of_a_hull_is_refused_for_a_file(tmp_path, capsys, option) -> None:
+    source = tmp_path / "hull.h5"
+    writers.write_bemio(source, writers.database())
+    assert main(["hydro", str(source), "-o", str(tmp_path / "a.hydro.json"), *option]) != 0
+    name = option[0].removeprefix("--").removeprefix("no-")
+    assert f"--{name}: found {source}, allowed: a hull, whose waves are computed" in capsys.readouterr().err

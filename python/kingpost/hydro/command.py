@@ -31,6 +31,7 @@ SHAPES: dict[str, type[Shape]] = {
     "offshore_vessel": OffshoreVessel,
 }
 PANELS = 900
+OF_A_HULL = ("frequencies_rad_s", "directions", "panels", "lid", "loading", "flip_normals")
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -43,10 +44,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--title", metavar="TEXT", help="title of the database (default: the hull)")
     command.add_argument("--frequencies_rad_s", metavar="F", help=(
         f"from:to:n or a list a,b,c (default: {FREQUENCIES} that follow the hull's size)"))  # fmt: skip
-    command.add_argument("--directions", metavar="N", type=int, default=DIRECTIONS,
-                         help="wave directions round the circle (default: %(default)s)")  # fmt: skip
-    command.add_argument("--panels", metavar="N", type=int, default=PANELS,
-                         help="about how many panels the wetted hull has (default: %(default)s)")  # fmt: skip
+    command.add_argument("--directions", metavar="N", type=int,
+                         help=f"wave directions round the circle (default: {DIRECTIONS})")  # fmt: skip
+    command.add_argument("--panels", metavar="N", type=int,
+                         help=f"about how many panels the wetted hull has (default: {PANELS})")  # fmt: skip
     command.add_argument("--draught_m", metavar="T", type=float,
                          help="draught of a mesh file's hull (default: the water is at z = 0)")  # fmt: skip
     command.add_argument("--water_depth_m", metavar="H", type=float, help="water depth (default: infinite)")
@@ -57,7 +58,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--loading", metavar="L", help=(
         "computes the mean drift of the hull so loaded: kg_m=,roll_gyration_m=,pitch_gyration_m=,"
         "yaw_gyration_m=, and roll_damping_ratio= (default: 0.05 of the critical)"))  # fmt: skip
-    command.add_argument("--flip_normals", action="store_true", help="turn a mesh file's normals round")
+    command.add_argument(
+        "--flip_normals", action="store_true", default=None, help="turn a mesh file's normals round"
+    )
     command.add_argument("--highest_rad_s", metavar="W", type=float,
                          help="frequencies above it are left out of the fit of the memory")  # fmt: skip
     import_command.add_options(command)
@@ -68,23 +71,22 @@ def run(options: argparse.Namespace) -> Database:
     # What takes no time is checked before what takes minutes.
     target = check_output(options.output)
     if importers.recognise(options.hull) is not None:
+        _refuse_for_a_file(options)
         return _fitted(import_command.run(options), options.highest_rad_s, target)
     import_command.refuse(options)
     water = _water(options)
     given = options.frequencies_rad_s
     frequencies = None if given is None else parse_frequencies(given)
     loading = None if options.loading is None else parse_loading(options.loading)
-    _check_count("directions", options.directions, 4)
-    _check_count("panels", options.panels, 50)
-    hull = _hull(options)
+    directions = _count("directions", options.directions, DIRECTIONS, 4)
+    hull = _hull(options, _count("panels", options.panels, PANELS, 50))
     capytaine()
     if frequencies is None:
         frequencies = default_frequencies(hull, water)
     print(summary(hull, water))
     with progress.bar(len(frequencies) + 1, "frequencies") as update:
         title = options.title or hull.source
-        lid, directions = options.lid, options.directions
-        database = build(hull, water, title, frequencies, directions, lid, loading, update)
+        database = build(hull, water, title, frequencies, directions, options.lid, loading, update)
     return _fitted(database, options.highest_rad_s, target)
 
 
@@ -111,9 +113,18 @@ def _water(options: argparse.Namespace) -> Water:
     return Water(Water.density_kg_m3 if given is None else given, depth_m=options.water_depth_m)
 
 
-def _check_count(name: str, found: int, least: int) -> None:
-    if found < least:
-        raise HydrodynamicsError(f"--{name}", str(found), f"a whole number from {least}")
+def _count(name: str, given: int | None, default: int, least: int) -> int:
+    if given is not None and given < least:
+        raise HydrodynamicsError(f"--{name}", str(given), f"a whole number from {least}")
+    return default if given is None else given
+
+
+def _refuse_for_a_file(options: argparse.Namespace) -> None:
+    """What is computed of a hull has no meaning where another program has computed it."""
+    for name in OF_A_HULL:
+        if getattr(options, name) is not None:
+            allowed = "a hull, whose waves are computed; another program's are taken as they are"
+            raise HydrodynamicsError(f"--{name}", options.hull, allowed)
 
 
 def parse_frequencies(text: str) -> np.ndarray:
@@ -140,10 +151,10 @@ def parse_frequencies(text: str) -> np.ndarray:
     return found
 
 
-def _hull(options: argparse.Namespace) -> HullMeshes:
+def _hull(options: argparse.Namespace, panels: int) -> HullMeshes:
     if Path(options.hull).is_file():
-        file = HullFile(Path(options.hull), options.draught_m, options.flip_normals)
-        return file.meshes(options.panels)
+        file = HullFile(Path(options.hull), options.draught_m, bool(options.flip_normals))
+        return file.meshes(panels)
     kind = options.hull.partition(":")[0]
     if kind not in SHAPES and "=" not in options.hull:
         kinds = ", ".join(SHAPES)
@@ -152,7 +163,7 @@ def _hull(options: argparse.Namespace) -> HullMeshes:
     if options.draught_m is not None:
         allowed = "a mesh file; a parametric hull has its own draught"
         raise HydrodynamicsError("--draught_m", "a parametric hull", allowed)
-    return parametric(parse_shape(options.hull), options.hull, options.panels)
+    return parametric(parse_shape(options.hull), options.hull, panels)
 
 
 def parse_shape(text: str) -> Shape:

@@ -13,15 +13,13 @@ from ..checks import check
 from ..database import Database, Hull, Provenance, Water, Waterplane
 from ..memory import added_mass_infinite
 from .directions import whole_circle
+from .foreign import ASKED
+from .long_waves import check_long_waves
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from .foreign import Foreign, Options
-
-# Waves are long against a hull where omega^2 L / g is at most this; there the water's acceleration is known.
-LONGEST_COUNT = 0.4
-LONG_WAVE_ERROR = 0.2
 
 
 def convert(foreign: Foreign, options: Options, title: str) -> Database:
@@ -34,6 +32,7 @@ def convert(foreign: Foreign, options: Options, title: str) -> Database:
     """
     notes = ["zero forward speed"]
     foreign, file = _finite(foreign, notes), foreign.file
+    options.asked_together([name for name in ASKED if getattr(foreign, name, None) is None], file)
     water = _water(foreign, options)
     reference = np.array(options.settled("reference_m", foreign.reference_m, file), float)
     motion = about_origin(reference)
@@ -178,33 +177,3 @@ def _check_waterplane(hull: Hull, file: str) -> None:
                 "centre_of_gravity_m and centre_of_buoyancy_m",
                 file,
             )
-
-
-def check_long_waves(database: Database, file: str) -> None:
-    """In the longest wave the hull follows the water; wrong units or a wrong sign of time show there.
-
-    X_3 = C_33 - w^2 (rho V + A_33), and X_1 = -i w^2 (rho V + A_11) cos b in deep water.
-
-    Waves that are not long against the hull say nothing, and are not looked at.
-    """
-    water, hull = database.water, database.hull
-    omega = database.frequencies_rad_s[0]
-    shallow = water.depth_m is not None and water.depth_m < hull.length_m
-    if shallow or omega**2 * hull.length_m / water.gravity_m_s2 > LONGEST_COUNT:
-        return
-    excitation = database.excitation[0]
-    restoring = water.density_kg_m3 * water.gravity_m_s2 * hull.waterplane.area_m2
-    mass = water.density_kg_m3 * hull.volume_m3
-    wanted = restoring - omega**2 * (mass + database.added_mass[0, 2, 2])
-    heave = excitation[:, 2].mean()
-    if abs(heave - wanted) > LONG_WAVE_ERROR * restoring:
-        raise HydrodynamicsError(
-            "excitation", f"{heave.real:.4g} {heave.imag:+.4g}i N/m in heave in waves of {omega:.3g} rad/s",
-            f"about {wanted:.4g} N/m, by restoring and inertia; check density, gravity, length_scale_m", file,
-        )  # fmt: skip
-    surge = (excitation[:, 0] * np.cos(database.wave_directions_rad)).sum()
-    if surge.imag > 0.1 * abs(surge):
-        raise HydrodynamicsError(
-            "excitation", f"a surge force that leads by {np.degrees(np.angle(surge)):.3g} deg in long waves",
-            "-90 deg for exp(-i w t): the sign of time or of the wave directions is the other one", file,
-        )  # fmt: skip

@@ -10,6 +10,8 @@ import numpy as np
 from ...errors import HydrodynamicsError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
 ALLOWED = {
@@ -38,6 +40,9 @@ CHOICES = {
     "hull_symmetry": ("none", "port_starboard", "both_planes", "revolution"),
     "added_mass_infinite": ("from_damping",),
 }
+# What every database needs; length and beam are in no file.
+ASKED = ("density_kg_m3", "gravity_m_s2", "water_depth_m", "reference_m", "volume_m3", "centre_of_buoyancy_m",
+         "draught_m", "length_m", "beam_m", "restoring_includes_weight")  # fmt: skip
 VECTORS = ("centre_of_gravity_m", "centre_of_buoyancy_m", "reference_m")
 
 
@@ -82,6 +87,20 @@ class Options:
                 name, "nothing in the file", f"{ALLOWED[name]}; give it as --{name}", file
             )
         return value
+
+    def asked_together(self, names: Sequence[str], file: str) -> None:
+        """All that a file leaves unsaid, so that one answer does not lead to the next question.
+
+        Raises
+        ------
+        HydrodynamicsError
+            When several were not given; a single one is left to `asked`.
+        """
+        missing = [name for name in names if getattr(self, name) is None]
+        if len(missing) > 1:
+            found = f"no {', '.join(missing)} in the file"
+            allowed = f"each as an option, --{missing[0]} and so on; `kingpost hydro --help` says what it is"
+            raise HydrodynamicsError("", found, allowed, file)
 
     def settled(self, name: str, said: object, file: str) -> object:
         """What the file says, or else the option; both only where they agree."""

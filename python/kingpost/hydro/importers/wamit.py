@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .foreign import Foreign, Options, reading_error
+from .foreign import ASKED, Foreign, Options, reading_error
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -32,6 +32,8 @@ def read(path: str, options: Options) -> Foreign:
     """
     stem = Path(path).with_suffix("")
     radiation = _rows(stem.with_suffix(".1"), (4, 5))
+    # Its files say nothing of the hull, the water or themselves: all is asked for at once.
+    options.asked_together([*ASKED, "length_scale_m", "first_column", "time_sign"], path)
     scale = _Scale.of(options, path)
     omega = scale.frequency(radiation[:, 0])
     frequencies = np.unique(omega[(omega > 0) & np.isfinite(omega)])
