@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 WORLD = "world"
 
 # What acts on bodies without carrying them.
-CARRIES_NOTHING = ("gravity", "quadratic_damping", "viscous_damping")
+CARRIES_NOTHING = ("current_load", "gravity", "quadratic_damping", "viscous_damping", "wind_load")
 
 
 def text(scenario: Scenario, coordinates: Sequence[str]) -> str:

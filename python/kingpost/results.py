@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .scenario import Scenario
 
 ENDINGS = (".nc", ".csv", ".parquet")
-NAMED = ("body", "coordinate", "joint", "loop", "constraint", "cylinder", "point", "drive")
+NAMED = ("body", "coordinate", "joint", "loop", "constraint", "cylinder", "line", "flow", "point", "drive")
 """Dimensions whose label stands before the variable in a flat column name."""
 AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port"
 

@@ -40,6 +40,8 @@ pub enum Dimension {
     Hull,
     /// Lines by the name of their force.
     Line,
+    /// Loads of wind and current by the name of their force.
+    Flow,
 }
 
 /// The frame of a vector's components.
@@ -112,7 +114,7 @@ enum Unit {
 
 use Components::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, SlowFrame as InSlowFrame, World};
 use Dimension::{
-    Axis, Body, Component, Constraint, Coordinate, Cylinder, Hull, Joint, Line, Loop, Point,
+    Axis, Body, Component, Constraint, Coordinate, Cylinder, Flow, Hull, Joint, Line, Loop, Point,
     Quaternion as QuaternionDim,
 };
 use Unit::{Coordinate as By, Plain};
@@ -122,7 +124,7 @@ struct Table<S>(PhantomData<S>);
 #[rustfmt::skip]
 impl<S: Scalar> Table<S> {
     /// Every channel: the single source of names, units and frames.
-    const ENTRIES: [Entry<S>; 38] = [
+    const ENTRIES: [Entry<S>; 39] = [
         Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
         Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
             write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
@@ -167,6 +169,8 @@ impl<S: Scalar> Table<S> {
             write: |x, out| out.extend(x.observed.lines.iter().map(|line| line.end_tension)) },
         Entry { variable: "line_grounded_length", long_name: "unstretched length of a line that lies on the seabed", unit: Plain("m"), frame: Number, dims: &[Line],
             write: |x, out| out.extend(x.observed.lines.iter().map(|line| line.grounded_length)) },
+        Entry { variable: "flow_force", long_name: "force and moment of wind or current about the reference point of its coefficients", unit: Plain("N, N m"), frame: InBody, dims: &[Flow, Component],
+            write: |x, out| out.extend(x.observed.flow_forces.iter().flatten()) },
         Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
             write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
         Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
@@ -240,6 +244,7 @@ impl Dimension {
             Constraint => model.constraint_names(),
             Hull => forces.iter().filter_map(Force::hull).map(|hull| hull.name.clone()).collect(),
             Line => forces.iter().filter_map(Force::line).map(str::to_owned).collect(),
+            Flow => forces.iter().filter_map(Force::flow_load).map(|load| load.name.clone()).collect(),
             Cylinder => drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.name.clone()).collect(),
         }
     }

@@ -1,7 +1,7 @@
 import type { Channel } from "./engine";
 
 /** Dimensions that name a thing of the model; its name leads, as in `ship.angular_velocity.x`. */
-const THINGS = new Set(["body", "coordinate", "joint", "loop", "constraint", "cylinder", "point", "drive"]);
+const THINGS = new Set(["body", "coordinate", "joint", "loop", "constraint", "cylinder", "line", "flow", "point", "drive"]);
 
 /** Flat column names, in the order of a row: the names of the CSV files. */
 export function columnNames(channels: Channel[]): string[] {

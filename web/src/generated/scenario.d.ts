@@ -1479,6 +1479,44 @@ export type PiersonMoskowitz = {
   realisation?: WaveRealisation1;
 };
 /**
+ * The wind: steady, the same everywhere at one height.
+ */
+export type Wind = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Mean speed at the reference height, m/s.
+   */
+  speed_m_s: number;
+  /**
+   * Direction that the wind goes to, from the world's x axis, counter-clockwise, rad.
+   */
+  direction_rad?: number;
+  /**
+   * The same as `direction_rad`, in the unit of this name.
+   */
+  direction_deg?: number;
+  /**
+   * Height above the still water that the speed is given at, m.
+   */
+  reference_height_m?: number;
+  /**
+   * How the speed goes with the height.
+   */
+  profile?:
+    | "uniform"
+    | {
+        power_law: PowerLaw;
+      }
+    | {
+        logarithmic: Logarithmic;
+      };
+  /**
+   * Density of the air, kg/m^3.
+   */
+  air_density_kg_m3?: number;
+};
+/**
  * What acts on the bodies from outside.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
@@ -1502,6 +1540,12 @@ export type Force =
     }
   | {
       catenary_line: CatenaryLine;
+    }
+  | {
+      wind_load: WindLoad;
+    }
+  | {
+      current_load: CurrentLoad;
     };
 /**
  * A force and a moment against a body's velocity and angular velocity, each in body axes. Velocity is relative to the
@@ -1695,6 +1739,94 @@ export type CatenaryLine = {
    * the line hangs freely.
    */
   seabed?: boolean;
+};
+/**
+ * The coefficients.
+ */
+export type FlowCoefficients = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
+   * from ahead, as OCIMF's.
+   */
+  directions_rad?: number[];
+  /**
+   * The same as `directions_rad`, in the unit of this name.
+   */
+  directions_deg?: number[];
+  /**
+   * Whether port is as starboard: the directions go from 0 to pi and are mirrored.
+   */
+  symmetric: boolean;
+  /**
+   * C_x at each direction, forward.
+   */
+  surge: number[];
+  /**
+   * C_y at each direction, to port.
+   */
+  sway: number[];
+  /**
+   * C_n at each direction, bow to port.
+   */
+  yaw: number[];
+  /**
+   * A_x, m^2.
+   */
+  frontal_area_m2: number;
+  /**
+   * A_y, m^2.
+   */
+  lateral_area_m2: number;
+  /**
+   * L, m.
+   */
+  length_m: number;
+};
+/**
+ * The coefficients.
+ */
+export type FlowCoefficients1 = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
+   * from ahead, as OCIMF's.
+   */
+  directions_rad?: number[];
+  /**
+   * The same as `directions_rad`, in the unit of this name.
+   */
+  directions_deg?: number[];
+  /**
+   * Whether port is as starboard: the directions go from 0 to pi and are mirrored.
+   */
+  symmetric: boolean;
+  /**
+   * C_x at each direction, forward.
+   */
+  surge: number[];
+  /**
+   * C_y at each direction, to port.
+   */
+  sway: number[];
+  /**
+   * C_n at each direction, bow to port.
+   */
+  yaw: number[];
+  /**
+   * A_x, m^2.
+   */
+  frontal_area_m2: number;
+  /**
+   * A_y, m^2.
+   */
+  lateral_area_m2: number;
+  /**
+   * L, m.
+   */
+  length_m: number;
 };
 /**
  * What acts between two bodies, mostly in the joint that connects them.
@@ -2059,6 +2191,10 @@ export interface Scenario {
    * The water, its depth and its waves.
    */
   sea?: Sea | null;
+  /**
+   * The wind.
+   */
+  wind?: Wind | null;
   /**
    * What acts on the bodies from outside, by name.
    */
@@ -2463,12 +2599,21 @@ export interface Sea {
    */
   ramp_s?: number;
   /**
-   * Velocity of the water along the world's x and y, m/s.
+   * Velocity of the water at the surface along the world's x and y, m/s.
    *
    * @minItems 2
    * @maxItems 2
    */
   current_m_s?: [number, number];
+  /**
+   * How the current goes with depth: for loads of the current by coefficients; damping and radiation see that at the
+   * surface.
+   */
+  current_profile?:
+    | "uniform"
+    | {
+        power_law: PowerLaw;
+      };
 }
 /**
  * How the realisation is made.
@@ -2503,6 +2648,24 @@ export interface WaveRealisation1 {
    * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
    */
   spreading_exponent?: number | null;
+}
+/**
+ * U(z) = U (z / z_reference)^exponent; of a current U(z) = U ((h + z) / h)^exponent, with h the water's depth.
+ */
+export interface PowerLaw {
+  /**
+   * 1/7 unless given.
+   */
+  exponent?: number;
+}
+/**
+ * U(z) = U ln(z / roughness) / ln(z_reference / roughness).
+ */
+export interface Logarithmic {
+  /**
+   * Height at which the law has no wind, m: 0.0001 to 0.01 at sea.
+   */
+  roughness_m: number;
 }
 /**
  * Weight of every body, downwards along the world's z axis.
@@ -2599,6 +2762,57 @@ export interface Pin2 {
    * @maxItems 3
    */
   position_m?: [number, number, number];
+}
+/**
+ * The wind on a body by coefficients of its relative velocity.
+ */
+export interface WindLoad {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The body.
+   */
+  body: string;
+  /**
+   * The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * Height above the still water whose wind the coefficients refer to, m.
+   */
+  height_m?: number;
+  coefficients: FlowCoefficients;
+}
+/**
+ * The current on a body by coefficients of its relative velocity. Do not damp surge, sway and yaw by other
+ * forces too.
+ */
+export interface CurrentLoad {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The body.
+   */
+  body: string;
+  /**
+   * The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * Draught over which the square of the current is averaged where it has a profile, m.
+   */
+  draught_m?: number | null;
+  coefficients: FlowCoefficients1;
 }
 /**
  * Pin on one body.

@@ -3,6 +3,7 @@
 //! A new force is one new file and one arm in each `match` of [`Force`].
 
 mod coulomb_friction;
+pub mod flow;
 mod gravity;
 pub mod hull;
 mod joint_damping;
@@ -13,6 +14,7 @@ mod quadratic_damping;
 mod viscous_damping;
 
 pub use coulomb_friction::CoulombFriction;
+pub use flow::FlowLoad;
 pub use gravity::Gravity;
 pub use hull::Hull;
 pub use joint_damping::JointDamping;
@@ -49,6 +51,8 @@ pub enum Force<S = f64> {
     SpringLine(Box<SpringLine<S>>),
     /// A mooring line that hangs.
     CatenaryLine(Box<CatenaryLine<S>>),
+    /// Wind or current by coefficients.
+    FlowLoad(Box<FlowLoad<S>>),
 }
 
 impl<S: Scalar> Force<S> {
@@ -65,6 +69,7 @@ impl<S: Scalar> Force<S> {
             Force::Hull(hull) => hull.apply(at, loads),
             Force::SpringLine(line) => line.apply(at, loads),
             Force::CatenaryLine(line) => line.apply(at, loads),
+            Force::FlowLoad(load) => load.apply(at, loads),
         }
     }
 
@@ -79,6 +84,7 @@ impl<S: Scalar> Force<S> {
             Force::CatenaryLine(line) => line.potential_energy(model, links),
             Force::ViscousDamping(_)
             | Force::QuadraticDamping(_)
+            | Force::FlowLoad(_)
             | Force::JointDamping(_)
             | Force::CoulombFriction(_) => S::ZERO,
         }
@@ -92,6 +98,11 @@ impl<S: Scalar> Force<S> {
     /// The hull, to be asked what changes nothing but its working memory.
     pub fn hull_mut(&mut self) -> Option<&mut Hull<S>> {
         if let Force::Hull(hull) = self { Some(hull) } else { None }
+    }
+
+    /// The load of wind or current, where it is one.
+    pub fn flow_load(&self) -> Option<&FlowLoad<S>> {
+        if let Force::FlowLoad(load) = self { Some(load) } else { None }
     }
 
     /// The name of the line, where it is one.

@@ -52,6 +52,7 @@ pub struct Plant<S = f64> {
     cylinders: Vec<CylinderReading<S>>,
     hulls: Vec<HullReading<S>>,
     lines: Vec<LineReading<S>>,
+    flow_forces: Vec<[S; 6]>,
     rotation_rates: Vec<bool>,
     /// Evaluations of the right-hand side so far.
     pub evaluations: u64,
@@ -89,6 +90,7 @@ impl<S: Scalar> Plant<S> {
             cylinders: Vec::with_capacity(drives.len()),
             hulls: Vec::with_capacity(forces.len()),
             lines: Vec::with_capacity(forces.len()),
+            flow_forces: Vec::with_capacity(forces.len()),
             rotation_rates,
             evaluations: 0,
             model,
@@ -153,15 +155,18 @@ impl<S: Scalar> Plant<S> {
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
         let totals = self.totals_here(at.q, at.v);
         let shares = self.shares();
-        let Self { model, links, bodies, inverse, loops, forces, drives, cylinders, hulls, lines, .. } = self;
+        let Self { model, links, bodies, inverse, loops, forces, drives, cylinders, hulls, lines, flow_forces, .. } =
+            self;
         let Moments { of_drives, of_forces } = shares.moments(model, links, at);
         cylinders.clear();
         cylinders.extend(drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.reading(&of_drives)));
         hulls.clear();
         hulls.extend(forces.iter_mut().filter_map(Force::hull_mut).map(|hull| hull.reading(&of_forces)));
+        flow_forces.clear();
+        flow_forces.extend(forces.iter().filter_map(Force::flow_load).map(|load| load.reading(&of_forces)));
         lines.clear();
         lines.extend(forces.iter().filter_map(|force| force.line_reading(&of_forces)));
-        Observation { model, bodies, inverse, loops, cylinders, hulls, lines, totals }
+        Observation { model, bodies, inverse, loops, cylinders, hulls, lines, flow_forces, totals }
     }
 
     /// Frames and twists of the bodies at a state.
@@ -317,6 +322,8 @@ pub struct Observation<'a, S = f64> {
     pub hulls: &'a [HullReading<S>],
     /// The lines, in the order of the forces.
     pub lines: &'a [LineReading<S>],
+    /// Loads of wind and current, in the order of the forces: force (N), then moment (N m).
+    pub flow_forces: &'a [[S; 6]],
     /// Energy and momentum.
     pub totals: Totals<S>,
 }

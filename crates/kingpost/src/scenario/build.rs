@@ -7,6 +7,7 @@ mod damping;
 mod drives;
 mod equilibrium;
 pub(super) mod flexible;
+mod flow;
 mod lines;
 mod loops;
 pub mod reading;
@@ -159,6 +160,8 @@ fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result
             ForceSchema::QuadraticDamping(_) => forces.extend(damping::quadratic(scenario, name, model)?),
             ForceSchema::SpringLine(_) => forces.extend(lines::spring(scenario, name, model)?),
             ForceSchema::CatenaryLine(_) => forces.extend(lines::catenary(scenario, name, model)?),
+            ForceSchema::WindLoad(_) => forces.extend(flow::wind(scenario, name, model)?),
+            ForceSchema::CurrentLoad(_) => forces.extend(flow::water(scenario, name, model)?),
             // With what it does to the model: see `water`.
             ForceSchema::Hydrodynamics(_) => {}
         }

@@ -7,6 +7,7 @@ mod bodies;
 mod cylinder;
 mod drives;
 mod flexible;
+mod flow;
 mod forces;
 mod hydrodynamics;
 mod integrators;
@@ -37,6 +38,7 @@ pub use drives::{Brake, BrakeState, Drive, History, LinearBrake, LinearMotor, Li
 pub use flexible::{
     CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
 };
+pub use flow::{CurrentLoad, CurrentProfile, FlowCoefficients, Logarithmic, PowerLaw, Wind, WindLoad, WindProfile};
 pub use forces::{Force, Gravity, QuadraticDamping, ViscousDamping};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
@@ -74,6 +76,9 @@ pub struct Scenario {
     /// The water, its depth and its waves.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sea: Option<Sea>,
+    /// The wind.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wind: Option<Wind>,
     /// What acts on the bodies from outside, by name.
     #[serde(default)]
     pub forces: IndexMap<Name, Force>,

@@ -79,17 +79,18 @@ pub fn quadratic<S: Gathered>(
 }
 
 /// A point of a body's drawing frame, from the body's centre of mass.
-fn from_centre<S: Gathered>(scenario: &Reading<Scenario>, body: &str, point: Vector3<S>) -> Vector3<S> {
+pub(super) fn from_centre<S: Gathered>(scenario: &Reading<Scenario>, body: &str, point: Vector3<S>) -> Vector3<S> {
     point - scenario.part(|scenario| &scenario.bodies[body]).vector(|body| body.centre_of_mass_m)
 }
 
 /// Velocity of the water in the world, m/s.
-fn current<S: Gathered>(scenario: &Reading<Scenario>) -> Vector3<S> {
+pub(super) fn current<S: Gathered>(scenario: &Reading<Scenario>) -> Vector3<S> {
     let [x, y] = scenario.numbers(|scenario| scenario.sea.as_ref().map_or([0.0; 2], |sea| sea.current_m_s));
     Vector3::new(x, y, S::ZERO)
 }
 
-fn rigid(scenario: &Scenario, field: String, body: &str) -> Result<(), FieldError> {
+/// An error unless a body is there and rigid.
+pub(super) fn rigid(scenario: &Scenario, field: String, body: &str) -> Result<(), FieldError> {
     known(&field, body, scenario.bodies.keys().map(|body| body.as_str()))?;
     if scenario.bodies.get(body).is_some_and(|body| body.flexible.is_some()) {
         return Err(FieldError::new(field, body, "a body that is not flexible"));

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{CatenaryLine, Hydrodynamics, Name, NonNegative, SpringLine, yes};
+use super::{CatenaryLine, CurrentLoad, Hydrodynamics, Name, NonNegative, SpringLine, WindLoad, yes};
 
 /// What acts on the bodies from outside.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -21,6 +21,10 @@ pub enum Force {
     SpringLine(SpringLine),
     /// A mooring line that hangs, and may lie on the seabed.
     CatenaryLine(CatenaryLine),
+    /// The wind on a body, by coefficients.
+    WindLoad(Box<WindLoad>),
+    /// The current on a body, by coefficients.
+    CurrentLoad(Box<CurrentLoad>),
 }
 
 /// Weight of every body, downwards along the world's z axis.

@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use super::{Name, NonNegative, Positive, Waves};
+use super::{CurrentProfile, Name, NonNegative, Positive, Waves};
 
 /// The water that hulls float in, and what moves it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,8 +19,11 @@ pub struct Sea {
     pub waves: IndexMap<Name, Waves>,
     /// Time over which the waves grow from nothing at the start, s.
     pub ramp_s: NonNegative,
-    /// Velocity of the water along the world's x and y, m/s.
+    /// Velocity of the water at the surface along the world's x and y, m/s.
     pub current_m_s: [f64; 2],
+    /// How the current goes with depth: for loads of the current by coefficients; damping and radiation see that at the
+    /// surface.
+    pub current_profile: CurrentProfile,
 }
 
 impl Default for Sea {
@@ -31,6 +34,7 @@ impl Default for Sea {
             waves: IndexMap::new(),
             ramp_s: NonNegative::literal(0.0),
             current_m_s: [0.0; 2],
+            current_profile: CurrentProfile::Uniform,
         }
     }
 }

@@ -1,0 +1,70 @@
+//! Wind and current on a body, by coefficients.
+
+mod table;
+
+pub use table::{DirectionTable, TableError};
+
+use super::hull::HullFrame;
+use crate::dynamics::{Loads, Moment};
+use crate::scalar::Scalar;
+use crate::spatial::{Vector3, Wrench};
+
+/// Forces of a flow by the square of its velocity relative to the body,
+///
+/// ```text
+/// F_x = rho/2 V^2 A_x C_x(theta),   F_y = rho/2 V^2 A_y C_y(theta),   M_z = rho/2 V^2 A_y L C_n(theta)
+/// ```
+///
+/// about a reference point, in body axes, with V and theta the speed and the direction in the body's x-y plane that the
+/// flow goes to as it is seen from that point (OCIMF, *Mooring Equipment Guidelines*, 4th ed., 2018, appendix A:
+/// its angle of attack, 0 from astern and 180 degrees from ahead, is theta). The turning of the body is not in V.
+#[derive(Clone, Debug)]
+pub struct FlowLoad<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// The body, and the point that the coefficients refer to.
+    pub place: HullFrame<S>,
+    /// Velocity of the flow in the world, m/s.
+    pub flow: Vector3<S>,
+    /// rho/2 A_x, rho/2 A_y in kg/m, rho/2 A_y L in kg.
+    pub scales: [S; 3],
+    /// C_x, C_y and C_n over theta.
+    pub coefficients: DirectionTable,
+}
+
+/// Below this square of the speed, m^2/s^2, there is no flow, and no direction of it.
+const STILL: f64 = 1e-18;
+
+impl<S: Scalar> FlowLoad<S> {
+    /// Adds the load, and its work.
+    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let wrench = self.about_centre(at);
+        loads.power.outside += wrench.dot(&at.links.body_twist(at.model, self.place.body));
+        loads.wrenches.push((self.place.body, wrench));
+    }
+
+    /// Force (N) and moment (N m) about the reference point, in body axes.
+    pub fn wrench(&self, at: &Moment<'_, S>) -> Wrench<S> {
+        let through = self.place.through_water(at, self.flow).0.linear;
+        let (along, aside) = (-through[0], -through[1]);
+        let square = along * along + aside * aside;
+        let moves = square.select_below(STILL, || S::ZERO, || S::ONE);
+        let along = moves.select_below(0.5, || S::ONE, || along);
+        let coefficients = self.coefficients.at(aside.atan2(along));
+        let [x, y, yaw] = core::array::from_fn(|k| {
+            let load = square * self.scales[k] * coefficients[k];
+            moves.select_below(0.5, || S::ZERO, || load)
+        });
+        Wrench { moment: Vector3::new(S::ZERO, S::ZERO, yaw), force: Vector3::new(x, y, S::ZERO) }
+    }
+
+    /// The same as numbers: force x, y, z, moment x, y, z.
+    pub fn reading(&self, at: &Moment<'_, S>) -> [S; 6] {
+        let Wrench { moment: Vector3([roll, pitch, yaw]), force: Vector3([x, y, z]) } = self.wrench(at);
+        [x, y, z, roll, pitch, yaw]
+    }
+
+    fn about_centre(&self, at: &Moment<'_, S>) -> Wrench<S> {
+        self.place.about_centre(&self.wrench(at))
+    }
+}

@@ -1,0 +1,106 @@
+//! Coefficients over the direction of a flow.
+
+use crate::scalar::Scalar;
+use core::f64::consts::{PI, TAU};
+
+/// What is wrong with a table: which row of the directions, and what it may be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableError {
+    /// Index of the row; `None` for their number.
+    pub row: Option<usize>,
+    /// What is there.
+    pub found: f64,
+    /// What may be.
+    pub allowed: &'static str,
+}
+
+/// Coefficients of surge force, sway force and yaw moment over the direction that the flow goes to against the hull's
+/// x axis, counter-clockwise: a smooth curve through the given points, whose slope at each is that of the parabola
+/// through it and its two neighbours (cubic Hermite pieces, periodic).
+#[derive(Clone, Debug)]
+pub struct DirectionTable {
+    /// Where pieces begin, rad, increasing, within one turn.
+    directions: Vec<f64>,
+    pieces: Vec<Piece>,
+}
+
+/// Weights of 1, t, t^2, t^3 with t the angle from where the piece begins, rad.
+type Piece = [[f64; 4]; 3];
+
+impl DirectionTable {
+    /// From directions, rad, and the three coefficients at each. A table of a `symmetric` hull holds 0 to pi, both
+    /// included; port is as starboard, with sway and yaw reversed.
+    ///
+    /// # Errors
+    /// Directions that do not increase or do not stay within one turn, and fewer than three of them.
+    pub fn new(directions_rad: &[f64], rows: &[[f64; 3]], symmetric: bool) -> Result<Self, TableError> {
+        check(directions_rad, symmetric)?;
+        let mut points: Vec<(f64, [f64; 3])> = directions_rad.iter().copied().zip(rows.iter().copied()).collect();
+        if symmetric {
+            let inner = points[1..points.len() - 1].iter().rev();
+            let mirrored: Vec<_> = inner.map(|(angle, [x, y, yaw])| (TAU - angle, [*x, -y, -yaw])).collect();
+            points.extend(mirrored);
+        }
+        let n = points.len();
+        let at = |i: usize| points[i % n];
+        let width = |i: usize| at(i + 1).0 - at(i).0 + if i % n + 1 == n { TAU } else { 0.0 };
+        let slope = |i: usize, k: usize| {
+            let before = (i + n - 1) % n;
+            let (a, b) = (width(before), width(i));
+            let (left, right) = ((at(i).1[k] - at(before).1[k]) / a, (at(i + 1).1[k] - at(i).1[k]) / b);
+            (left * b + right * a) / (a + b)
+        };
+        let piece = |i: usize| {
+            core::array::from_fn(|k| hermite(width(i), [at(i).1[k], at(i + 1).1[k]], [slope(i, k), slope(i + 1, k)]))
+        };
+        Ok(Self { directions: points.iter().map(|(angle, _)| *angle).collect(), pieces: (0..n).map(piece).collect() })
+    }
+
+    /// The coefficients at a direction in (-pi, pi], rad.
+    pub fn at<S: Scalar>(&self, direction: S) -> [S; 3] {
+        let first = self.directions[0];
+        let found: [S; 13] = S::from_values([direction], |[direction]| {
+            let behind = (direction - first).rem_euclid(TAU) + first;
+            let i = self.directions.partition_point(|begin| *begin <= behind).max(1) - 1;
+            core::array::from_fn(|k| if k == 12 { self.directions[i] } else { self.pieces[i][k / 4][k % 4] })
+        });
+        let from_begin = direction - found[12];
+        // A table from -pi to pi, or from 0 to 2 pi: a turn apart at most.
+        let turned = from_begin.select_below(-1e-9, || from_begin + S::constant(TAU), || from_begin);
+        core::array::from_fn(|k| {
+            let c = &found[4 * k..4 * k + 4];
+            c[0] + turned * (c[1] + turned * (c[2] + turned * c[3]))
+        })
+    }
+}
+
+fn hermite(width: f64, [from, to]: [f64; 2], [start, end]: [f64; 2]) -> [f64; 4] {
+    let mean = (to - from) / width;
+    [from, start, (3.0 * mean - 2.0 * start - end) / width, (start + end - 2.0 * mean) / (width * width)]
+}
+
+/// How near to pi the last direction of a symmetric hull must be, rad.
+const SAME_ANGLE: f64 = 1e-6;
+
+fn check(directions: &[f64], symmetric: bool) -> Result<(), TableError> {
+    let error = |row, found, allowed| Err(TableError { row, found, allowed });
+    let last = directions.len().saturating_sub(1);
+    if directions.len() < 3 {
+        return error(None, directions.len() as f64, "three directions or more");
+    }
+    let increases = |row: usize| directions[row] < directions[row + 1];
+    if let Some(row) = (0..last).find(|&row| !increases(row)) {
+        return error(Some(row + 1), directions[row + 1], "a direction greater than the one before");
+    }
+    match symmetric {
+        true if directions[0].abs() > SAME_ANGLE => error(Some(0), directions[0], "0, where the hull is symmetric"),
+        true if (directions[last] - PI).abs() > SAME_ANGLE => {
+            error(Some(last), directions[last], "pi, where the hull is symmetric")
+        }
+        false if !(-PI..=PI).contains(&directions[0]) => error(Some(0), directions[0], "-pi to pi"),
+        false if directions[last] - directions[0] >= TAU => {
+            error(Some(last), directions[last], "less than a turn from the first: the table closes by itself")
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,154 @@
+//! Wind, current, and their loads by coefficients.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Name, NonNegative, Positive, yes};
+
+/// The wind: steady, the same everywhere at one height.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Wind {
+    /// Mean speed at the reference height, m/s.
+    pub speed_m_s: NonNegative,
+    /// Direction that the wind goes to, from the world's x axis, counter-clockwise, rad.
+    pub direction_rad: f64,
+    /// Height above the still water that the speed is given at, m.
+    #[serde(default = "ten_metres")]
+    pub reference_height_m: Positive,
+    /// How the speed goes with the height.
+    #[serde(default)]
+    pub profile: WindProfile,
+    /// Density of the air, kg/m^3.
+    #[serde(default = "air")]
+    pub air_density_kg_m3: Positive,
+}
+
+const fn ten_metres() -> Positive {
+    Positive::literal(10.0)
+}
+
+const fn air() -> Positive {
+    Positive::literal(1.225)
+}
+
+/// Speed of the wind over height.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum WindProfile {
+    /// The same at all heights.
+    Uniform,
+    /// By a power of the height.
+    PowerLaw(PowerLaw),
+    /// By the logarithm of the height over a roughness.
+    Logarithmic(Logarithmic),
+}
+
+impl Default for WindProfile {
+    fn default() -> Self {
+        Self::PowerLaw(PowerLaw::default())
+    }
+}
+
+/// U(z) = U (z / z_reference)^exponent; of a current U(z) = U ((h + z) / h)^exponent, with h the water's depth.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+pub struct PowerLaw {
+    /// 1/7 unless given.
+    pub exponent: NonNegative,
+}
+
+impl Default for PowerLaw {
+    fn default() -> Self {
+        Self { exponent: NonNegative::literal(1.0 / 7.0) }
+    }
+}
+
+/// U(z) = U ln(z / roughness) / ln(z_reference / roughness).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Logarithmic {
+    /// Height at which the law has no wind, m: 0.0001 to 0.01 at sea.
+    pub roughness_m: Positive,
+}
+
+/// Speed of the current over depth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum CurrentProfile {
+    /// The same at all depths.
+    #[default]
+    Uniform,
+    /// By a power of the height over the bottom, for tides.
+    PowerLaw(PowerLaw),
+}
+
+/// The wind on a body by coefficients of its relative velocity.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct WindLoad {
+    /// Whether it acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The body.
+    pub body: Name,
+    /// The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [f64; 3],
+    /// Height above the still water whose wind the coefficients refer to, m.
+    #[serde(default = "ten_metres")]
+    pub height_m: Positive,
+    /// The coefficients.
+    pub coefficients: FlowCoefficients,
+}
+
+/// The current on a body by coefficients of its relative velocity. Do not damp surge, sway and yaw by other
+/// forces too.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct CurrentLoad {
+    /// Whether it acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The body.
+    pub body: Name,
+    /// The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [f64; 3],
+    /// Draught over which the square of the current is averaged where it has a profile, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub draught_m: Option<Positive>,
+    /// The coefficients.
+    pub coefficients: FlowCoefficients,
+}
+
+/// C_x, C_y, C_n in F_x = rho/2 V^2 A_x C_x, F_y = rho/2 V^2 A_y C_y, M_z = rho/2 V^2 A_y L C_n, in the body's axes, with V the
+/// relative velocity; a smooth curve through the points.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct FlowCoefficients {
+    /// Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
+    /// from ahead, as OCIMF's.
+    pub directions_rad: Vec<f64>,
+    /// Whether port is as starboard: the directions go from 0 to pi and are mirrored.
+    pub symmetric: bool,
+    /// C_x at each direction, forward.
+    pub surge: Vec<f64>,
+    /// C_y at each direction, to port.
+    pub sway: Vec<f64>,
+    /// C_n at each direction, bow to port.
+    pub yaw: Vec<f64>,
+    /// A_x, m^2.
+    pub frontal_area_m2: Positive,
+    /// A_y, m^2.
+    pub lateral_area_m2: Positive,
+    /// L, m.
+    pub length_m: Positive,
+}
