@@ -6,7 +6,10 @@
 mod cases;
 
 fn main() -> std::io::Result<()> {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/paper.json");
-    let text = serde_json::to_string_pretty(&cases::compute()).map_err(std::io::Error::other)?;
-    std::fs::write(path, text + "\n")
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    for (scenario, runs) in cases::compute() {
+        let text = serde_json::to_string_pretty(&runs).map_err(std::io::Error::other)?;
+        std::fs::write(folder.join(scenario).with_extension("json"), text + "\n")?;
+    }
+    Ok(())
 }

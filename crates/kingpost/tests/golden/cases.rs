@@ -1,7 +1,9 @@
-//! The golden runs: the paper's scenario in every mode that changes the numbers.
+//! The golden runs: gallery scenarios in every mode that changes the numbers.
 
+use kingpost::scenario::Files;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
+use std::collections::HashMap;
 
 /// One run: what is set, how many steps, and the row of all channels at the end.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
@@ -12,9 +14,21 @@ pub struct Golden {
     pub row: Vec<f64>,
 }
 
-/// Computes all of them.
-pub fn compute() -> Vec<Golden> {
-    let cases = [
+/// A scenario with the files that it names.
+struct Source {
+    text: &'static str,
+    files: &'static [(&'static str, &'static str)],
+}
+
+const PAPER: Source = Source { text: include_str!("../../../../scenarios/paper.yaml"), files: &[] };
+const BARGE: Source = Source {
+    text: include_str!("../../../../scenarios/barge.yaml"),
+    files: &[("hydro/barge.hydro.json", include_str!("../../../../scenarios/hydro/barge.hydro.json"))],
+};
+
+/// Computes all of them, by scenario.
+pub fn compute() -> [(&'static str, Vec<Golden>); 2] {
+    let paper = [
         ("truth", 500, json!({"crane_x_m": 0, "crane_y_m": 0})),
         ("page", 2000, json!({"load": true, "torque_history": "pulse"})),
         ("both_motors_damped", 1000, json!({"motor_2": true, "damping": true, "crane_x_m": 0, "crane_y_m": 0})),
@@ -23,14 +37,30 @@ pub fn compute() -> Vec<Golden> {
         ("midpoint_euler", 1000, json!({"simulation.integrator": "midpoint_euler", "motor_2": true})),
         ("cut_steps", 300, json!({"torque_history": "pulse", "simulation.step_s": 0.007, "load": true})),
     ];
-    cases.into_iter().map(|(name, steps, overrides)| run(name, steps, overrides)).collect()
+    // The sea at its height from the start; the crane slews and the load swings.
+    let barge = [
+        ("calm_water", 250, json!({})),
+        ("sea", 250, json!({"waves": true, "sea.ramp_s": 0})),
+        (
+            "sea_on_the_mesh",
+            100,
+            json!({"waves": true, "sea.ramp_s": 0, "hydrostatics": "mesh", "wave_direction_deg": 130}),
+        ),
+    ];
+    [("paper", runs(&PAPER, paper)), ("barge", runs(&BARGE, barge))]
 }
 
-fn run(name: &str, steps: usize, overrides: Value) -> Golden {
-    let text = include_str!("../../../../scenarios/paper.yaml");
+fn runs<const N: usize>(source: &Source, cases: [(&str, usize, Value); N]) -> Vec<Golden> {
+    cases.into_iter().map(|(name, steps, overrides)| run(source, name, steps, overrides)).collect()
+}
+
+fn run(source: &Source, name: &str, steps: usize, overrides: Value) -> Golden {
     let overrides = overrides.as_object().cloned().unwrap_or_default();
     let list: Vec<(String, Value)> = overrides.iter().map(|(k, v)| (k.clone(), v.clone())).collect();
-    let scenario = kingpost::scenario::read(text, "paper.yaml", &list).expect("the gallery reads");
+    let files: HashMap<String, String> =
+        source.files.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
+    let scenario = kingpost::scenario::read_with(source.text, "gallery.yaml", &list, &Files::new(files))
+        .expect("the gallery reads");
     let mut simulation = kingpost::Simulation::new(scenario.setup().expect("the gallery builds"));
     simulation.step(steps).expect("a golden run does not diverge");
     let mut row = Vec::new();
