@@ -3,7 +3,7 @@ import { fileURLToPath } from "node:url";
 import { expect, it } from "vitest";
 import type { Value } from "../src/engine/engine";
 import { Runner } from "../src/engine/runner";
-import init, { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
+import init, { file_names, Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 
 interface Golden {
   name: string;
@@ -13,20 +13,26 @@ interface Golden {
 }
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
-const goldens: Golden[] = JSON.parse(readFileSync(here("../../crates/kingpost/tests/golden/paper.json"), "utf8"));
-const paper = readFileSync(here("../../scenarios/paper.yaml"), "utf8");
+const read = (path: string) => readFileSync(here(`../../${path}`), "utf8");
+const goldensOf = (scenario: string): Golden[] => JSON.parse(read(`crates/kingpost/tests/golden/${scenario}.json`));
+const paper = read("scenarios/paper.yaml");
+const paperGoldens = goldensOf("paper");
+const cases = ["paper", "barge"].flatMap((scenario) => goldensOf(scenario).map((golden) => ({ scenario, ...golden })));
 await init({ module_or_path: readFileSync(here("../src/engine/pkg/kingpost_wasm_bg.wasm")) });
 
 const bits = (row: ArrayLike<number>) => Array.from(new BigUint64Array(Float64Array.from(row).buffer), String);
 
-it.each(goldens)("gives the native run's bits in WASM: $name", ({ overrides, steps, row }) => {
-  const simulation = new Simulation(paper, "paper.yaml", JSON.stringify(overrides), "{}");
+it.each(cases)("gives the native run's bits in WASM: $scenario, $name", ({ scenario, overrides, steps, row }) => {
+  const text = read(`scenarios/${scenario}.yaml`);
+  const names: string[] = JSON.parse(file_names(text, scenario, "{}"));
+  const files = Object.fromEntries(names.map((name) => [name, read(`scenarios/${name}`)]));
+  const simulation = new Simulation(text, scenario, JSON.stringify(overrides), JSON.stringify(files));
   simulation.step(steps);
   expect(bits(simulation.row())).toEqual(bits(row));
 });
 
 it("gives the same bits in frames of any length as in one go", () => {
-  const golden = goldens.find(({ name }) => name === "page")!;
+  const golden = paperGoldens.find(({ name }) => name === "page")!;
   const runner = new Runner((text, file, overrides, files) => new Simulation(text, file, overrides, files), () => 0);
   const { settings, frame } = runner.open(paper, "paper.yaml", golden.overrides);
   const end_s = golden.steps * settings.step_s;
