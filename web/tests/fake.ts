@@ -54,6 +54,10 @@ export class FakeEngine implements Engine {
     return new Float64Array(x.length * y.length).fill(this.time_s());
   }
 
+  hydrostatics_json(): string {
+    throw { kind: "input", message: "the box cannot float" };
+  }
+
   model_json(): string {
     return JSON.stringify({
       title: "A box",

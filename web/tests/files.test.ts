@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { ScenarioFiles } from "../src/engine/files";
+import { openedWith, ScenarioFiles } from "../src/engine/files";
 
 const FOLDER = "https://ships.example/app/scenarios/";
 
@@ -42,4 +42,10 @@ describe("the files that a scenario names", () => {
     expect(await files.take(["https://elsewhere.example/a.json", "../a.json", "/a.json", "//[", "hydro/../../a.json"])).toEqual({});
     expect(asked).toEqual([]);
   });
+});
+
+it("takes the files that were opened with a scenario, whatever folder it names them in", () => {
+  const opened = { "ship.hydro.json": "ship", "other.hydro.json": "other" };
+  expect(openedWith(["hydro/ship.hydro.json", "hydro/barge.hydro.json"], opened)).toEqual({ "hydro/ship.hydro.json": "ship" });
+  expect(openedWith(["other.hydro.json"], opened)).toEqual({ "other.hydro.json": "other" });
 });

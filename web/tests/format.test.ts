@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { duration, fixed, scientific } from "../src/app/format";
 import { principalInertia } from "../src/app/accuracy";
-import { sliderStep } from "../src/ui/items";
+import { sliderStep, withoutRounding } from "../src/ui/items";
 
 it("writes numbers with a true minus, and no minus zero", () => {
   expect(fixed(-1.005, 2)).toBe("−1.00");
@@ -35,4 +35,10 @@ it("knows the inertia of solids", () => {
   expect(principalInertia({ kind: "box", length_m: 20, width_m: 10, height_m: 5 }, 12)).toEqual([125, 425, 500]);
   expect(principalInertia({ kind: "cylinder", radius_m: 2, length_m: 3, axis: "x" }, 12)).toEqual([24, 21, 21]);
   expect(principalInertia({ kind: "point" }, 12)).toEqual([0, 0, 0]);
+});
+
+it("writes a number without what turning it to radians and back has left", () => {
+  expect(withoutRounding(-59.99999999999999)).toBe("-60");
+  expect(withoutRounding(4.486)).toBe("4.486");
+  expect(withoutRounding(1.23456789e-7)).toBe("1.23456789e-7");
 });

@@ -60,10 +60,12 @@ describe("what the figures can show", () => {
 
   it("has the heave of each hull beside the wave, from its draught at rest", () => {
     const hull = { name: "water", body: "ship", origin_m: [0, 0, 1.5] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, mesh: null };
-    const { angles } = kindsOf({ ...model([SHIP]), hulls: [hull] }, []);
+    const { angles } = kindsOf({ ...model([SHIP, SLEW]), hulls: [hull] }, []);
     expect(angles.map(({ title }) => title)).toEqual(["Angles of ship", "Heave of ship"]);
     expect(angles[1].quantities.map(({ column, offset }) => [column, offset ?? 0])).toEqual([["ship.position.z", 1.5], ["wave_elevation.water", 0]]);
     expect([angles[1].units.deg, angles[1].turns]).toEqual(["m", false]);
+    const alone = kindsOf({ ...model([SHIP]), hulls: [hull] }, []);
+    expect(alone.angles.map(({ title }) => title)).toEqual(["Heave of ship", "Angles of ship"]);
   });
 
   it("shows the first body where none floats", () => {

@@ -66,6 +66,11 @@ describe("the runner", () => {
     expect(engine.taken.length).toBe(length);
   });
 
+  it("tells of a hull that cannot float as a warning, for the run goes on", () => {
+    const { runner } = opened(new FakeEngine());
+    expect(runner.hydrostatics()).toEqual({ hulls: [], warnings: ["the box cannot float"] });
+  });
+
   it("keeps the engine in hand when another scenario does not open", () => {
     const engine = new FakeEngine();
     const runner = new Runner((text) => {

@@ -24,13 +24,25 @@ describe("the sea around the ship", () => {
     const grid = SurfaceGrid.around(model(3))!;
     const [one, drifted, away] = [at(0, 0), at(0.3, -0.2), at(100, 40)].map((poses) => grid.surface(engine, poses));
     expect([one.x_m, one.y_m]).toEqual([drifted.x_m, drifted.y_m]);
-    const lines = (away.x_m - one.x_m) / one.spacing_m;
+    const middle = (LINES - 1) / 2;
+    const spacing = one.x_m[middle + 1] - one.x_m[middle];
+    const lines = (away.x_m[0] - one.x_m[0]) / spacing;
     expect(lines).toBeCloseTo(Math.round(lines), 9);
-    const middle = away.x_m + (LINES / 2) * away.spacing_m;
-    expect(Math.abs(middle - 100)).toBeLessThanOrEqual(away.spacing_m / 2);
+    expect(Math.abs(away.x_m[middle] - 100)).toBeLessThanOrEqual(spacing / 2);
     // What the stand-in says of its surface: the time, everywhere.
     expect(one.elevation_m.length).toBe(LINES * LINES);
     expect(new Set(one.elevation_m)).toEqual(new Set([engine.time_s()]));
+  });
+
+  it("has lines a twentieth of the hull apart around it, and reaches ten lengths beyond", () => {
+    const { x_m } = SurfaceGrid.around(model(3))!.surface(new FakeEngine(), at(0, 0));
+    const apart = Array.from(x_m.slice(1), (x, i) => x - x_m[i]);
+    apart.forEach((distance, i) => {
+      expect(distance).toBeGreaterThan(0.999);
+      if (Math.abs(x_m[i]) <= 20 && Math.abs(x_m[i + 1]) <= 20) expect(distance).toBeCloseTo(1, 9);
+    });
+    expect(x_m[LINES - 1]).toBeGreaterThan(200);
+    expect(x_m[0]).toBeCloseTo(-x_m[LINES - 1], 9);
   });
 
   it("is a level plane without waves, and nothing without a hull", () => {

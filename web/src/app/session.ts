@@ -1,6 +1,6 @@
 import { Columns } from "../engine/columns";
 import type { EngineClient } from "../engine/client";
-import type { Channel, Fault, InputInfo, ModelInfo, Value, Values } from "../engine/engine";
+import type { Channel, Fault, Hydrostatics, InputInfo, ModelInfo, Value, Values } from "../engine/engine";
 import type { Frame, Opened } from "../engine/messages";
 import { Accuracy } from "./accuracy";
 
@@ -19,6 +19,8 @@ export interface Run {
 interface Source {
   text: string;
   file: string;
+  /** Texts of the files that were opened with it, by their names. */
+  opened?: Record<string, string>;
 }
 
 export interface Listener {
@@ -59,13 +61,17 @@ export class Session {
     return this.inTurn(async () => {
       this.pause();
       try {
-        this.accept(await this.client.open(source.text, source.file, overrides), { ...overrides }, source);
+        this.accept(await this.read(source, overrides), { ...overrides }, source);
         return true;
       } catch (fault) {
         this.report(fault as Fault);
         return false;
       }
     });
+  }
+
+  private read({ text, file, opened }: Source, overrides: Values): Promise<Opened> {
+    return this.client.open(text, file, overrides, opened ?? {});
   }
 
   /** Back to the start with the values that the controls show. Calls that come together are one. */
@@ -78,7 +84,7 @@ export class Session {
       this.pause();
       const overrides = { ...this.wanted };
       try {
-        this.accept(await this.client.open(this.source.text, this.source.file, overrides), overrides, null);
+        this.accept(await this.read(this.source, overrides), overrides, null);
       } catch (fault) {
         this.refuse(overrides, fault as Fault);
       }
@@ -103,6 +109,11 @@ export class Session {
 
   start(): void {
     if (this.status === "idle" || this.status === "paused") this.become("running");
+  }
+
+  /** How the hulls float at rest with the crane as it stands. */
+  hydrostatics(): Promise<Hydrostatics> {
+    return this.client.hydrostatics();
   }
 
   pause(): void {

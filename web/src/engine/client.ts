@@ -20,8 +20,9 @@ export class EngineClient {
     worker.onerror = (event) => this.fail({ kind: "internal", message: event.message || "the engine did not load" });
   }
 
-  open(text: string, file: string, overrides: Values): Promise<Replies["open"]> {
-    return this.ask({ kind: "open", text, file, overrides, folder: this.folder });
+  /** `opened` are the texts of the files that came with it, by their names. */
+  open(text: string, file: string, overrides: Values, opened: Record<string, string>): Promise<Replies["open"]> {
+    return this.ask({ kind: "open", text, file, overrides, opened, folder: this.folder });
   }
 
   advance(wall_s: number, speed: number): Promise<Replies["advance"]> {
@@ -30,6 +31,10 @@ export class EngineClient {
 
   step(): Promise<Replies["step"]> {
     return this.ask({ kind: "step" });
+  }
+
+  hydrostatics(): Promise<Replies["hydrostatics"]> {
+    return this.ask({ kind: "hydrostatics" });
   }
 
   input(name: string, value: number): Promise<null> {

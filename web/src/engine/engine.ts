@@ -120,6 +120,20 @@ function readShape(tagged: TaggedShape | null): Shape | null {
   return { kind: "point" };
 }
 
+/** How a hull floats at rest in still water, its crane as it stands. Pairs are across the ship and along it. */
+export interface HullAtRest {
+  /** Name of the force, as of {@link HullInfo}. */
+  force: string;
+  /** With hanging loads where they hang from, m. */
+  metacentric_height_m: [number, number];
+}
+
+export interface Hydrostatics {
+  hulls: HullAtRest[];
+  /** What a person should know of them. */
+  warnings: string[];
+}
+
 /** The settings of a resolved scenario, none of them left out. */
 export type Settings = Required<SimulationSettings>;
 
@@ -173,6 +187,8 @@ export interface Engine {
   /** Elevation of the sea at every crossing of the lines x and y, world, m, along the first x first. */
   surface(x: Float64Array, y: Float64Array): Float64Array;
   model_json(): string;
+  /** Throws where a hull cannot float. */
+  hydrostatics_json(): string;
   /** The scenario with defaults, parameters and overrides in place. */
   resolved_json(): string;
   inputs_json(): string;

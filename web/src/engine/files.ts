@@ -1,6 +1,15 @@
 /** Fetches a file's text; null where there is none. */
 export type FetchText = (url: string) => Promise<string | null>;
 
+/** Texts of files by their names. */
+export type Texts = Record<string, string>;
+
+/** Of the files that a scenario names those that a person opened with it, whatever folder it names them in. */
+export function openedWith(names: readonly string[], opened: Texts): Texts {
+  const found = names.map((name) => [name, opened[name.slice(name.lastIndexOf("/") + 1)]] as const);
+  return Object.fromEntries(found.filter(([, text]) => text !== undefined));
+}
+
 /**
  * The files that scenarios name, by the names that they give them: fetched from the gallery's
  * folder, each once. One that is not there is left out, for the engine says so best.
@@ -14,10 +23,10 @@ export class ScenarioFiles {
     private readonly fetchText: FetchText,
   ) {}
 
-  async take(names: readonly string[]): Promise<Record<string, string>> {
+  async take(names: readonly string[]): Promise<Texts> {
     const texts = await Promise.all(names.map((name) => this.text(name)));
     const there = names.map((name, i) => [name, texts[i]] as const).filter(([, text]) => text !== null);
-    return Object.fromEntries(there) as Record<string, string>;
+    return Object.fromEntries(there) as Texts;
   }
 
   private async text(name: string): Promise<string | null> {

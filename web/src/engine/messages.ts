@@ -1,4 +1,4 @@
-import type { Channel, Fault, InputInfo, ModelInfo, Settings, Values } from "./engine";
+import type { Channel, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Values } from "./engine";
 import type { Surface } from "./surface";
 
 export interface OpenRequest {
@@ -6,6 +6,8 @@ export interface OpenRequest {
   text: string;
   file: string;
   overrides: Values;
+  /** Texts of the files that were opened with it, by their names. */
+  opened: Record<string, string>;
   /** Address of the folder that has the files that scenarios name. */
   folder: string;
 }
@@ -14,6 +16,7 @@ export type Request =
   | OpenRequest
   | { kind: "advance"; wall_s: number; speed: number }
   | { kind: "step" }
+  | { kind: "hydrostatics" }
   | { kind: "input"; name: string; value: number };
 
 /** What a stretch of simulation produced. */
@@ -42,6 +45,7 @@ export interface Replies {
   open: Opened;
   advance: Frame;
   step: Frame;
+  hydrostatics: Hydrostatics;
   input: null;
 }
 

@@ -1,5 +1,5 @@
 import { asFault, readModel, readSettings } from "./engine";
-import type { Engine, Fault, OpenEngine, Values } from "./engine";
+import type { Engine, Fault, Hydrostatics, OpenEngine, Values } from "./engine";
 import type { Frame, Opened } from "./messages";
 import { SurfaceGrid } from "./surface";
 
@@ -59,6 +59,15 @@ export class Runner {
   step(): Frame {
     this.owed_s = 0;
     return this.frame(this.take(this.toNextRecord(), Infinity).rows);
+  }
+
+  /** How the hulls float at rest with the crane as it stands; a hull that cannot float is a warning. */
+  hydrostatics(): Hydrostatics {
+    try {
+      return JSON.parse(this.current().hydrostatics_json()) as Hydrostatics;
+    } catch (thrown) {
+      return { hulls: [], warnings: [asFault(thrown).message] };
+    }
   }
 
   input(name: string, value: number): void {

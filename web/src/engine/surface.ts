@@ -1,17 +1,23 @@
 import type { Engine, ModelInfo } from "./engine";
 
+/** Lines to each side of the middle that stand evenly. */
+const EVEN = 22;
+/** Lines beyond those to each side: each is further from the one before than that is, by this factor. */
+const BEYOND = 10;
+const GROWTH = 1.55;
+/** Even distances in a length of the longest hull. */
+const IN_A_LENGTH = 20;
+
+/** Of each line from the middle one, in lengths of the longest hull: close around it, sparse to the horizon. */
+export const OFFSETS: readonly number[] = offsets();
 /** Lines of the grid along each axis: of each wave the engine takes a sine a line, not a crossing. */
-export const LINES = 64;
-/** Width of the grid, in lengths of the longest hull. */
-const LENGTHS = 3.2;
+export const LINES = OFFSETS.length;
 
 /** The sea around the ship, on a square grid along the world's axes. */
 export interface Surface {
-  /** x of the first line, m. */
-  x_m: number;
-  /** y of the first line, m. */
-  y_m: number;
-  spacing_m: number;
+  /** Of the lines, m. */
+  x_m: Float64Array;
+  y_m: Float64Array;
   /** At every crossing, along the first x first, m. */
   elevation_m: Float64Array;
 }
@@ -20,7 +26,7 @@ export interface Surface {
 export class SurfaceGrid {
   private constructor(
     private readonly body: number,
-    private readonly spacing_m: number,
+    private readonly length_m: number,
     private readonly isLevel: boolean,
   ) {}
 
@@ -29,18 +35,25 @@ export class SurfaceGrid {
     if (!model.sea || model.hulls.length === 0) return null;
     const longest = model.hulls.reduce((a, b) => (b.length_m > a.length_m ? b : a));
     const body = model.bodies.findIndex(({ name }) => name === longest.body);
-    return new SurfaceGrid(body, (LENGTHS * longest.length_m) / (LINES - 1), model.sea.wave_components === 0);
+    return new SurfaceGrid(body, longest.length_m, model.sea.wave_components === 0);
   }
 
   /** The surface now. */
   surface(engine: Engine, poses: ArrayLike<number>): Surface {
-    const [x, y] = [poses[7 * this.body], poses[7 * this.body + 1]].map((at) => this.linesFrom(at));
-    const elevation_m = this.isLevel ? new Float64Array(LINES * LINES) : engine.surface(x, y);
-    return { x_m: x[0], y_m: y[0], spacing_m: this.spacing_m, elevation_m };
+    const [x_m, y_m] = [poses[7 * this.body], poses[7 * this.body + 1]].map((at) => this.linesAround(at));
+    return { x_m, y_m, elevation_m: this.isLevel ? new Float64Array(LINES * LINES) : engine.surface(x_m, y_m) };
   }
 
-  private linesFrom(middle_m: number): Float64Array {
-    const first = Math.round(middle_m / this.spacing_m) - LINES / 2;
-    return Float64Array.from({ length: LINES }, (_, i) => (first + i) * this.spacing_m);
+  /** The middle line is one of the even lines of the world. */
+  private linesAround(middle_m: number): Float64Array {
+    const even_m = this.length_m / IN_A_LENGTH;
+    const middle = Math.round(middle_m / even_m) * even_m;
+    return Float64Array.from(OFFSETS, (offset) => middle + offset * this.length_m);
   }
+}
+
+function offsets(): number[] {
+  const out = Array.from({ length: EVEN + 1 }, (_, i) => i / IN_A_LENGTH);
+  for (let k = 1; k <= BEYOND; k++) out.push(out[out.length - 1] + GROWTH ** k / IN_A_LENGTH);
+  return [...out.slice(1).reverse().map((offset) => -offset), ...out];
 }

@@ -1,7 +1,7 @@
 import init, { file_names, Simulation } from "./pkg/kingpost_wasm.js";
 import moduleUrl from "./pkg/kingpost_wasm_bg.wasm?url";
 import { asFault } from "./engine";
-import { fetchText, ScenarioFiles } from "./files";
+import { fetchText, openedWith, ScenarioFiles } from "./files";
 import type { Frame, OpenRequest, Reply, Request } from "./messages";
 import { Runner } from "./runner";
 
@@ -20,11 +20,13 @@ const runner = new Runner(
 
 const files = new Map<string, ScenarioFiles>();
 
-/** The files that a scenario names, from the folder that the page says. */
-async function filesOf({ text, file, overrides, folder }: OpenRequest): Promise<Record<string, string>> {
+/** The files that a scenario names: opened with it, else from the folder that the page says. */
+async function filesOf({ text, file, overrides, opened, folder }: OpenRequest): Promise<Record<string, string>> {
   const known = files.get(folder) ?? new ScenarioFiles(folder, fetchText);
   files.set(folder, known);
-  return known.take(JSON.parse(file_names(text, file, JSON.stringify(overrides))) as string[]);
+  const names = JSON.parse(file_names(text, file, JSON.stringify(overrides))) as string[];
+  const own = openedWith(names, opened);
+  return { ...(await known.take(names.filter((name) => !(name in own)))), ...own };
 }
 
 async function answer(request: Request): Promise<unknown> {
@@ -35,6 +37,8 @@ async function answer(request: Request): Promise<unknown> {
       return runner.advance(request.wall_s, request.speed);
     case "step":
       return runner.step();
+    case "hydrostatics":
+      return runner.hydrostatics();
     case "input":
       runner.input(request.name, request.value);
       return null;

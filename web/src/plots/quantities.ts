@@ -46,6 +46,7 @@ export function kindsOf(model: ModelInfo, channels: Channel[]): Record<FigureKey
   const bodies = floating.length > 0 ? floating : model.bodies.slice(0, 1).map((body) => body.name);
   const coordinates = labels("joint_position");
   const unitOf = coordinateUnits(model, channels);
+  const [turning, heaving] = [bodies.map(bodyAngles), model.hulls.map(heave)];
   return {
     rates: [
       ...bodies.map(bodyRates),
@@ -54,8 +55,8 @@ export function kindsOf(model: ModelInfo, channels: Channel[]): Record<FigureKey
       ...labels("point_velocity").map((name) => point(name, "velocity", "m/s")),
     ],
     angles: [
-      ...bodies.map(bodyAngles),
-      ...model.hulls.map(heave),
+      // A hull by itself heaves; what stands on one turns it.
+      ...(model.bodies.length === 1 ? [...heaving, ...turning] : [...turning, ...heaving]),
       ...coordinates.map((name) => coordinate(name, "position", "joint_position", unitOf(name), { m: "m", rad: "rad", deg: "°" })),
       ...labels("point_position").map((name) => point(name, "position", "m")),
     ],

@@ -27,8 +27,15 @@ const HEADINGS: Record<string, string> = {
 function lines(fault: Fault): HTMLElement[] {
   const heading = make("p", { class: "alert-heading" }, HEADINGS[fault.kind] ?? "Something went wrong");
   const message = make("p", { class: "alert-message", "data-testid": "alert-message" }, fault.message);
+  const words = [heading, message, ...advice(fault).map((text) => make("p", {}, text))];
   const details = facts(fault).map(([name, value]) => make("div", {}, make("dt", {}, name), make("dd", {}, value)));
-  return details.length > 0 ? [heading, message, make("dl", {}, ...details)] : [heading, message];
+  return details.length > 0 ? [...words, make("dl", {}, ...details)] : words;
+}
+
+/** What to do here about what the engine cannot know of. */
+function advice({ field, found }: Fault): string[] {
+  const isMissingFile = field?.endsWith(".database") && found?.startsWith("no file ");
+  return isMissingFile ? ["Open the scenario and its database together: choose both files, or drop both here."] : [];
 }
 
 /** The parts of a fault that are there, one by one: a long message is hard to take apart on a phone. */

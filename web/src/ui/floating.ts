@@ -1,28 +1,57 @@
 import { afloat } from "../app/afloat";
 import { fixed } from "../app/format";
 import type { Run, Session } from "../app/session";
+import type { Hydrostatics } from "../engine/engine";
 import type { Frame } from "../engine/messages";
 import { byId, byTestId, setText } from "./dom";
 
-/** How the ship floats, over the picture: heel, trim, draught and the wave, where there is a hull. */
-export class Floating {
-  private readonly list = byId("floating");
+/** Hydrostatics are asked for once the controls have been left alone for so long, ms: they cost more than a frame. */
+const CALM_MS = 250;
 
-  constructor(session: Session) {
+/** How the ship floats, over the picture: heel, trim, draught, the wave and the metacentric height, where there is a hull. */
+export class Floating {
+  private readonly box = byId("floating");
+  private readonly warnings = byId("floating-warnings");
+  private timer = 0;
+
+  constructor(private readonly session: Session) {
     session.listen({
-      opened: (run, frame) => this.show(run, frame),
+      opened: (run, frame) => {
+        this.show(run, frame);
+        this.showAtRest(null);
+        this.askSoon();
+      },
       advanced: (run, frame) => this.show(run, frame),
+      statusChanged: (status) => status === "paused" && this.askSoon(),
     });
   }
 
   private show(run: Run, frame: Frame): void {
     const found = afloat(run.model, run.columns, frame.row, frame.poses);
-    this.list.hidden = found === null;
+    this.box.hidden = found === null;
     if (!found) return;
     setText(byTestId("heel"), degrees(found.heel_rad));
     setText(byTestId("trim"), degrees(found.trim_rad));
     setText(byTestId("draught"), `${fixed(found.draught_m, 2)} m`);
     setText(byTestId("wave"), `${fixed(found.wave_m, 2)} m`);
+  }
+
+  private askSoon(): void {
+    clearTimeout(this.timer);
+    const { run } = this.session;
+    if (!run || run.model.hulls.length === 0) return;
+    this.timer = window.setTimeout(async () => {
+      const found = await this.session.hydrostatics().catch(() => null);
+      if (this.session.run === run) this.showAtRest(found);
+    }, CALM_MS);
+  }
+
+  /** Of the first hull, as the rest of the box. */
+  private showAtRest(found: Hydrostatics | null): void {
+    const height_m = found?.hulls[0]?.metacentric_height_m[0];
+    setText(byTestId("metacentric-height"), height_m === undefined ? "–" : `${fixed(height_m, 2)} m`);
+    this.warnings.hidden = !found || found.warnings.length === 0;
+    setText(this.warnings.querySelector("p")!, found?.warnings.join(" ") ?? "");
   }
 }
 

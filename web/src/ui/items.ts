@@ -64,11 +64,16 @@ export function number({ name, label, unit, range }: Numeric, set: (value: numbe
     name,
     element,
     show(value, pending) {
-      box.value = String(value);
+      box.value = typeof value === "number" ? withoutRounding(value) : String(value);
       if (slider) slider.value = String(value);
       mark(element, pending);
     },
   };
+}
+
+/** A number that was degrees, was turned to radians and back, as it was written. */
+export function withoutRounding(value: number): string {
+  return String(Number(value.toPrecision(12)));
 }
 
 function sliderFor(name: string, text: string, [lower, upper]: [number, number]): HTMLInputElement {

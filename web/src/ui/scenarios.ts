@@ -5,6 +5,8 @@ import type { Session } from "../app/session";
 import { byId, make } from "./dom";
 
 const FILE_OPTION = "a file of yours";
+/** How names of hydrodynamic databases end. */
+const DATABASE = ".hydro.json";
 
 /** Choosing a scenario: from the gallery, from a file, or dropped on the page. */
 export class Scenarios {
@@ -20,9 +22,9 @@ export class Scenarios {
     const input = byId<HTMLInputElement>("file");
     byId("open-file").addEventListener("click", () => input.click());
     input.addEventListener("change", () => {
-      const file = input.files?.[0];
+      const files = [...(input.files ?? [])];
       input.value = "";
-      if (file) void this.openFile(file);
+      void this.openFiles(files);
     });
     this.acceptDrops();
   }
@@ -47,8 +49,12 @@ export class Scenarios {
     if (await this.openNamed(name)) history.replaceState(null, "", `?scenario=${encodeURIComponent(name)}`);
   }
 
-  private async openFile(file: File): Promise<void> {
-    const source = { text: await file.text(), file: file.name };
+  /** A scenario, and with it the databases that it names. */
+  private async openFiles(files: File[]): Promise<void> {
+    const file = files.find(({ name }) => !name.endsWith(DATABASE)) ?? files[0];
+    if (!file) return;
+    const others = files.filter((other) => other !== file).map(async (other) => [other.name, await other.text()]);
+    const source = { text: await file.text(), file: file.name, opened: Object.fromEntries(await Promise.all(others)) };
     if (await this.session.open(source, {})) {
       this.shown = FILE_OPTION;
       this.fill(file.name);
@@ -76,8 +82,7 @@ export class Scenarios {
     addEventListener("drop", (event) => {
       event.preventDefault();
       show(-depth);
-      const file = event.dataTransfer?.files[0];
-      if (file) void this.openFile(file);
+      void this.openFiles([...(event.dataTransfer?.files ?? [])]);
     });
   }
 }

@@ -16,12 +16,13 @@ export function meshHullOf({ mesh, origin_m }: HullInfo & { mesh: MeshInfo }, pa
   const positions: number[] = [];
   const colours: number[] = [];
   const { low, high } = boxOfMesh(mesh);
-  let hasDeck = false;
-  for (const triangle of mesh.triangles) {
-    const corners = triangle.map((i): Vec3 => mesh.vertices_m[i]);
+  const faces = mesh.triangles.map((triangle) => triangle.map((i): Vec3 => mesh.vertices_m[i]));
+  const atTop = (corner: Vec3) => corner[2] > high[2] - 1e-3 * (high[2] - low[2]);
+  // A sphere has no deck.
+  const hasDeck = faces.some((corners) => corners.every(atTop));
+  for (const corners of faces) {
     const isAbove = corners.reduce((sum, corner) => sum + corner[2], 0) > 3 * origin_m[2];
-    const isDeck = isAbove && normalOf(corners)[2] > LEVEL;
-    hasDeck ||= isDeck && corners.every((corner) => corner[2] > high[2] - 1e-3 * (high[2] - low[2]));
+    const isDeck = hasDeck && isAbove && normalOf(corners)[2] > LEVEL;
     const { r, g, b } = isDeck ? palette.deck : isAbove ? palette.hull : palette.bottom;
     for (const corner of corners) {
       positions.push(...corner);

@@ -1,18 +1,23 @@
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Mesh, MeshStandardMaterial } from "three";
-import { LINES } from "../engine/surface";
+import { LINES, OFFSETS } from "../engine/surface";
 import type { Surface } from "../engine/surface";
 import type { Palette } from "./palette";
 
 /** Least height that the colours of trough and crest stand for, m: a ripple looks like one. */
 const LEAST_HEIGHT_M = 0.5;
-/** Where the water begins to fade, as a part of the half width. */
-const FADE_FROM = 0.45;
+/** Between these distances, in lengths of the hull, the waves level out: the lines get too far apart to carry them. */
+const LEVEL_BETWEEN = [2, 5];
+/** Between these the water fades into the sky. */
+const FADE_BETWEEN = [4, 11.5];
 
-/** The surface of the sea as the engine gives it, to be seen through; it fades out around the ship. */
+/** The surface of the sea as the engine gives it, to be seen through; far from the ship it is level and fades out. */
 export class Sea extends Mesh<BufferGeometry, MeshStandardMaterial> {
   private readonly positions = attribute(3);
   private readonly normals = attribute(3);
   private readonly colours = attribute(4);
+  private readonly heights = new Float32Array(LINES * LINES);
+  /** How much of the wave is drawn at each crossing. */
+  private readonly shares = byDistance(LEVEL_BETWEEN);
   private trough = new Color();
   private crest = new Color();
   /** The highest that was seen, m. */
@@ -25,6 +30,7 @@ export class Sea extends Mesh<BufferGeometry, MeshStandardMaterial> {
     this.geometry.setAttribute("normal", this.normals);
     this.geometry.setAttribute("color", this.colours);
     this.geometry.setIndex(triangles());
+    byDistance(FADE_BETWEEN).forEach((cover, at) => this.colours.setW(at, cover));
     this.frustumCulled = false;
     this.receiveShadow = true;
     this.visible = false;
@@ -45,34 +51,48 @@ export class Sea extends Mesh<BufferGeometry, MeshStandardMaterial> {
   show(surface: Surface | null): void {
     this.visible = surface !== null;
     if (!surface) return;
-    for (const elevation of surface.elevation_m) this.height_m = Math.max(this.height_m, Math.abs(elevation));
+    const { heights, shares } = this;
+    surface.elevation_m.forEach((elevation, at) => {
+      heights[at] = shares[at] * elevation;
+      if (Math.abs(heights[at]) > this.height_m) this.height_m = Math.abs(heights[at]);
+    });
     for (let i = 0; i < LINES; i++) for (let j = 0; j < LINES; j++) this.put(surface, i, j);
     for (const one of [this.positions, this.normals, this.colours]) one.needsUpdate = true;
   }
 
-  private put({ x_m, y_m, spacing_m, elevation_m }: Surface, i: number, j: number): void {
+  /** Once a crossing and frame: nothing is made here. */
+  private put({ x_m, y_m }: Surface, i: number, j: number): void {
+    const { heights, trough, crest } = this;
     const at = i * LINES + j;
-    const elevation = elevation_m[at];
-    this.positions.setXYZ(at, x_m + i * spacing_m, y_m + j * spacing_m, elevation);
-    const slope = (before: number, after: number, lines: number) => (elevation_m[after] - elevation_m[before]) / (lines * spacing_m);
-    const [west, east] = [Math.max(i - 1, 0), Math.min(i + 1, LINES - 1)];
-    const [south, north] = [Math.max(j - 1, 0), Math.min(j + 1, LINES - 1)];
-    const alongX = slope(west * LINES + j, east * LINES + j, east - west);
-    const alongY = slope(i * LINES + south, i * LINES + north, north - south);
-    const length = Math.hypot(alongX, alongY, 1);
-    this.normals.setXYZ(at, -alongX / length, -alongY / length, 1 / length);
-    const share = 0.5 + (0.5 * elevation) / this.height_m;
-    const mix = (key: "r" | "g" | "b") => this.trough[key] + share * (this.crest[key] - this.trough[key]);
-    this.colours.setXYZW(at, mix("r"), mix("g"), mix("b"), cover(i, j));
+    this.positions.setXYZ(at, x_m[i], y_m[j], heights[at]);
+    const west = i > 0 ? i - 1 : 0;
+    const east = i < LINES - 1 ? i + 1 : i;
+    const south = j > 0 ? j - 1 : 0;
+    const north = j < LINES - 1 ? j + 1 : j;
+    const alongX = (heights[east * LINES + j] - heights[west * LINES + j]) / (x_m[east] - x_m[west]);
+    const alongY = (heights[i * LINES + north] - heights[i * LINES + south]) / (y_m[north] - y_m[south]);
+    const up = 1 / Math.sqrt(alongX * alongX + alongY * alongY + 1);
+    this.normals.setXYZ(at, -alongX * up, -alongY * up, up);
+    const share = 0.5 + (0.5 * heights[at]) / this.height_m;
+    this.colours.setXYZ(
+      at,
+      trough.r + share * (crest.r - trough.r),
+      trough.g + share * (crest.g - trough.g),
+      trough.b + share * (crest.b - trough.b),
+    );
   }
 }
 
-/** How much of the water is there: all around the ship, nothing at the grid's edge. */
-function cover(i: number, j: number): number {
-  const half = (LINES - 1) / 2;
-  const away = Math.hypot(i - half, j - half) / half;
-  const t = Math.min(1, Math.max(0, (away - FADE_FROM) / (0.98 - FADE_FROM)));
-  return 1 - t * t * (3 - 2 * t);
+/** For each crossing 1 around the middle, 0 beyond, and smoothly down between these distances. */
+function byDistance([from, to]: number[]): Float32Array {
+  const shares = new Float32Array(LINES * LINES);
+  OFFSETS.forEach((x, i) =>
+    OFFSETS.forEach((y, j) => {
+      const t = Math.min(1, Math.max(0, (Math.hypot(x, y) - from) / (to - from)));
+      shares[i * LINES + j] = 1 - t * t * (3 - 2 * t);
+    }),
+  );
+  return shares;
 }
 
 function attribute(size: number): BufferAttribute {

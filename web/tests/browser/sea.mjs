@@ -1,5 +1,6 @@
 // Ships afloat: the sea is drawn as the engine has it, and the page says how the ship floats.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { close as near, numberIn, openApp, openFile, PHONE, sample, stepTo } from "./app.mjs";
 
 /** A barge in a regular wave, its data from the gallery's folder. */
@@ -71,19 +72,31 @@ export default {
     near(await numberIn(page, "wave"), row["wave_elevation.water"], 0.0051, "wave shown");
     // a cos(k (x cos b + y sin b) - w t), k = w^2 / g: the documented wave, at every crossing.
     const [omega, direction] = [(2 * Math.PI) / 4.5, (140 * Math.PI) / 180];
-    const { x_m, y_m, spacing_m } = surface;
-    const elevations = Object.values(surface.elevation_m);
-    const lines = Math.sqrt(elevations.length);
+    const [x_m, y_m, elevations] = [surface.x_m, surface.y_m, surface.elevation_m].map(Object.values);
     elevations.forEach((elevation, at) => {
-      const [x, y] = [x_m + Math.floor(at / lines) * spacing_m, y_m + (at % lines) * spacing_m];
+      const [x, y] = [x_m[Math.floor(at / y_m.length)], y_m[at % y_m.length]];
       const along = x * Math.cos(direction) + y * Math.sin(direction);
       near(elevation, 0.8 * Math.cos((omega ** 2 / 9.80665) * along - omega * time_s), 1e-9, `the surface at ${x}, ${y}`);
     });
-    const reach = (lines - 1) * spacing_m;
-    assert.ok(x_m < poses[0] - 10 && x_m + reach > poses[0] + 10 && y_m < poses[1] - 5 && y_m + reach > poses[1] + 5);
+    assert.ok(x_m[0] < poses[0] - 10 && x_m.at(-1) > poses[0] + 10 && y_m[0] < poses[1] - 5 && y_m.at(-1) > poses[1] + 5);
     await page.getByTestId("choice-angles").selectOption("Heave of hull");
     await page.waitForTimeout(500);
     near(await numberIn(page, "pitch-angles"), row["hull.position.z"], 1e-4, "heave plotted");
+    await close();
+  },
+
+  async "says the fluid metacentric height, and warns of a hull that lies on the water"(host) {
+    const { page, close } = await openBarge(host);
+    const height = page.getByTestId("metacentric-height");
+    const shown = () => page.waitForFunction(() => document.querySelector("[data-testid=metacentric-height]").textContent !== "–");
+    await shown();
+    // KB + BM - KG = T/2 + B^2/(12 T) - T, the centre of mass on the water plane.
+    near(Number.parseFloat(await height.textContent()), 1 + 100 / 24 - 2, 0.0051, "GM");
+    assert.equal(await page.getByTestId("floating-warnings").isVisible(), false);
+    await page.getByTestId("gallery").selectOption("paper_true_draught");
+    await page.getByTestId("floating-warnings").waitFor();
+    await page.getByTestId("floating-warnings").click();
+    assert.match(await page.getByTestId("floating-warnings").textContent(), /its bottom comes out of the water at about 0\.67 deg/);
     await close();
   },
 
@@ -106,7 +119,22 @@ export default {
     // The address of a file that is not there is an error in the console too.
     await openFile(page, "lost.yaml", BARGE.replace("hydro/barge.hydro.json", "../lost.hydro.json"));
     await page.waitForFunction(() => document.querySelector("[data-testid=alert]").textContent.includes("no file"));
-    assert.match(await page.getByTestId("alert").textContent(), /lost\.hydro\.json/);
+    assert.match(await page.getByTestId("alert").textContent(), /lost\.hydro\.json.*Open the scenario and its database together/);
+    await close();
+  },
+
+  async "opens a scenario with a database of the person's own"(host) {
+    const { page, close } = await openApp(host);
+    const database = readFileSync(new URL("../../../scenarios/hydro/barge.hydro.json", import.meta.url));
+    await page.getByTestId("file").setInputFiles([
+      { name: "mine.hydro.json", mimeType: "application/json", buffer: database },
+      { name: "mine.yaml", mimeType: "text/yaml", buffer: Buffer.from(BARGE.replace("hydro/barge.hydro.json", "data/mine.hydro.json")) },
+    ]);
+    await opened(page, "A barge in a regular wave");
+    await stepTo(page, 0.5);
+    await page.getByTestId("reset").click();
+    await page.waitForFunction(() => window.kingpost.sample().time_s === 0);
+    near(await numberIn(page, "draught"), 2, 0.005, "draught");
     await close();
   },
 };
