@@ -11,6 +11,7 @@ from .batch import Batch
 from .errors import KingpostError, RunError, ScenarioError
 from .gradients import gradient
 from .linear import Equilibrium, Linearization
+from .response import rao
 from .scenario import Scenario, load
 from .simulate import Input, Simulation, State, run
 from .vibration import equilibrium, modes
@@ -31,5 +32,6 @@ __all__ = [
     "gradient",
     "load",
     "modes",
+    "rao",
     "run",
 ]

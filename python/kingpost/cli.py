@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import os
 import sys
 from collections.abc import Sequence
@@ -65,6 +66,18 @@ def parser() -> argparse.ArgumentParser:
     modes.add_argument("-o", "--output", metavar="FILE", help="modes with their shapes: .nc or .csv")
     modes.add_argument("--sweep", metavar="name=from:to:n", help="n values of a parameter or a field")
     modes.set_defaults(command=_modes)
+
+    rao = commands.add_parser("rao", help="response of ship and crane to regular waves")
+    _add_scenario(rao)
+    rao.add_argument(
+        "-o", "--output", metavar="FILE", help="amplitudes and phases: .nc, .csv; .png for a picture"
+    )
+    rao.add_argument("--directions_deg", nargs="+", type=float, metavar="D",
+                     help="that waves go to; 180 is a head sea at heading 0 (default: every 45)")  # fmt: skip
+    rao.add_argument("--frequencies_rad_s", metavar="from:to:n", help="default: what the hull's data cover")
+    rao.add_argument("--points", nargs="+", metavar="NAME",
+                     help="bodies and named points, as arm.tip (default: the main ones)")  # fmt: skip
+    rao.set_defaults(command=_rao)
 
     statistics = commands.add_parser("statistics", help="statistics and extremes of recorded runs")
     statistics.add_argument("files", nargs="+", metavar="FILE", help="results in NetCDF, one for each seed")
@@ -148,6 +161,23 @@ def _modes(options: argparse.Namespace) -> int:
     print(modes_report.text(found))
     if output:
         print(f"\nwritten  {vibration.write(found, output)}")
+    return DONE
+
+
+def _rao(options: argparse.Namespace) -> int:
+    from . import response, response_report, results
+
+    scenario = _scenario(options)
+    output = results.check_output(options.output, response.ENDINGS) if options.output is not None else None
+    found = response.rao(
+        scenario,
+        None if options.directions_deg is None else [math.radians(angle) for angle in options.directions_deg],
+        None if options.frequencies_rad_s is None else response.parse_range(options.frequencies_rad_s),
+        response.main_points(scenario) if options.points is None else options.points,
+    )
+    print(response_report.text(found))
+    if output:
+        print(f"\nwritten  {response.write(found, output)}")
     return DONE
 
 

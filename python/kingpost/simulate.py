@@ -242,6 +242,20 @@ class Simulation:
         """
         return Equilibrium(*self._engine.settle())
 
+    def wave_response(self, directions_rad: ArrayLike, frequencies_rad_s: ArrayLike) -> dict[str, Any]:
+        """What `kingpost.rao` labels: complex amplitudes of all motions by direction and frequency, with
+        the crane as it stands now; no frequencies ask for those of the hull's database, refined.
+
+        >>> found = Simulation(load("barge")).wave_response([0.0], [1.0])
+        >>> found["places"]
+        ['ship', 'tower', 'arm', 'load', 'tower.top', 'arm.tip']
+        """
+        waves = {
+            "directions_rad": np.asarray(directions_rad, float).tolist(),
+            "frequencies_rad_s": np.asarray(frequencies_rad_s, float).tolist(),
+        }
+        return json.loads(self._engine.wave_response_json(json.dumps(waves)))
+
     def hydrostatics(self) -> dict[str, Any]:
         """As `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed coordinates stay,
         the rest comes to rest in still water. The simulation itself does not move.

@@ -208,6 +208,13 @@ impl Simulation {
         serde_json::to_string(&matrices).map_err(errors::input)
     }
 
+    /// The response to regular waves about rest, as JSON; of directions and frequencies as JSON.
+    fn wave_response_json(&self, py: Python<'_>, waves_json: &str) -> PyResult<String> {
+        let waves = serde_json::from_str(waves_json).map_err(errors::input)?;
+        let found = py.detach(|| self.scenario.wave_response(&self.inner, &waves)).map_err(errors::input)?;
+        serde_json::to_string(&found).map_err(errors::input)
+    }
+
     /// How the hulls float at rest with the crane as it stands, as JSON.
     fn hydrostatics_json(&self, py: Python<'_>) -> PyResult<String> {
         let report = py.detach(|| self.scenario.hydrostatic_report_at(&self.inner));

@@ -99,6 +99,12 @@ impl Linearizer {
         Ok(Self { tangent: Tangent::new(plant, inputs.len()), states, inputs, along, prescribed })
     }
 
+    /// The same without the sea's waves, and with what is prescribed held.
+    pub fn at_rest(mut self) -> Self {
+        self.tangent.set_at_rest(true);
+        self
+    }
+
     /// Indices in v of the free coordinates, in the order of the states.
     pub fn positions(&self) -> impl Iterator<Item = usize> + '_ {
         self.along.iter().filter_map(|along| if let Along::Position(i) = along { Some(*i) } else { None })

@@ -3,6 +3,8 @@
 
 mod gradient;
 mod linearization;
+mod response;
 
 pub use gradient::{Gradient, gradient};
 pub use linearization::{Linearization, Linearizer};
+pub use response::{ResponseError, WaveGrid, WaveResponse};

@@ -61,6 +61,11 @@ impl Tangent {
         }
     }
 
+    /// As [`Plant::set_at_rest`].
+    pub fn set_at_rest(&mut self, at_rest: bool) {
+        self.plant.set_at_rest(at_rest);
+    }
+
     /// Begins to watch the closed loops at q, as [`Plant::watch_loops`].
     pub fn watch_loops(&mut self, q: &[f64]) {
         self.q.iter_mut().zip(q).for_each(|(to, from)| *to = Number::constant(*from));

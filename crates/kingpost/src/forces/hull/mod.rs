@@ -8,6 +8,7 @@ mod excitation;
 mod place;
 mod radiation;
 
+pub(crate) use by_heading::ByHeading;
 pub use excitation::Excitation;
 pub use place::{HullFrame, HullMotion, SLOW_FRAME_LEN, SlowFrame};
 pub use radiation::Radiation;

@@ -1,0 +1,158 @@
+//! How ship and crane answer small regular waves: response amplitude operators.
+
+mod excitation;
+mod output;
+
+use super::Linearizer;
+use crate::scenario::{Scenario, ScenarioError};
+use crate::simulation::{NoEquilibrium, Simulation};
+use excitation::WaveLoads;
+use nalgebra::{Complex, DMatrix};
+use output::Outputs;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Regular waves.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct WaveGrid {
+    /// Directions that they go to, from the world's x counter-clockwise, rad.
+    pub directions_rad: Vec<f64>,
+    /// Angular frequencies, rad/s; none for those of the first hull's database and three between each two.
+    pub frequencies_rad_s: Vec<f64>,
+}
+
+/// Motions of ship and crane for each metre of wave amplitude, as complex amplitudes H: under the wave
+/// elevation `Re{a e^(-i w t)}` at the reference point a motion is `Re{a H e^(-i w t)}`, so that the
+/// argument of H is its lag behind the crest there.
+///
+/// Motions are small, about the equilibrium in still water with held and prescribed coordinates where
+/// they stand. The reference point is the origin of the first hull's database, on the water plane.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct WaveResponse {
+    /// Directions that the waves go to, rad.
+    pub directions_rad: Vec<f64>,
+    /// Angular frequencies, rad/s.
+    pub frequencies_rad_s: Vec<f64>,
+    /// Reference point of the phases, world, m.
+    pub reference_m: [f64; 2],
+    /// Bodies, whose place is their centre of mass, then named points as `arm.tip`.
+    pub places: Vec<String>,
+    /// Bodies whose angles are given.
+    pub bodies: Vec<String>,
+    /// Free coordinates.
+    pub coordinates: Vec<String>,
+    /// Names of the states, as of a [`Linearization`](super::Linearization).
+    pub states: Vec<String>,
+    /// Real parts of H, by direction, frequency and row. Rows are x, y, z of each place (world, m/m),
+    /// roll, pitch, yaw of each body (rad/m), then the local coordinates of the free coordinates.
+    pub real: Vec<f64>,
+    /// Imaginary parts, alike.
+    pub imaginary: Vec<f64>,
+    /// The states themselves: real and imaginary parts by direction, frequency and state.
+    #[serde(skip)]
+    pub of_states: Vec<[f64; 2]>,
+    /// What a user should know.
+    pub warnings: Vec<String>,
+}
+
+/// Why there is no response.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum ResponseError {
+    /// A scenario that does not build.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    /// Nothing to answer about.
+    #[error(transparent)]
+    NoEquilibrium(#[from] NoEquilibrium),
+    /// No waves act.
+    #[error("forces: found no hull that waves act on, allowed: a hydrodynamics force with excitation on")]
+    NoHull,
+    /// A direction or frequency.
+    #[error("{quantity}: found {found}, allowed: {allowed}")]
+    Wave {
+        /// `directions_rad` or `frequencies_rad_s`.
+        quantity: &'static str,
+        /// The value.
+        found: f64,
+        /// What it may be.
+        allowed: String,
+    },
+    /// A frequency at which an undamped motion has no bound.
+    #[error("frequencies_rad_s: found {found}, allowed: none at which an undamped motion resonates")]
+    Resonance {
+        /// The frequency, rad/s.
+        found: f64,
+    },
+}
+
+impl Scenario {
+    /// How a simulation of it answers regular waves about where it would come to rest in still water.
+    ///
+    /// With A of the linearised system, whose states hold the memory of radiation, and the wave loads'
+    /// accelerations b = M*^-1 J^T X, `(-i w - A) x = b a`: for a hull alone
+    /// `(-w^2 (M + A(w)) - i w B(w) + C) xi = X a` (Newman, *Marine Hydrodynamics*, 1977, sec. 6.17), with
+    /// A(w) and B(w) of the fitted radiation. X is that of the database, turned to the heading and moved by
+    /// the phase of the hull's place. Quadratic damping is 0 at rest and plays no part.
+    ///
+    /// # Errors
+    /// No equilibrium, no hull, a frequency that a database does not cover.
+    pub fn wave_response(&self, simulation: &Simulation, waves: &WaveGrid) -> Result<WaveResponse, ResponseError> {
+        if !self.has_wave_loads() {
+            return Err(ResponseError::NoHull);
+        }
+        let mut rest = simulation.clone();
+        rest.settle()?;
+        let mut linearizer = Linearizer::new(self)?.at_rest();
+        let free: Vec<usize> = linearizer.positions().collect();
+        let linear = linearizer.at(&rest);
+        let loads = WaveLoads::new(self, &mut rest, &free)?;
+        let frequencies_rad_s = loads.frequencies(&waves.frequencies_rad_s)?;
+        check_directions(&waves.directions_rad)?;
+        let outputs = Outputs::new(&rest, &free);
+
+        let (states, directions) = (linear.states.len(), waves.directions_rad.len());
+        let width = outputs.rows();
+        let numbers = directions * frequencies_rad_s.len();
+        let (mut real, mut imaginary) = (vec![0.0; numbers * width], vec![0.0; numbers * width]);
+        let mut of_states = vec![[0.0; 2]; numbers * states];
+        for (k, &omega) in frequencies_rad_s.iter().enumerate() {
+            let mut right = DMatrix::<Complex<f64>>::zeros(states, directions);
+            let pushed = loads.accelerations(omega, &waves.directions_rad);
+            right.view_mut((free.len(), 0), (free.len(), directions)).copy_from(&pushed);
+            let system = DMatrix::from_fn(states, states, |i, j| {
+                Complex::new(-linear.a[(i, j)], if i == j { -omega } else { 0.0 })
+            });
+            let x = system.lu().solve(&right).ok_or(ResponseError::Resonance { found: omega })?;
+            for direction in 0..directions {
+                let at = direction * frequencies_rad_s.len() + k;
+                let x = x.column(direction);
+                for (to, x) in of_states[at * states..].iter_mut().zip(x.iter()) {
+                    *to = [x.re, x.im];
+                }
+                let motions = outputs.of(&x.rows(0, free.len()).into_owned());
+                for (row, h) in motions.iter().enumerate() {
+                    (real[at * width + row], imaginary[at * width + row]) = (h.re, h.im);
+                }
+            }
+        }
+        Ok(WaveResponse {
+            directions_rad: waves.directions_rad.clone(),
+            frequencies_rad_s,
+            reference_m: loads.reference_m(),
+            places: outputs.places,
+            bodies: outputs.bodies,
+            coordinates: rest.coordinates(),
+            states: linear.states,
+            real,
+            imaginary,
+            of_states,
+            warnings: self.hydrostatic_report_at(&rest).map_or_else(|_| Vec::new(), |report| report.warnings),
+        })
+    }
+}
+
+fn check_directions(directions_rad: &[f64]) -> Result<(), ResponseError> {
+    let wrong = directions_rad.iter().find(|direction| !direction.is_finite());
+    let allowed = "finite numbers".to_owned();
+    wrong.map_or(Ok(()), |&found| Err(ResponseError::Wave { quantity: "directions_rad", found, allowed }))
+}

@@ -1,0 +1,64 @@
+//! Motions of bodies and named points by those of the free coordinates.
+
+use super::excitation::{kinematics, twists};
+use crate::simulation::Simulation;
+use crate::spatial::{Matrix3, Twist, Vector3};
+use nalgebra::{Complex, DMatrix, DVector};
+
+/// The rows of a response.
+pub(super) struct Outputs {
+    pub(super) places: Vec<String>,
+    pub(super) bodies: Vec<String>,
+    /// Of places and angles, by free coordinate.
+    jacobian: DMatrix<Complex<f64>>,
+}
+
+impl Outputs {
+    pub(super) fn new(rest: &Simulation, free: &[usize]) -> Self {
+        let (model, q) = (rest.model(), &rest.state().q);
+        let (at, twists) = (kinematics(model, q), twists(model, q, free));
+        let mut places: Vec<(String, usize, Vector3)> = Vec::new();
+        places.extend(model.bodies.iter().enumerate().map(|(i, body)| (body.name.clone(), i, Vector3::zero())));
+        for (i, body) in model.bodies.iter().enumerate() {
+            places.extend(body.points.iter().map(|(name, r)| (format!("{}.{name}", body.name), i, *r)));
+        }
+        let mut rows: Vec<Vec<[f64; 3]>> = Vec::new();
+        for (_, body, r) in &places {
+            let rotation = at.world[*body].rotation;
+            let moved = |twist: &Vec<Twist>| (rotation * (twist[*body].linear + twist[*body].angular.cross(*r))).0;
+            rows.push(twists.iter().map(moved).collect());
+        }
+        for body in 0..model.bodies.len() {
+            let rotation = at.world[body].rotation;
+            rows.push(twists.iter().map(|twist| euler_rates(&rotation, twist[body].angular)).collect());
+        }
+        let entry = |row: usize, column: usize| Complex::new(rows[row / 3][column][row % 3], 0.0);
+        Self {
+            jacobian: DMatrix::from_fn(3 * rows.len(), free.len(), entry),
+            places: places.into_iter().map(|(name, ..)| name).collect(),
+            bodies: model.bodies.iter().map(|body| body.name.clone()).collect(),
+        }
+    }
+
+    /// Number of rows.
+    pub(super) fn rows(&self) -> usize {
+        self.jacobian.nrows() + self.jacobian.ncols()
+    }
+
+    /// All rows by small motions of the free coordinates.
+    pub(super) fn of(&self, xi: &DVector<Complex<f64>>) -> Vec<Complex<f64>> {
+        let motions = &self.jacobian * xi;
+        motions.iter().chain(xi.iter()).copied().collect()
+    }
+}
+
+/// Rates of roll, pitch and yaw of `R = Rz Ry Rx` by an angular velocity in body axes; not finite where
+/// the body's x axis is upright.
+fn euler_rates(rotation: &Matrix3, angular: Vector3) -> [f64; 3] {
+    let Matrix3([.., [down, across, up]]) = *rotation;
+    // sin and cos of the roll times cos of the pitch are across and up; sin of the pitch is -down.
+    let cos_squared = across * across + up * up;
+    let cos = libm::sqrt(cos_squared);
+    let turning = (across * angular[1] + up * angular[2]) / cos_squared;
+    [angular[0] - down * turning, (up * angular[1] - across * angular[2]) / cos, turning]
+}
