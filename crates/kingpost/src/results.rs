@@ -124,7 +124,7 @@ struct Table<S>(PhantomData<S>);
 #[rustfmt::skip]
 impl<S: Scalar> Table<S> {
     /// Every channel: the single source of names, units and frames.
-    const ENTRIES: [Entry<S>; 39] = [
+    const ENTRIES: [Entry<S>; 40] = [
         Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
         Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
             write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
@@ -159,6 +159,8 @@ impl<S: Scalar> Table<S> {
             write: |x, out| out.extend(x.observed.hulls.iter().map(|hull| hull.wave_elevation)) },
         Entry { variable: "excitation_force", long_name: "force and moment of the incident waves, about the hull's reference point", unit: Plain("N, N m"), frame: InSlowFrame, dims: &[Hull, Component],
             write: |x, out| out.extend(x.observed.hulls.iter().flat_map(|hull| hull.excitation_force)) },
+        Entry { variable: "drift_force", long_name: "mean and slowly varying force and moment of the waves on a hull, about its reference point", unit: Plain("N, N m"), frame: InSlowFrame, dims: &[Hull, Component],
+            write: |x, out| out.extend(x.observed.hulls.iter().flat_map(|hull| hull.drift_force)) },
         Entry { variable: "radiation_force", long_name: "force and moment of the waves that the hull has made, added mass apart, about its reference point", unit: Plain("N, N m"), frame: InSlowFrame, dims: &[Hull, Component],
             write: |x, out| out.extend(x.observed.hulls.iter().flat_map(|hull| hull.radiation_force)) },
         Entry { variable: "water_kinetic_energy", long_name: "the water's part of the kinetic energy, by the infinite-frequency added mass", unit: Plain("J"), frame: Number, dims: &[Hull],

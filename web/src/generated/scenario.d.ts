@@ -1388,6 +1388,18 @@ export type Waves =
     }
   | {
       pierson_moskowitz: PiersonMoskowitz;
+    }
+  | {
+      ochi_hubble: OchiHubble;
+    }
+  | {
+      torsethaugen: PiersonMoskowitz;
+    }
+  | {
+      spectrum: SpectrumTable;
+    }
+  | {
+      record: ElevationRecord;
     };
 /**
  * A regular wave.
@@ -1453,7 +1465,7 @@ export type Jonswap = {
   realisation?: WaveRealisation;
 };
 /**
- * A sea by the Pierson-Moskowitz spectrum.
+ * A sea by significant height and peak period: the Pierson-Moskowitz spectrum, or Torsethaugen's.
  */
 export type PiersonMoskowitz = {
   /**
@@ -1477,6 +1489,94 @@ export type PiersonMoskowitz = {
    */
   direction_deg?: number;
   realisation?: WaveRealisation1;
+};
+/**
+ * A sea of two parts, each with a spectrum of three parameters.
+ */
+export type OchiHubble = {
+  /**
+   * Whether it runs.
+   */
+  enabled?: boolean;
+  swell: OchiHubblePart;
+  wind_sea: OchiHubblePart1;
+  /**
+   * Mean direction that the waves of both go to, rad.
+   */
+  direction_rad?: number;
+  /**
+   * The same as `direction_rad`, in the unit of this name.
+   */
+  direction_deg?: number;
+  realisation?: WaveRealisation2;
+};
+/**
+ * A sea whose spectrum is given as a table.
+ */
+export type SpectrumTable = {
+  /**
+   * Whether it runs.
+   */
+  enabled?: boolean;
+  /**
+   * Angular frequency, rad/s, and density S of the elevation's variance, m^2 s/rad, row by row; linear between rows, no
+   * waves outside.
+   */
+  rows: [number, number][];
+  /**
+   * Mean direction that the waves go to, rad.
+   */
+  direction_rad?: number;
+  /**
+   * The same as `direction_rad`, in the unit of this name.
+   */
+  direction_deg?: number;
+  realisation?: WaveRealisation3;
+};
+/**
+ * Waves that were measured at one point, in a direction that one point cannot tell. The sea repeats after the record's
+ * length; its mean is left out.
+ */
+export type ElevationRecord = {
+  /**
+   * Whether it runs.
+   */
+  enabled?: boolean;
+  /**
+   * CSV file beside the scenario's own, with the header `time_s,elevation_m` and equal intervals of time.
+   */
+  file: string;
+  /**
+   * Where it was measured, x and y in the world, m.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  position_m?: [number, number];
+  /**
+   * Direction that the waves go to, rad.
+   */
+  direction_rad?: number;
+  /**
+   * The same as `direction_rad`, in the unit of this name.
+   */
+  direction_deg?: number;
+  /**
+   * Waves of less than this frequency are left out, rad/s; without it, none.
+   */
+  lowest_rad_s?: number | null;
+  /**
+   * The same as `lowest_rad_s`, in the unit of this name.
+   */
+  lowest_deg_s?: number | null;
+  /**
+   * Waves of more than this frequency are left out, rad/s; without it, those above half the sampling frequency.
+   */
+  highest_rad_s?: number | null;
+  /**
+   * The same as `highest_rad_s`, in the unit of this name.
+   */
+  highest_deg_s?: number | null;
 };
 /**
  * The wind: steady, the same everywhere at one height.
@@ -1655,6 +1755,16 @@ export type Hydrodynamics = {
    * Whether the sea's waves act on it.
    */
   excitation?: boolean;
+  /**
+   * Whether the waves' own pressure acts on what their surface wets of the mesh, instead of the linear Froude-Krylov
+   * force: large motions and high waves. Excitation is then by diffraction alone. Needs `hydrostatics: mesh`.
+   */
+  wave_pressure?: boolean;
+  /**
+   * Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and sway
+   * force, yaw moment. The database's coefficients hold for the loading that they were computed for.
+   */
+  wave_drift?: boolean;
   /**
    * First-order wave loads are taken at the place and heading that pass a filter of first order with this cut-off,
    * rad/s: well below the waves' frequencies, above those of the ship's drift.
@@ -2636,6 +2746,74 @@ export interface WaveRealisation {
  * How the realisation is made.
  */
 export interface WaveRealisation1 {
+  /**
+   * Number of components.
+   */
+  components?: number;
+  /**
+   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   */
+  amplitudes?: "deterministic" | "random";
+  /**
+   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   */
+  spreading_exponent?: number | null;
+}
+/**
+ * Swell.
+ */
+export interface OchiHubblePart {
+  /**
+   * Significant wave height of the part, m.
+   */
+  significant_height_m: number;
+  /**
+   * Period at the part's peak, s.
+   */
+  peak_period_s: number;
+  /**
+   * Shape lambda, from 0.5 to 20: with 1 the part is a Pierson-Moskowitz spectrum, with more it is narrower.
+   */
+  shape: number;
+}
+/**
+ * Wind sea.
+ */
+export interface OchiHubblePart1 {
+  /**
+   * Significant wave height of the part, m.
+   */
+  significant_height_m: number;
+  /**
+   * Period at the part's peak, s.
+   */
+  peak_period_s: number;
+  /**
+   * Shape lambda, from 0.5 to 20: with 1 the part is a Pierson-Moskowitz spectrum, with more it is narrower.
+   */
+  shape: number;
+}
+/**
+ * How the realisation is made.
+ */
+export interface WaveRealisation2 {
+  /**
+   * Number of components.
+   */
+  components?: number;
+  /**
+   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   */
+  amplitudes?: "deterministic" | "random";
+  /**
+   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   */
+  spreading_exponent?: number | null;
+}
+/**
+ * How the realisation is made.
+ */
+export interface WaveRealisation3 {
   /**
    * Number of components.
    */

@@ -157,7 +157,7 @@ impl Scenario {
     fn database_of(&self, force: &str) -> Option<&Database> {
         let (_, force) = self.forces.iter().find(|(name, _)| name.as_str() == force)?;
         let schema::Force::Hydrodynamics(given) = force else { return None };
-        self.databases.get(&given.database).map(|database| &**database)
+        self.files.database(&given.database).map(|database| &**database)
     }
 }
 

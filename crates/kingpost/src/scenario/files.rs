@@ -1,8 +1,9 @@
 //! Files that a scenario names: their texts come from the host, for the engine reads no disk.
 
 use super::error::FieldError;
-use super::schema::{Force, Scenario};
+use super::schema::{Force, Scenario, Waves};
 use crate::sea::database::Database;
+use crate::sea::waves::ElevationTable;
 use indexmap::IndexMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -19,15 +20,18 @@ impl Files {
         Self { texts: texts.into_iter().collect(), databases: Mutex::default() }
     }
 
-    /// The database of a file that `field` names.
+    /// The text of a file, which is one of these, that `field` names.
+    fn text(&self, field: &str, name: &str, what: &str) -> Result<&str, FieldError> {
+        let text = self.texts.get(name).map(String::as_str);
+        text.ok_or_else(|| FieldError::new(field, format!("no file {name}"), format!("{what} that is there")))
+    }
+
     fn database(&self, field: &str, name: &str) -> Result<Arc<Database>, FieldError> {
         let mut known = self.databases.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(database) = known.get(name) {
             return Ok(Arc::clone(database));
         }
-        let Some(text) = self.texts.get(name) else {
-            return Err(FieldError::new(field, format!("no file {name}"), "a hydrodynamic database that is there"));
-        };
+        let text = self.text(field, name, "a hydrodynamic database")?;
         let database = Database::read(text).map_err(|error| {
             FieldError::new(field, format!("{name}: {}: {}", error.field, error.found), error.allowed)
         })?;
@@ -35,24 +39,47 @@ impl Files {
         known.insert(name.to_owned(), Arc::clone(&database));
         Ok(database)
     }
-}
 
-/// The hydrodynamic databases that a scenario names, by file name.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Databases(IndexMap<String, Arc<Database>>);
-
-impl Databases {
-    /// The database of a file.
-    pub fn get(&self, name: &str) -> Option<&Arc<Database>> {
-        self.0.get(name)
+    fn record(&self, field: &str, name: &str) -> Result<Arc<ElevationTable>, FieldError> {
+        let table = ElevationTable::read_csv(self.text(field, name, "a record of the elevation")?);
+        let table = table.map_err(|error| {
+            FieldError::new(field, format!("{name}: {}: {}", error.field, error.found), error.allowed)
+        });
+        Ok(Arc::new(table?))
     }
 }
 
+/// What is in the files that a scenario names, by their names.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct NamedFiles {
+    databases: IndexMap<String, Arc<Database>>,
+    records: IndexMap<String, Arc<ElevationTable>>,
+}
+
+impl NamedFiles {
+    /// The hydrodynamic database of a file.
+    pub fn database(&self, name: &str) -> Option<&Arc<Database>> {
+        self.databases.get(name)
+    }
+
+    /// The record of the sea's elevation of a file.
+    pub fn record(&self, name: &str) -> Option<&Arc<ElevationTable>> {
+        self.records.get(name)
+    }
+}
+
+/// What a file is to the scenario that names it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Database,
+    Record,
+}
+
 impl Scenario {
-    /// Names of the files that it stands on, in the order of the forces, each once.
+    /// Names of the files that it stands on, in its order, each once.
     pub fn file_names(&self) -> Vec<&str> {
         let mut names = Vec::new();
-        for (_, name) in self.database_fields() {
+        for (_, name, _) in self.file_fields() {
             if !names.contains(&name) {
                 names.push(name);
             }
@@ -62,20 +89,33 @@ impl Scenario {
 
     /// Takes over the files that it names.
     pub(super) fn take_files(&mut self, files: &Files) -> Result<(), FieldError> {
-        let named = self.database_fields().into_iter();
-        let read = named.map(|(field, name)| Ok((name.to_owned(), files.database(&field, name)?)));
-        self.databases = Databases(read.collect::<Result<_, _>>()?);
+        let mut taken = NamedFiles::default();
+        for (field, name, kind) in self.file_fields() {
+            match kind {
+                Kind::Database => drop(taken.databases.insert(name.to_owned(), files.database(&field, name)?)),
+                Kind::Record => drop(taken.records.insert(name.to_owned(), files.record(&field, name)?)),
+            }
+        }
+        self.files = taken;
         Ok(())
     }
 
-    /// Fields that name databases, of forces that act, and the names.
-    fn database_fields(&self) -> Vec<(String, &str)> {
+    /// Fields that name files, of what is enabled, and the names.
+    fn file_fields(&self) -> Vec<(String, &str, Kind)> {
         let mut fields = Vec::new();
+        for (name, waves) in self.sea.iter().flat_map(|sea| &sea.waves) {
+            if let Waves::Record(record) = waves
+                && record.enabled
+            {
+                fields.push((format!("sea.waves.{name}.record.file"), record.file.as_str(), Kind::Record));
+            }
+        }
         for (name, force) in &self.forces {
             if let Force::Hydrodynamics(water) = force
                 && water.enabled
             {
-                fields.push((format!("forces.{name}.hydrodynamics.database"), water.database.as_str()));
+                let field = format!("forces.{name}.hydrodynamics.database");
+                fields.push((field, water.database.as_str(), Kind::Database));
             }
         }
         fields

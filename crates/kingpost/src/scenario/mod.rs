@@ -23,7 +23,7 @@ pub mod wording;
 
 pub use assignment::parse_assignment;
 pub use error::{FieldError, ScenarioError};
-pub use files::{Databases, Files};
+pub use files::{Files, NamedFiles};
 pub use read::{file_names, read, read_with};
 pub use schema::Scenario;
 pub use units::{UNIT_ALIASES, UnitAlias};

@@ -68,7 +68,7 @@ impl Scenario {
         let scenario = serde_json::from_value(whole);
         let scenario: Self =
             scenario.map_err(|_| FieldError::new(name, wording::NO_DERIVATIVE, wording::CONTINUOUS))?;
-        let scenario = Self { databases: self.databases.clone(), ..scenario };
+        let scenario = Self { files: self.files.clone(), ..scenario };
         Ok((scenario, moved.unwrap_or(FROM_ZERO)))
     }
 }

@@ -22,7 +22,7 @@ mod waves;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-pub use super::files::Databases;
+pub use super::files::NamedFiles;
 pub use super::range::{Direction, Fraction, NonNegative, Positive};
 pub use super::text::{Colour, CoordinateName, Name, Version, WORLD};
 pub use axes::{
@@ -48,7 +48,10 @@ pub use lines::{CatenaryLine, SpringLine};
 pub use loops::{Attachment, Constraint, Distance, Loop};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;
-pub use waves::{Jonswap, PiersonMoskowitz, RegularWave, WaveAmplitudes, WaveRealisation, Waves};
+pub use waves::{
+    ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
+    WaveRealisation, Waves,
+};
 
 /// One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -85,10 +88,10 @@ pub struct Scenario {
     /// What acts between the bodies, in their joints, by name.
     #[serde(default)]
     pub drives: IndexMap<Name, Drive>,
-    /// The files that the forces name, once they are read.
+    /// The files that it names, once they are read.
     #[serde(skip)]
     #[cfg_attr(feature = "schema", schemars(skip))]
-    pub databases: Databases,
+    pub files: NamedFiles,
 }
 
 /// Time stepping and recording.

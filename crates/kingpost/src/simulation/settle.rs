@@ -124,12 +124,14 @@ impl Simulation {
         }
     }
 
-    /// How the equilibrium that the simulation stands at moves by accelerations: the matrix by rows
-    /// and columns of the free coordinates, by which the last of Newton's moves is made; `None` where
-    /// it is singular.
-    pub fn compliance(&mut self) -> Option<DMatrix<f64>> {
-        let free = self.plant.model.free_coordinates();
-        let (linear, j) = (self.linear_here(&free), self.moving_frame().j);
+    /// How the equilibrium that the simulation stands at moves by accelerations, without waves and
+    /// with what is prescribed held: the matrix by rows and columns of the free coordinates, by which
+    /// the last of Newton's moves is made; `None` where it is singular.
+    pub fn compliance(&self) -> Option<DMatrix<f64>> {
+        let mut there = self.clone();
+        there.plant.set_at_rest(true);
+        let free = there.plant.model.free_coordinates();
+        let (linear, j) = (there.linear_here(&free), there.moving_frame().j);
         let inverse = linear.bordered(&j, linear.largest_delta()).try_inverse()?;
         Some(inverse.view((0, 0), (free.len(), free.len())).into_owned())
     }

@@ -123,7 +123,7 @@ impl Scenario {
     fn waves_on(&self, force: &str) -> Option<&Database> {
         let (_, force) = self.forces.iter().find(|(name, _)| name.as_str() == force)?;
         let schema::Force::Hydrodynamics(given) = force else { return None };
-        let database = self.databases.get(&given.database)?;
+        let database = self.files.database(&given.database)?;
         (given.enabled && given.excitation).then_some(&**database)
     }
 }

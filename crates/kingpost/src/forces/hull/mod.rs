@@ -5,11 +5,13 @@
 
 mod by_heading;
 mod excitation;
+mod mesh_in_waves;
 mod place;
 mod radiation;
 
 pub(crate) use by_heading::ByHeading;
-pub use excitation::Excitation;
+pub use excitation::{Excitation, Parts};
+pub use mesh_in_waves::MeshInWaves;
 pub use place::{HullFrame, HullMotion, SLOW_FRAME_LEN, SlowFrame};
 pub use radiation::Radiation;
 
@@ -70,8 +72,10 @@ impl<S: Scalar> Hydrostatics<S> {
 pub struct HullReading<S = f64> {
     /// Of the incident waves at the slow frame's place, m.
     pub wave_elevation: S,
-    /// By the incident waves.
+    /// By the incident waves, to first order; and by their pressure on the mesh, where that acts.
     pub excitation_force: [S; 6],
+    /// By the incident waves, the mean and slowly varying part of second order.
+    pub drift_force: [S; 6],
     /// By the memory of the waves that the hull made; that of the added mass is not in it.
     pub radiation_force: [S; 6],
     /// Kinetic energy of the infinite-frequency added mass, J.
@@ -93,6 +97,8 @@ pub struct Hull<S = f64> {
     pub radiation: Option<Radiation>,
     /// The incident waves.
     pub excitation: Option<Excitation<S>>,
+    /// Their own pressure on the mesh, if it acts.
+    pub wave_pressure: Option<Box<MeshInWaves<S>>>,
     /// Whether the incident waves are left out: for an equilibrium.
     pub calm: bool,
     /// Velocity of the water in the world, m/s.
@@ -116,10 +122,13 @@ impl<S: Scalar> Hull<S> {
             by_the_sea = radiation.force(self.own_states(at));
         }
         if let Some(excitation) = self.excitation.as_mut().filter(|_| !self.calm) {
-            let force = excitation.force(at.clock.time_s, &slow);
-            by_the_sea.iter_mut().zip(force).for_each(|(sum, force)| *sum += force);
+            let (first, drift) = (excitation.force(at.clock.time_s, &slow), excitation.drift(at.clock.time_s, &slow));
+            by_the_sea = core::array::from_fn(|mode| by_the_sea[mode] + first[mode] + drift[mode]);
         }
-        let by_the_sea = in_body(&by_the_sea, &motion, &slow);
+        let mut by_the_sea = in_body(&by_the_sea, &motion, &slow);
+        if let Some(waves) = self.wave_pressure.as_mut().filter(|_| !self.calm) {
+            by_the_sea += waves.pressure(&motion.frame, self.specific_weight, at.clock.time_s);
+        }
         loads.power.outside += by_the_sea.dot(&motion.twist);
         wrench += by_the_sea;
         loads.wrenches.push((self.frame.body, self.frame.about_centre(&wrench)));
@@ -129,12 +138,19 @@ impl<S: Scalar> Hull<S> {
     pub fn reading(&mut self, at: &Moment<'_, S>) -> HullReading<S> {
         let slow = SlowFrame::read(&at.held[self.first_held..]);
         let states = self.own_states(at);
-        let none = [S::ZERO; 6];
+        let (none, time_s) = ([S::ZERO; 6], at.clock.time_s);
+        let mut excitation_force = self.excitation.as_mut().map_or(none, |waves| waves.force(time_s, &slow));
+        if let Some(waves) = self.wave_pressure.as_mut() {
+            let motion = self.frame.motion(at);
+            let by_pressure = in_slow(&waves.pressure(&motion.frame, self.specific_weight, time_s), &motion, &slow);
+            excitation_force.iter_mut().zip(by_pressure).for_each(|(sum, force)| *sum += force);
+        }
         HullReading {
             radiation_force: self.radiation.as_ref().map_or(none, |radiation| radiation.force(states)),
-            excitation_force: self.excitation.as_mut().map_or(none, |waves| waves.force(at.clock.time_s, &slow)),
+            excitation_force,
+            drift_force: self.excitation.as_mut().map_or(none, |waves| waves.drift(time_s, &slow)),
             water_kinetic_energy: self.water_kinetic_energy(at),
-            wave_elevation: self.excitation.as_mut().map_or(S::ZERO, |waves| waves.elevation(at.clock.time_s, &slow)),
+            wave_elevation: self.excitation.as_mut().map_or(S::ZERO, |waves| waves.elevation(time_s, &slow)),
         }
     }
 
@@ -194,4 +210,11 @@ fn in_body<S: Scalar>(force: &[S; 6], motion: &HullMotion<S>, slow: &SlowFrame<S
     let [x, y, z, roll, pitch, yaw] = *force;
     let to_body = |v: [S; 3]| motion.frame.rotation.transpose_times(slow.rotation() * Vector3(v));
     Wrench { moment: to_body([roll, pitch, yaw]), force: to_body([x, y, z]) }
+}
+
+/// A wrench in the hull's axes as a force and moment in those of the slow frame.
+fn in_slow<S: Scalar>(wrench: &Wrench<S>, motion: &HullMotion<S>, slow: &SlowFrame<S>) -> [S; 6] {
+    let to_slow = |v: Vector3<S>| slow.rotation().transpose_times(motion.frame.rotation * v).0;
+    let ([x, y, z], [roll, pitch, yaw]) = (to_slow(wrench.force), to_slow(wrench.moment));
+    [x, y, z, roll, pitch, yaw]
 }

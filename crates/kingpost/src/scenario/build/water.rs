@@ -3,7 +3,7 @@
 use super::super::schema::{self, Force as ForceSchema, Hydrostatics as HydrostaticsSchema, Scenario};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, gravity_of, known, waves};
-use crate::forces::hull::{Excitation, FloatingMesh, HullFrame, Hydrostatics, Radiation};
+use crate::forces::hull::{Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, Parts, Radiation};
 use crate::forces::{Force, Hull};
 use crate::model::{JointKind, Model};
 use crate::scalar::Scalar;
@@ -23,7 +23,7 @@ pub fn build<S: Gathered>(
         let Some(given) = hydrodynamics_of(force).filter(|given| given.enabled) else { continue };
         let field = |rest: &str| format!("forces.{name}.hydrodynamics.{rest}");
         let body = floating_body(scenario.first(), &model, &field("body"), &given.body)?;
-        let Some(database) = scenario.first().databases.get(&given.database) else { continue };
+        let Some(database) = scenario.first().files.database(&given.database) else { continue };
         let sea = Sea::of(scenario, &field("database"), database)?;
         let all = scenario.part(|scenario| &scenario.forces[name]).kind(hydrodynamics_of);
         let drawn = scenario.part(|scenario| &scenario.bodies[&given.body]);
@@ -32,13 +32,16 @@ pub fn build<S: Gathered>(
             let added = inertia(&database.added_mass_infinite).to_parent(&Frame::translation(origin));
             model = model.with_added_inertia(body, added);
         }
+        let excitation = sea.excitation(given, &field, database)?;
+        let hydrostatics = hydrostatics(given, &field("hydrostatics"), database)?;
         let hull = Hull {
             name: name.to_string(),
             frame: HullFrame { body, origin },
             specific_weight: sea.specific_weight,
-            hydrostatics: hydrostatics(given, &field("hydrostatics"), database)?,
+            wave_pressure: wave_pressure(given, &field("wave_pressure"), &hydrostatics, excitation.as_ref())?,
+            hydrostatics,
             radiation: radiation(given, &field("radiation"), database)?,
-            excitation: sea.excitation(given, &field("database"), database)?,
+            excitation,
             calm: false,
             current: sea.current,
             cutoff_rad_s: given.slow_motion_cutoff_rad_s.get(),
@@ -108,6 +111,23 @@ fn hydrostatics<S: Scalar>(
     }
 }
 
+/// The mesh in the waves that excite the hull.
+fn wave_pressure<S: Scalar>(
+    given: &schema::Hydrodynamics,
+    field: &str,
+    hydrostatics: &Hydrostatics<S>,
+    excitation: Option<&Excitation<S>>,
+) -> Result<Option<Box<MeshInWaves<S>>>, FieldError> {
+    match (hydrostatics, excitation) {
+        _ if !given.wave_pressure => Ok(None),
+        (Hydrostatics::Mesh(floating), Some(waves)) => {
+            Ok(Some(Box::new(MeshInWaves::new((**floating).clone(), waves.field().clone()))))
+        }
+        (Hydrostatics::Mesh(_), None) => Ok(None),
+        _ => Err(FieldError::new(field, "true, with hydrostatics that are not of the mesh", "hydrostatics: mesh")),
+    }
+}
+
 fn radiation(given: &schema::Hydrodynamics, field: &str, database: &Database) -> Result<Option<Radiation>, FieldError> {
     match &database.radiation {
         _ if !given.radiation => Ok(None),
@@ -149,15 +169,29 @@ impl<'a, S: Gathered> Sea<'a, S> {
     fn excitation(
         &self,
         given: &schema::Hydrodynamics,
-        field: &str,
+        field: &impl Fn(&str) -> String,
         database: &Database,
     ) -> Result<Option<Excitation<S>>, FieldError> {
+        if given.wave_drift && database.mean_drift.is_none() {
+            let found = "true, with a database that holds no mean drift";
+            return Err(FieldError::new(
+                field("wave_drift"),
+                found,
+                "false, or a database that kingpost hydro --loading made",
+            ));
+        }
+        if given.wave_pressure && !database.has_froude_krylov() {
+            let found =
+                "true, with a database whose excitation is not told apart into Froude-Krylov force and diffraction";
+            return Err(FieldError::new(field("wave_pressure"), found, "false"));
+        }
         let waves = waves::build(&self.scenario, &self.water)?;
         if waves.is_empty() || !given.excitation {
             return Ok(None);
         }
-        check_coverage(field, database, &waves)?;
-        Ok(Some(Excitation::new(database, WaveField::new(&waves, self.water, self.ramp_s), true)))
+        check_coverage(&field("database"), database, &waves)?;
+        let parts = Parts { froude_krylov: !given.wave_pressure, drift: given.wave_drift };
+        Ok(Some(Excitation::new(database, WaveField::new(&waves, self.water, self.ramp_s), parts)))
     }
 }
 

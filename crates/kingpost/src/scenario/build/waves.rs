@@ -4,7 +4,8 @@ use super::super::schema::{self, Scenario, WaveAmplitudes, WaveRealisation, Wave
 use super::FieldError;
 use super::reading::{Gathered, Reading};
 use crate::sea::waves::{
-    Amplitudes, Jonswap, PiersonMoskowitz, Spectrum, Spreading, Water, WaveComponent, WaveError, WaveSystem,
+    Amplitudes, Band, ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable,
+    Spreading, Torsethaugen, Water, WaveComponent, WaveError, WaveSystem,
 };
 
 /// All components of all wave systems, in the order of the file. Amplitudes are gathered from all
@@ -39,21 +40,46 @@ fn realise(scenario: &Scenario, water: &Water) -> Result<Vec<WaveComponent>, Fie
         let in_place = |error: WaveError| {
             FieldError::new(format!("sea.waves.{name}.{kind}.{}", error.field), error.found, error.allowed)
         };
-        components.extend(system(waves, (seed, number), water).map_err(in_place)?);
+        let found = match waves {
+            _ if !waves.enabled() => Ok(Vec::new()),
+            Waves::Regular(wave) => regular(wave, water),
+            Waves::Record(given) => record(scenario, given, water),
+            _ => of_spectrum(waves, (seed, number), water),
+        };
+        components.extend(found.map_err(in_place)?);
     }
     Ok(components)
 }
 
-fn system(waves: &Waves, (seed, number): (u64, u64), water: &Water) -> Result<Vec<WaveComponent>, WaveError> {
-    if !waves.enabled() {
-        return Ok(Vec::new());
-    }
+fn regular(wave: &schema::RegularWave, water: &Water) -> Result<Vec<WaveComponent>, WaveError> {
+    let schema::RegularWave { height_m, period_s, direction_rad, phase_rad, .. } = wave;
+    Ok(vec![WaveComponent::regular(height_m.get(), period_s.get(), *direction_rad, *phase_rad, water)?])
+}
+
+fn record(
+    scenario: &Scenario,
+    given: &schema::ElevationRecord,
+    water: &Water,
+) -> Result<Vec<WaveComponent>, WaveError> {
+    let Some(table) = scenario.files.record(&given.file) else { return Ok(Vec::new()) };
+    let band = Band {
+        lowest_rad_s: given.lowest_rad_s.map_or(0.0, |lowest| lowest.get()),
+        highest_rad_s: given.highest_rad_s.map_or(f64::INFINITY, |highest| highest.get()),
+    };
+    let record = ElevationRecord {
+        elevations_m: table.elevations_m.clone(),
+        start_s: table.start_s,
+        interval_s: table.interval_s,
+        position_m: given.position_m,
+        direction_rad: given.direction_rad,
+        band: Some(band),
+    };
+    record.components(water)
+}
+
+fn of_spectrum(waves: &Waves, (seed, number): (u64, u64), water: &Water) -> Result<Vec<WaveComponent>, WaveError> {
     let (spectrum, direction_rad, realisation) = match waves {
-        Waves::Regular(wave) => {
-            let schema::RegularWave { height_m, period_s, direction_rad, phase_rad, .. } = wave;
-            let wave = WaveComponent::regular(height_m.get(), period_s.get(), *direction_rad, *phase_rad, water)?;
-            return Ok(vec![wave]);
-        }
+        Waves::Regular(_) | Waves::Record(_) => return Ok(Vec::new()),
         Waves::Jonswap(sea) => {
             let (height, period) = (sea.significant_height_m.get(), sea.peak_period_s.get());
             let spectrum = Jonswap::new(height, period, sea.gamma.get())?;
@@ -63,8 +89,26 @@ fn system(waves: &Waves, (seed, number): (u64, u64), water: &Water) -> Result<Ve
             let spectrum = PiersonMoskowitz::new(sea.significant_height_m.get(), sea.peak_period_s.get())?;
             (Spectrum::PiersonMoskowitz(spectrum), sea.direction_rad, &sea.realisation)
         }
+        Waves::OchiHubble(sea) => {
+            let spectrum = OchiHubble::new([&sea.swell, &sea.wind_sea].map(ochi_hubble_part))?;
+            (Spectrum::OchiHubble(spectrum), sea.direction_rad, &sea.realisation)
+        }
+        Waves::Torsethaugen(sea) => {
+            let (height, period) = (sea.significant_height_m.get(), sea.peak_period_s.get());
+            let spectrum = Torsethaugen::new(height, period, water.gravity_m_s2)?;
+            (Spectrum::Torsethaugen(spectrum), sea.direction_rad, &sea.realisation)
+        }
+        Waves::Spectrum(sea) => (Spectrum::Table(SpectrumTable::new(&sea.rows)?), sea.direction_rad, &sea.realisation),
     };
     drawn(spectrum, direction_rad, realisation)?.components(seed, number, water)
+}
+
+fn ochi_hubble_part(part: &schema::OchiHubblePart) -> OchiHubblePart {
+    OchiHubblePart {
+        significant_height_m: part.significant_height_m.get(),
+        peak_period_s: part.peak_period_s.get(),
+        shape: part.shape.get(),
+    }
 }
 
 fn drawn(spectrum: Spectrum, direction_rad: f64, given: &WaveRealisation) -> Result<WaveSystem, WaveError> {

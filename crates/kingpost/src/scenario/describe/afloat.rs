@@ -73,7 +73,7 @@ pub fn hulls(scenario: &Scenario, setup: &Setup) -> Vec<HullDescription> {
 fn at_rest<'a>(scenario: &'a Scenario, force: &str) -> Option<&'a HullAtRest> {
     let (_, force) = scenario.forces.iter().find(|(name, _)| name.as_str() == force)?;
     let schema::Force::Hydrodynamics(water) = force else { return None };
-    Some(&scenario.databases.get(&water.database)?.hull)
+    Some(&scenario.files.database(&water.database)?.hull)
 }
 
 fn hull_description(hull: &Hull, body: &str, at_rest: &HullAtRest) -> HullDescription {

@@ -33,6 +33,14 @@ pub struct Hydrodynamics {
     /// Whether the sea's waves act on it.
     #[serde(default = "yes")]
     pub excitation: bool,
+    /// Whether the waves' own pressure acts on what their surface wets of the mesh, instead of the linear Froude-Krylov
+    /// force: large motions and high waves. Excitation is then by diffraction alone. Needs `hydrostatics: mesh`.
+    #[serde(default)]
+    pub wave_pressure: bool,
+    /// Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and sway
+    /// force, yaw moment. The database's coefficients hold for the loading that they were computed for.
+    #[serde(default)]
+    pub wave_drift: bool,
     /// First-order wave loads are taken at the place and heading that pass a filter of first order with this cut-off,
     /// rad/s: well below the waves' frequencies, above those of the ship's drift.
     #[serde(default = "slow_motion_cutoff")]

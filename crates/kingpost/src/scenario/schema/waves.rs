@@ -16,6 +16,14 @@ pub enum Waves {
     Jonswap(Jonswap),
     /// A fully developed sea, by the Pierson-Moskowitz spectrum.
     PiersonMoskowitz(PiersonMoskowitz),
+    /// Swell and wind sea in one direction, by the six-parameter spectrum of Ochi and Hubble.
+    OchiHubble(OchiHubble),
+    /// Wind sea and swell of the Norwegian Sea, by the spectrum of Torsethaugen.
+    Torsethaugen(PiersonMoskowitz),
+    /// A sea whose spectrum is given as a table.
+    Spectrum(SpectrumTable),
+    /// Waves that were measured.
+    Record(ElevationRecord),
 }
 
 /// A regular wave.
@@ -66,7 +74,7 @@ const fn gamma() -> Positive {
     Positive::literal(3.3)
 }
 
-/// A sea by the Pierson-Moskowitz spectrum.
+/// A sea by significant height and peak period: the Pierson-Moskowitz spectrum, or Torsethaugen's.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -84,6 +92,83 @@ pub struct PiersonMoskowitz {
     /// How the realisation is made.
     #[serde(default)]
     pub realisation: WaveRealisation,
+}
+
+/// A sea of two parts, each with a spectrum of three parameters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct OchiHubble {
+    /// Whether it runs.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// Swell.
+    pub swell: OchiHubblePart,
+    /// Wind sea.
+    pub wind_sea: OchiHubblePart,
+    /// Mean direction that the waves of both go to, rad.
+    #[serde(default)]
+    pub direction_rad: f64,
+    /// How the realisation is made.
+    #[serde(default)]
+    pub realisation: WaveRealisation,
+}
+
+/// A part of Ochi and Hubble's sea.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct OchiHubblePart {
+    /// Significant wave height of the part, m.
+    pub significant_height_m: Positive,
+    /// Period at the part's peak, s.
+    pub peak_period_s: Positive,
+    /// Shape lambda, from 0.5 to 20: with 1 the part is a Pierson-Moskowitz spectrum, with more it is narrower.
+    pub shape: Positive,
+}
+
+/// A sea whose spectrum is given as a table.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SpectrumTable {
+    /// Whether it runs.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// Angular frequency, rad/s, and density S of the elevation's variance, m^2 s/rad, row by row; linear between rows, no
+    /// waves outside.
+    pub rows: Vec<[f64; 2]>,
+    /// Mean direction that the waves go to, rad.
+    #[serde(default)]
+    pub direction_rad: f64,
+    /// How the realisation is made.
+    #[serde(default)]
+    pub realisation: WaveRealisation,
+}
+
+/// Waves that were measured at one point, in a direction that one point cannot tell. The sea repeats after the record's
+/// length; its mean is left out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct ElevationRecord {
+    /// Whether it runs.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// CSV file beside the scenario's own, with the header `time_s,elevation_m` and equal intervals of time.
+    pub file: String,
+    /// Where it was measured, x and y in the world, m.
+    #[serde(default)]
+    pub position_m: [f64; 2],
+    /// Direction that the waves go to, rad.
+    #[serde(default)]
+    pub direction_rad: f64,
+    /// Waves of less than this frequency are left out, rad/s; without it, none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lowest_rad_s: Option<Positive>,
+    /// Waves of more than this frequency are left out, rad/s; without it, those above half the sampling frequency.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub highest_rad_s: Option<Positive>,
 }
 
 /// How one realisation of a spectrum is made; its random numbers come from the run's seed.
@@ -125,6 +210,10 @@ impl Waves {
             Self::Regular(_) => "regular",
             Self::Jonswap(_) => "jonswap",
             Self::PiersonMoskowitz(_) => "pierson_moskowitz",
+            Self::OchiHubble(_) => "ochi_hubble",
+            Self::Torsethaugen(_) => "torsethaugen",
+            Self::Spectrum(_) => "spectrum",
+            Self::Record(_) => "record",
         }
     }
 
@@ -133,7 +222,10 @@ impl Waves {
         match self {
             Self::Regular(wave) => wave.enabled,
             Self::Jonswap(sea) => sea.enabled,
-            Self::PiersonMoskowitz(sea) => sea.enabled,
+            Self::PiersonMoskowitz(sea) | Self::Torsethaugen(sea) => sea.enabled,
+            Self::OchiHubble(sea) => sea.enabled,
+            Self::Spectrum(sea) => sea.enabled,
+            Self::Record(waves) => waves.enabled,
         }
     }
 }

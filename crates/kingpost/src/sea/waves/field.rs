@@ -201,6 +201,25 @@ impl<S: Scalar> WaveField<S> {
         self.linear_kinematics(self.stretched(point, elevation), time_s)
     }
 
+    /// Elevation over a point, m, and the dynamic pressure of [`Self::kinematics`] there, Pa. The slices
+    /// are memory, one entry a wave each.
+    ///
+    /// # Panics
+    /// When a slice has not one entry a wave.
+    pub fn elevation_and_pressure(
+        &self,
+        point: Vector3<S>,
+        time_s: f64,
+        real: &mut [S],
+        imaginary: &mut [S],
+    ) -> [S; 2] {
+        self.phasors([point[0], point[1]], time_s, real, imaginary);
+        let elevation = real.iter().fold(S::ZERO, |sum, a| sum + *a);
+        let z = self.stretched(point, elevation)[2];
+        let head = real.iter().enumerate().fold(S::ZERO, |sum, (i, a)| sum + *a * self.decay(i, z)[0]);
+        [elevation, head * S::constant(self.water.gravity_m_s2 * self.water.density_kg_m3)]
+    }
+
     /// The dynamic pressure of [`Self::kinematics`] alone, Pa, where the elevation above the point is
     /// known.
     pub fn dynamic_pressure_pa(&self, point: Vector3<S>, elevation_m: S, time_s: f64) -> S {

@@ -23,7 +23,7 @@ pub use error::WaveError;
 pub use field::{WaveField, WaveKinematics};
 pub use noise::Noise;
 pub use realization::{Amplitudes, WaveSystem};
-pub use record::{ElevationRecord, MOST_SAMPLES};
+pub use record::{ElevationRecord, ElevationTable, MOST_SAMPLES};
 pub use spectrum::{
     Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Torsethaugen,
 };

@@ -7,6 +7,77 @@ use super::error::{WaveError, between};
 use super::spectrum::Band;
 use super::water::Water;
 
+/// Elevations at equal intervals of time, as a file holds them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ElevationTable {
+    /// Time of the first, s.
+    pub start_s: f64,
+    /// Interval between two, s.
+    pub interval_s: f64,
+    /// Elevations, m.
+    pub elevations_m: Vec<f64>,
+}
+
+/// The first line of a table.
+const HEADER: &str = "time_s,elevation_m";
+/// How far a time may lie from where equal intervals put it, in intervals: times are printed rounded.
+const UNEVEN: f64 = 0.05;
+
+impl ElevationTable {
+    /// From a text of comma-separated values with the header `time_s,elevation_m`.
+    ///
+    /// # Errors
+    /// Another header, a line that is not two numbers, fewer than 4 or more than 65,536 lines, times
+    /// that do not increase by equal intervals.
+    ///
+    /// ```
+    /// use kingpost::sea::waves::ElevationTable;
+    /// let table = ElevationTable::read_csv("time_s,elevation_m\n0,0.5\n0.25,0.1\n0.5,-0.4\n0.75,-0.2\n")?;
+    /// assert_eq!((table.interval_s, table.elevations_m[2]), (0.25, -0.4));
+    /// # Ok::<(), kingpost::sea::waves::WaveError>(())
+    /// ```
+    pub fn read_csv(text: &str) -> Result<Self, WaveError> {
+        let mut lines = text.lines().map(str::trim).enumerate().filter(|(_, line)| !line.is_empty());
+        let header = lines.next().map_or("", |(_, line)| line);
+        if header.replace(' ', "") != HEADER {
+            let shown: String = header.chars().take(60).collect();
+            return Err(WaveError::new("line 1", format!("{shown:?}"), HEADER));
+        }
+        let row = |(number, line): (usize, &str)| {
+            let numbers = line.split_once(',').and_then(|(time, elevation)| {
+                Some([time.trim().parse::<f64>().ok()?, elevation.trim().parse::<f64>().ok()?])
+            });
+            let shown: String = line.chars().take(60).collect();
+            let error =
+                || WaveError::new(format!("line {}", number + 1), format!("{shown:?}"), "a time and an elevation");
+            numbers.ok_or_else(error)
+        };
+        let rows: Vec<[f64; 2]> = lines.map(row).collect::<Result<_, _>>()?;
+        Self::regular(&rows)
+    }
+
+    fn regular(rows: &[[f64; 2]]) -> Result<Self, WaveError> {
+        check_samples(rows.len())?;
+        let (first, last) = (rows[0][0], rows[rows.len() - 1][0]);
+        let interval_s = (last - first) / (rows.len() - 1) as f64;
+        for (i, [time, _]) in rows.iter().enumerate() {
+            let off = (time - first - i as f64 * interval_s).abs();
+            if !(interval_s > 0.0 && off <= UNEVEN * interval_s) {
+                let allowed = format!("{} s, by equal intervals of {interval_s} s", first + i as f64 * interval_s);
+                return Err(WaveError::new(format!("row {}", i + 1), format!("{time} s"), allowed));
+            }
+        }
+        Ok(Self { start_s: first, interval_s, elevations_m: rows.iter().map(|[_, elevation]| *elevation).collect() })
+    }
+}
+
+fn check_samples(count: usize) -> Result<(), WaveError> {
+    if (4..=MOST_SAMPLES).contains(&count) {
+        return Ok(());
+    }
+    Err(WaveError::new("elevations_m", format!("{count} samples"), format!("4 to {MOST_SAMPLES} samples")))
+}
+
 /// The surface elevation at one point, measured at equal intervals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElevationRecord {
@@ -69,11 +140,7 @@ impl ElevationRecord {
     }
 
     fn check(&self) -> Result<(), WaveError> {
-        let count = self.elevations_m.len();
-        if !(4..=MOST_SAMPLES).contains(&count) {
-            let found = format!("{count} samples");
-            return Err(WaveError::new("elevations_m", found, format!("4 to {MOST_SAMPLES} samples")));
-        }
+        check_samples(self.elevations_m.len())?;
         for (i, &elevation) in self.elevations_m.iter().enumerate() {
             between(&format!("elevations_m[{i}]"), elevation, [-100.0, 100.0])?;
         }
