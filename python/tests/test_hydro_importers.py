@@ -182,9 +182,7 @@ def test_all_that_a_file_does_not_say_is_asked_for_at_once(tmp_path) -> None:
     for option in ("gravity_m_s2", "reference_m", "length_scale_m", "time_sign", "beam_m", "volume_m3"):
         assert option in str(caught.value)
     writers.write_bemio(tmp_path / "hull.h5", writers.database())
-    with pytest.raises(
-        HydrodynamicsError, match="no draught_m, length_m, beam_m, restoring.* each as an option"
-    ):
+    with pytest.raises(HydrodynamicsError, match=r"no draught_m, length_m, .*each as an option"):
         importers.load(tmp_path / "hull.h5")
 
 
