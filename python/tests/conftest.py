@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
+
+# The tests' panel methods are small: threads that wait for each other make them several times as slow.
+# Read when the libraries of linear algebra are loaded.
+os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import kingpost
 import pytest

@@ -202,6 +202,12 @@ def test_a_hull_above_the_water_is_refused(tmp_path):
     assert "--draught_m" in message
 
 
+def test_a_mesh_in_millimetres_is_refused(tmp_path):
+    barge = barge_surface()
+    message = refused(tmp_path, Surface(1000 * barge.vertices, barge.triangles))
+    assert "a mesh of 20000 m, allowed: a mesh in metres, of 0.01 to 2000 m" in message
+
+
 def test_a_hull_that_cannot_float_is_refused(tmp_path):
     assert "cannot float" in refused(tmp_path, barge_surface(), draught_m=6)
     for hull in ("box:length_m=20,beam_m=10,draught_m=5,depth_m=5", "hemisphere:radius_m=5,depth_m=4"):
@@ -230,6 +236,8 @@ def test_a_file_that_is_no_mesh_is_refused(tmp_path, content, ending):
             "hull.beam_m: found -1, allowed: a number greater",
         ),
         ("box:length_m=nan,beam_m=1,draught_m=1,depth_m=2", "hull.length_m: found nan"),
+        ("sphere:radius_m=1e9", "hull.radius_m: found 1e+09, allowed: metres, from 0.01 to 2000"),
+        ("sphere:radius_m=1e-9", "hull.radius_m: found 1e-09, allowed: metres, from 0.01 to 2000"),
         ("boat:length_m=20", "hull: found 'boat', allowed: one of box, wigley, sphere"),
     ],
 )
@@ -240,7 +248,8 @@ def test_a_wrong_parametric_hull_is_named(text, message):
 
 
 @pytest.mark.parametrize(
-    "text", ["", "0:1:9", "1:2", "2:1:9", "a,b", "nan", "1:2:0", "1:inf:9", "-1:2:9", "1:2:7"]
+    "text",
+    ["", "0:1:9", "1:2", "2:1:9", "a,b", "nan", "1:2:0", "1:2:1000000000", "1:inf:9", "-1:2:9", "1:2:7"],
 )
 def test_wrong_frequencies_are_refused(text):
     with pytest.raises(HydrodynamicsError, match="--frequencies_rad_s: found"):

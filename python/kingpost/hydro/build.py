@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 FREQUENCIES, DIRECTIONS = 40, 24
 DEFAULT_PANELS_PER_WAVE = 6
+MOST_PANELS = 6000
+"""Panels that the method solves for at most, of the part that is not mirrored: its matrices are full."""
 LOWEST, HIGHEST, CENTRE = 0.08, 3.5, 1.2
 """The grid's ends and the frequency about which it is dense, in units of sqrt(g / V^(1/3))."""
 
@@ -110,6 +112,10 @@ def _check_depth(hull: HullMeshes, water: Water) -> None:
 
 
 def _check_panels(hull: HullMeshes, water: Water, highest: float) -> None:
+    count = len(hull.panels.faces)
+    if count > MOST_PANELS:
+        found = f"{count} panels to solve for, of {hull.panel_count}"
+        raise HydrodynamicsError("hull", found, f"at most {MOST_PANELS}: use fewer panels or a coarser mesh")
     wave_length = 2 * np.pi / wave_number(highest, water)
     if wave_length < PANELS_PER_WAVE * hull.panel_size_m:
         raise HydrodynamicsError(

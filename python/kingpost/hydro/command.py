@@ -12,7 +12,7 @@ import numpy as np
 from .. import progress
 from ..errors import HydrodynamicsError
 from . import import_command, importers
-from .build import DIRECTIONS, FREQUENCIES, build, default_frequencies
+from .build import DIRECTIONS, FREQUENCIES, MOST_PANELS, build, default_frequencies
 from .database import Database, Radiation, Water
 from .database_file import check_output, rounded, write
 from .drift import Loading
@@ -31,6 +31,7 @@ SHAPES: dict[str, type[Shape]] = {
     "offshore_vessel": OffshoreVessel,
 }
 PANELS = 900
+MOST_FREQUENCIES = 500
 OF_A_HULL = ("frequencies_rad_s", "directions", "panels", "lid", "loading", "flip_normals")
 
 
@@ -78,8 +79,8 @@ def run(options: argparse.Namespace) -> Database:
     given = options.frequencies_rad_s
     frequencies = None if given is None else parse_frequencies(given)
     loading = None if options.loading is None else parse_loading(options.loading)
-    directions = _count("directions", options.directions, DIRECTIONS, 4)
-    hull = _hull(options, _count("panels", options.panels, PANELS, 50))
+    directions = _count("directions", options.directions, DIRECTIONS, (4, 360))
+    hull = _hull(options, _count("panels", options.panels, PANELS, (50, 4 * MOST_PANELS)))
     capytaine()
     if frequencies is None:
         frequencies = default_frequencies(hull, water)
@@ -113,9 +114,9 @@ def _water(options: argparse.Namespace) -> Water:
     return Water(Water.density_kg_m3 if given is None else given, depth_m=options.water_depth_m)
 
 
-def _count(name: str, given: int | None, default: int, least: int) -> int:
-    if given is not None and given < least:
-        raise HydrodynamicsError(f"--{name}", str(given), f"a whole number from {least}")
+def _count(name: str, given: int | None, default: int, limits: tuple[int, int]) -> int:
+    if given is not None and not limits[0] <= given <= limits[1]:
+        raise HydrodynamicsError(f"--{name}", str(given), f"a whole number from {limits[0]} to {limits[1]}")
     return default if given is None else given
 
 
@@ -134,19 +135,19 @@ def parse_frequencies(text: str) -> np.ndarray:
     array([0.5 , 0.75, 1.  , 1.25, 1.5 , 1.75, 2.  , 2.25])
     """
     allowed = (
-        f"from:to:n such as 0.1:3:30, or a list a,b,c,...; at least {FEWEST_FREQUENCIES}, increasing and "
-        "greater than 0"
+        f"from:to:n such as 0.1:3:30, or a list a,b,c,...; {FEWEST_FREQUENCIES} to {MOST_FREQUENCIES}, "
+        "increasing and greater than 0"
     )
     try:
         if ":" in text:
             start, end, count = text.split(":")
-            found = np.linspace(float(start), float(end), int(count))
+            found = np.linspace(float(start), float(end), min(int(count), MOST_FREQUENCIES + 1))
         else:
             found = np.array([float(part) for part in text.split(",")])
     except (ValueError, MemoryError):
         raise HydrodynamicsError("--frequencies_rad_s", repr(text), allowed) from None
-    few = len(found) < FEWEST_FREQUENCIES
-    if few or not np.isfinite(found).all() or found[0] <= 0 or (np.diff(found) <= 0).any():
+    fits = FEWEST_FREQUENCIES <= len(found) <= MOST_FREQUENCIES
+    if not fits or not np.isfinite(found).all() or found[0] <= 0 or (np.diff(found) <= 0).any():
         raise HydrodynamicsError("--frequencies_rad_s", repr(text), allowed)
     return found
 

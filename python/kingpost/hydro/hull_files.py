@@ -14,15 +14,13 @@ from ..errors import HydrodynamicsError
 from .database import Mesh
 from .meshes import HullMeshes, whole
 from .panels import of_triangles
-from .surface import Surface, check_closed, check_outward, open_edges, particulars
+from .surface import LARGEST_M, SMALLEST_M, Surface, check_closed, check_outward, open_edges, particulars
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 LARGEST_HULL = 2000
 """Triangles of the largest hull that goes into a database."""
-MOST_PANELS = 6000
-"""Panels that the method solves for at most, of the part that is not mirrored."""
 INSTALL = 'pip install "meshio>=5.3"'
 
 
@@ -56,10 +54,6 @@ class HullFile:
             part = part.mirrored(axis).below(0.0, axis).mirrored(axis)
         # Triangles of this side have about the area that was asked for.
         fine = part.refined(2 * (wetted.area / panels) ** 0.5)
-        if len(fine.triangles) > MOST_PANELS:
-            found_panels = f"{len(fine.triangles)} panels to solve for"
-            allowed = f"at most {MOST_PANELS}: use a coarser mesh"
-            raise HydrodynamicsError("hull", found_panels, allowed, str(self.path))
         small = closed and len(surface.triangles) <= LARGEST_HULL
         mesh = Mesh(surface.vertices, surface.triangles) if small else None
         return HullMeshes(self.path.name, reflections, of_triangles(fine), found, mesh)
@@ -79,7 +73,13 @@ class HullFile:
         """Refuse what cannot be solved; whether the hull is closed, deck and all."""
         file = str(self.path)
         lowest, highest = surface.vertices[:, 2].min(), surface.vertices[:, 2].max()
-        tolerance = 1e-6 * np.ptp(surface.vertices, axis=0).max()
+        extent = float(np.ptp(surface.vertices, axis=0).max())
+        tolerance = 1e-6 * extent
+        if not SMALLEST_M <= extent <= LARGEST_M:
+            allowed = (
+                f"a mesh in metres, of {SMALLEST_M:g} to {LARGEST_M:g} m: scale it if it is in other units"
+            )
+            raise HydrodynamicsError("hull", f"a mesh of {extent:g} m", allowed, file)
         if lowest > -tolerance:
             raise HydrodynamicsError(
                 "hull", f"a hull above the water, its lowest point at z = {lowest:.4g} m",

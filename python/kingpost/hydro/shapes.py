@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 
 from ..errors import HydrodynamicsError
+from .surface import LARGEST_M, SMALLEST_M
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -36,6 +37,9 @@ class Shape(ABC):
             value = getattr(self, field.name)
             if not math.isfinite(value) or value <= 0:
                 raise HydrodynamicsError(f"hull.{field.name}", f"{value:g}", "a number greater than 0")
+            if field.name.endswith("_m") and not SMALLEST_M <= value <= LARGEST_M:
+                allowed = f"metres, from {SMALLEST_M:g} to {LARGEST_M:g}"
+                raise HydrodynamicsError(f"hull.{field.name}", f"{value:g}", allowed)
 
     @property
     @abstractmethod

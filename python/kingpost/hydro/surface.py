@@ -13,6 +13,8 @@ from .database import Waterplane
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+SMALLEST_M, LARGEST_M = 0.01, 2000.0
+"""Extents of the hulls that are taken: others are in other units than metres."""
 SAME_POINT = 1e-7
 """Points nearer than this fraction of the surface's size are one."""
 
