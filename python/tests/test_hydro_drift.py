@@ -10,6 +10,7 @@ from kingpost.hydro.airy import group_ratio, wave_number
 from kingpost.hydro.command import parse_loading, parse_shape
 from kingpost.hydro.database import Database, Hull, Water
 from kingpost.hydro.drift import Loading
+from kingpost.hydro.importers.convert import about_origin
 from kingpost.hydro.meshes import HullMeshes, parametric
 from kingpost.hydro.panels import lid
 from kingpost.hydro.solve import Coefficients
@@ -115,6 +116,40 @@ def test_the_yaw_moment_about_another_point_is_that_of_the_forces():
     surge, sway, yaw = drift.mean_drift(amplitude, at, k, 0.5, Water())
     found = drift.mean_drift(moved, at, k, 0.5, Water())
     np.testing.assert_allclose(found, [surge, sway, yaw + shift[0] * sway - shift[1] * surge], rtol=1e-9)
+
+
+def test_a_hull_beside_the_origin_moves_as_one_over_it(database):
+    r, plane = np.array([7.0, 4.0, 0.0]), database.hull.waterplane
+    (x, y, _), area, (sxx, sxy, syy) = r, plane.area_m2, plane.second_moments_m4
+    sx, sy = plane.first_moments_m3
+    moved = replace(
+        database.hull,
+        centre_of_buoyancy_m=database.hull.centre_of_buoyancy_m + r,
+        waterplane=replace(
+            plane,
+            first_moments_m3=np.array([sx + x * area, sy + y * area]),
+            second_moments_m4=np.array([
+                sxx + 2 * x * sx + x * x * area,
+                sxy + x * sy + y * sx + x * y * area,
+                syy + 2 * y * sy + y * y * area,
+            ]),
+        ),
+    )  # fmt: skip
+    k = np.array([wave_number(omega, database.water) for omega in database.frequencies_rad_s])
+    along = x * np.cos(database.wave_directions_rad) + y * np.sin(database.wave_directions_rad)
+    phase, shift = np.exp(1j * np.outer(k, along))[:, :, None], about_origin(r)
+    beside = replace(
+        database,
+        hull=moved,
+        added_mass=shift.T @ database.added_mass @ shift,
+        radiation_damping=shift.T @ database.radiation_damping @ shift,
+        froude_krylov=database.froude_krylov @ shift * phase,
+        diffraction=database.diffraction @ shift * phase,
+    )
+    damped = replace(LOADING, roll_damping_ratio=0.05)
+    found = drift.motions(beside, damped) @ shift.T
+    wanted = drift.motions(database, damped) * phase
+    np.testing.assert_allclose(found, wanted, atol=1e-9 * np.abs(wanted).max())
 
 
 def test_drift_has_the_symmetry_of_the_hull(database):

@@ -117,7 +117,10 @@ def motions(database: Database, loading: Loading) -> NDArray[np.complex128]:
     w = database.frequencies_rad_s[:, None, None]
     damping = database.radiation_damping.copy()
     inertia = mass + database.added_mass
-    damping[:, 3, 3] += 2 * loading.roll_damping_ratio * np.sqrt(inertia[:, 3, 3] * stiffness[3, 3])
+    # Critical for a roll about the axis on the water plane over the centre of gravity, beside the origin.
+    roll = np.array([0.0, 0.0, -database.hull.centre_of_buoyancy_m[1], 1.0, 0.0, 0.0])
+    critical = 2 * np.sqrt((roll @ inertia @ roll) * (roll @ stiffness @ roll))
+    damping[:, 3, 3] += loading.roll_damping_ratio * critical
     impedance = -(w**2) * inertia - 1j * w * damping + stiffness
     return np.linalg.solve(impedance[:, None], database.excitation[..., None])[..., 0]
 
