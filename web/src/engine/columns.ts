@@ -1,7 +1,18 @@
 import type { Channel } from "./engine";
 
 /** Dimensions that name a thing of the model; its name leads, as in `ship.angular_velocity.x`. */
-const THINGS = new Set(["body", "coordinate", "joint", "loop", "constraint", "cylinder", "line", "flow", "point", "drive"]);
+const THINGS = new Set([
+  "body",
+  "coordinate",
+  "joint",
+  "loop",
+  "constraint",
+  "cylinder",
+  "line",
+  "flow",
+  "point",
+  "drive",
+]);
 
 /** Flat column names, in the order of a row: the names of the CSV files. */
 export function columnNames(channels: Channel[]): string[] {
@@ -17,14 +28,17 @@ export function columnNames(channels: Channel[]): string[] {
 
 function flatName(channel: Channel, labels: string[]): string {
   const leads = channel.dims.length > 0 && THINGS.has(channel.dims[0]);
-  const parts = leads ? [labels[0], channel.variable, ...labels.slice(1)] : [channel.variable, ...labels];
+  const parts = leads
+    ? [labels[0], channel.variable, ...labels.slice(1)]
+    : [channel.variable, ...labels];
   return parts.join(".");
 }
 
 /** Every combination of one label per dimension, the last dimension running fastest. */
 function combinations(labels: string[][]): string[][] {
   return labels.reduce<string[][]>(
-    (heads, tail) => heads.flatMap((head) => tail.map((label) => [...head, label])),
+    (heads, tail) =>
+      heads.flatMap((head) => tail.map((label) => [...head, label])),
     [[]],
   );
 }
