@@ -182,7 +182,8 @@ def number(value: float, digits: int = 4) -> str:
 def write_csv(matrix: xarray.DataArray, path: str | Path) -> Path:
     """Write a matrix: labels in the first row and column, units in the second, numbers in full.
 
-    Read it back with ``pandas.read_csv(path, header=[0, 1], index_col=[0, 1])``.
+    Read it back with ``pandas.read_csv(path, header=[0, 1], index_col=[0, 1],
+    float_precision="round_trip")``.
     """
     path = Path(path)
     head = [

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import kingpost
 import numpy as np
-import pandas
 import pytest
 import xarray
 from kingpost import modes_report
 from kingpost.cli import main
 from kingpost.vibration import frame, write
+from samples import read_csv
 
 G = 9.80665
 ROD = """\
@@ -403,9 +403,7 @@ def test_modes_are_written_and_read_back(hang, tmp_path):
     ):
         again = xarray.load_dataset(write(found, tmp_path / "modes.nc"), engine="h5netcdf")
         xarray.testing.assert_identical(again, found)
-        table = pandas.read_csv(
-            write(found, tmp_path / "modes.csv"), keep_default_na=False, na_values=["nan"]
-        )
+        table = read_csv(write(found, tmp_path / "modes.csv"), keep_default_na=False, na_values=["nan"])
         assert len(table) == found.kind.size
         assert table["kind"].tolist() == found.kind.values.ravel().tolist()
         assert set(table.columns) == set(frame(found).columns)
@@ -424,7 +422,7 @@ def test_the_command_prints_modes_and_writes_them(tmp_path, capsys):
     assert "at rest after" in text
     assert f"{found.frequency[0].item():.5g}" in text
     assert f"written  {output}" in text
-    assert len(pandas.read_csv(output)) == 10
+    assert len(read_csv(output)) == 10
 
 
 def test_the_command_prints_a_sweep(capsys):

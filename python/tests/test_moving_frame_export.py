@@ -7,11 +7,11 @@ import re
 import kingpost
 import latex2mathml.converter
 import numpy as np
-import pandas
 import pytest
 from kingpost import Scenario, Simulation, load
 from kingpost.matrices import entry_unit, latex
 from kingpost.paper.equations import EQUATIONS, arm_velocity
+from samples import read_csv
 
 
 @pytest.fixture(scope="module")
@@ -125,7 +125,7 @@ def test_csv_files_hold_every_bit_with_labels_and_units(moving, tmp_path):
     assert len(files) == len(matrices) == len(set(files))
     assert tmp_path / "matrices" / "E_tower-ship.csv" in files
     for (name, matrix), path in zip(matrices.items(), files, strict=True):
-        table = pandas.read_csv(path, header=[0, 1], index_col=[0, 1])
+        table = read_csv(path, header=[0, 1], index_col=[0, 1])
         assert np.array_equal(table.values, matrix.values), name
         assert list(table.index.get_level_values(0)) == list(matrix["row"].values)
         assert list(table.index.get_level_values(1).astype(str)) == list(matrix["row_unit"].values)

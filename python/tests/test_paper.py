@@ -13,6 +13,7 @@ import numpy as np
 import pandas
 import pytest
 from kingpost.cli import main
+from samples import read_csv
 
 
 @pytest.fixture(scope="module")
@@ -32,7 +33,7 @@ def folder(command) -> Path:
 def test_the_summary_shows_the_largest_rates_and_where_the_page_is(command):
     """Source: the figures' own data; four decimals are printed."""
     folder, printed = command
-    rates = pandas.read_csv(folder / "figure_11.csv")
+    rates = read_csv(folder / "figure_11.csv")
     largest = [f"{rates[f'{name}_rate_damped_rad_s'].abs().max():.4f}" for name in ("pitch", "yaw", "roll")]
     line = next(
         line for line in printed.splitlines() if line.startswith("Fig. 11, both motors, with damping")
@@ -57,7 +58,7 @@ def test_every_file_is_there(folder):
 def test_the_figures_numbers_are_the_engines(folder, number):
     """Source: the same run through the public interface."""
     motors = {9: (True, False), 10: (False, True), 11: (True, True)}[number]
-    table = pandas.read_csv(folder / f"figure_{number}.csv")
+    table = read_csv(folder / f"figure_{number}.csv")
     case = {"crane_x_m": 0, "crane_y_m": 0, "load": False, "motor_1": motors[0], "motor_2": motors[1]}
     for suffix, damping in (("", False), ("_damped", True)):
         rate = kingpost.run("paper", case, damping=damping)["angular_velocity"].sel(body="ship")
@@ -67,7 +68,7 @@ def test_the_figures_numbers_are_the_engines(folder, number):
 
 def test_figure_9_passes_through_the_calibration_row(folder):
     """Source: three independent codes at 0.5 s."""
-    table = pandas.read_csv(folder / "figure_9.csv").set_index("time_s")
+    table = read_csv(folder / "figure_9.csv").set_index("time_s")
     row = table.iloc[np.argmin(np.abs(table.index - 0.5))]
     found = [row["pitch_rate_rad_s"], row["yaw_rate_rad_s"], row["roll_rate_rad_s"]]
     assert found == pytest.approx([0.19709, -0.12348, -0.07719], abs=1e-5)
@@ -75,14 +76,14 @@ def test_figure_9_passes_through_the_calibration_row(folder):
 
 def test_the_arm_motor_alone_only_pitches_the_ship(folder):
     """Source: symmetry: with the arm in the ship's middle plane nothing rolls or yaws it."""
-    table = pandas.read_csv(folder / "figure_10.csv")
+    table = read_csv(folder / "figure_10.csv")
     assert table["pitch_rate_rad_s"].abs().max() > 0.1
     assert table[["yaw_rate_rad_s", "roll_rate_rad_s"]].abs().max().max() < 1e-9
 
 
 def test_table_2_is_the_papers(folder):
     """Source: the paper's Table 2, and the damping of its results section."""
-    table = pandas.read_csv(folder / "table_2.csv").set_index("symbol")["value"]
+    table = read_csv(folder / "table_2.csv").set_index("symbol")["value"]
     expected = {
         "m^{(1)}": 10_000, "m^{(2)}": 500, "m^{(3)}": 500, "m^{(4)}": 1000, "d^{(1)}": -10, "b^{(1)}": -5,
         "l^{(2)}": 3.5, "l^{(3)}": 3.5, "r^{(2)}": 0.5, "r^{(3)}": 0.5, "L_{ps}": 10, "L_{sb}": 20,
@@ -94,7 +95,7 @@ def test_table_2_is_the_papers(folder):
 
 def errors(folder: Path, integrator: str, column: str) -> pandas.Series:
     """Errors of an integrator on the paper's case, by step."""
-    table = pandas.read_csv(folder / "integrators.csv")
+    table = read_csv(folder / "integrators.csv")
     rows = table[(table["case"] == "paper") & (table["integrator"] == integrator)]
     return rows.set_index("step_s")[column]
 
@@ -112,7 +113,7 @@ def test_the_integrators_errors_fall_with_their_order(folder):
 
 def test_dormand_princes_errors_fall_with_its_tolerance(folder):
     """Source: error control: the error goes with a power near one of the tolerance."""
-    table = pandas.read_csv(folder / "integrators.csv")
+    table = read_csv(folder / "integrators.csv")
     rows = table[(table["case"] == "paper") & (table["integrator"] == "dormand_prince")].set_index(
         "tolerance"
     )
@@ -123,7 +124,7 @@ def test_dormand_princes_errors_fall_with_its_tolerance(folder):
 
 def test_only_implicit_integrators_step_over_the_stiff_spring(folder):
     """Source: stability limits: h omega of 2.83 for RK4 at 350 rad/s, none for implicit ones."""
-    table = pandas.read_csv(folder / "integrators.csv")
+    table = read_csv(folder / "integrators.csv")
     at_20_ms = table[(table["case"] == "stiff") & (table["step_s"] == 0.02)].set_index("integrator")
     for name in ("newmark", "generalized_alpha", "implicit_midpoint"):
         assert at_20_ms["slew_error_rad"][name] < 0.05, name
