@@ -1,6 +1,7 @@
 //! The sea and the hulls in it.
 
 use super::super::schema::{self, Force as ForceSchema, Hydrostatics as HydrostaticsSchema, Scenario};
+use super::damping::{current, from_centre};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, gravity_of, known, waves};
 use crate::forces::hull::{Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, Parts, Radiation};
@@ -26,8 +27,7 @@ pub fn build<S: Gathered>(
         let Some(database) = scenario.first().files.database(&given.database) else { continue };
         let sea = Sea::of(scenario, &field("database"), database)?;
         let all = scenario.part(|scenario| &scenario.forces[name]).kind(hydrodynamics_of);
-        let drawn = scenario.part(|scenario| &scenario.bodies[&given.body]);
-        let origin = all.vector(|given| given.origin_m) - drawn.vector(|body| body.centre_of_mass_m);
+        let origin = from_centre(scenario, &given.body, all.vector(|given| given.origin_m));
         if given.added_mass {
             let added = inertia(&database.added_mass_infinite).to_parent(&Frame::translation(origin));
             model = model.with_added_inertia(body, added);
@@ -156,11 +156,10 @@ impl<'a, S: Gathered> Sea<'a, S> {
         let depth = sea.depth_m.map_or(infinite, |depth| depth.get());
         same(field, "depth of", water.depth_m.unwrap_or(infinite), "m", depth)?;
         let density: S = scenario.number(|scenario| sea_of(scenario).unwrap_or_default().density_kg_m3.get());
-        let [x, y]: [S; 2] = scenario.numbers(|scenario| sea_of(scenario).unwrap_or_default().current_m_s);
         Ok(Self {
             scenario: scenario.part(|scenario| scenario),
             specific_weight: density * S::constant(gravity),
-            current: Vector3::new(x, y, S::ZERO),
+            current: current(scenario),
             water: water_of(&sea, gravity)?,
             ramp_s: sea.ramp_s.get(),
         })
