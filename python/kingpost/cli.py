@@ -77,6 +77,8 @@ def parser() -> argparse.ArgumentParser:
     rao.add_argument("--frequencies_rad_s", metavar="from:to:n", help="default: what the hull's data cover")
     rao.add_argument("--points", nargs="+", metavar="NAME",
                      help="bodies and named points, as arm.tip (default: the main ones)")  # fmt: skip
+    rao.add_argument("--displacement_raos", metavar="FILE",
+                     help="the ship's own, as a file .csv that the joint moved_by_waves reads")  # fmt: skip
     rao.set_defaults(command=_rao)
 
     statistics = commands.add_parser("statistics", help="statistics and extremes of recorded runs")
@@ -165,10 +167,12 @@ def _modes(options: argparse.Namespace) -> int:
 
 
 def _rao(options: argparse.Namespace) -> int:
-    from . import response, response_report, results
+    from . import displacement_raos, response, response_report, results
 
     scenario = _scenario(options)
     output = results.check_output(options.output, response.ENDINGS) if options.output is not None else None
+    table = options.displacement_raos
+    table = results.check_output(table, displacement_raos.ENDINGS) if table is not None else None
     found = response.rao(
         scenario,
         None if options.directions_deg is None else [math.radians(angle) for angle in options.directions_deg],
@@ -178,6 +182,8 @@ def _rao(options: argparse.Namespace) -> int:
     print(response_report.text(found))
     if output:
         print(f"\nwritten  {response.write(found, output)}")
+    if table:
+        print(f"\nwritten  {displacement_raos.write(found, table)}")
     return DONE
 
 

@@ -67,6 +67,7 @@ def rao(
         ``displacement``, ``velocity`` and ``acceleration`` (of ``point``, along ``axis``), ``rotation`` (of
         ``body``, by ``angle``) and ``joint_position`` (of ``coordinate``); beside each its phase, such as
         ``displacement_phase``: the lag behind the crest at the origin of the first hull's data, rad.
+        ``place`` of each point at rest, and as attributes the hull's ``reference_m`` and ``heading_rad``.
 
     Raises
     ------
@@ -120,10 +121,12 @@ def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | 
         variables[name + PHASE] = (dims, np.angle(values[name]), about)
     attributes = results.attributes(scenario, "about rest in still water")
     attributes["reference_m"] = found["reference_m"]
+    attributes["heading_rad"] = found["heading_rad"]
     if found["warnings"]:
         attributes["warning"] = "; ".join(found["warnings"])
     rad_s = {"units": "rad/s", "long_name": "angular frequency"}
     rad = {"units": "rad", "long_name": "direction that the waves go to, from x counter-clockwise"}
+    metre = {"units": "m", "long_name": "place of a point at rest, world"}
     coordinates = {
         "direction": ("direction", np.array(found["directions_rad"]), rad),
         "frequency": ("frequency", omega, rad_s),
@@ -131,6 +134,7 @@ def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | 
         "axis": list(AXES),
         "body": np.array(bodies, str),
         "angle": list(ANGLES),
+        "place": (("point", "axis"), np.array(found["places_m"])[chosen], metre),
         "coordinate": np.array([found["coordinates"][i] for i in joints], str),
     }
     return xarray.Dataset(variables, coordinates, attributes)

@@ -75,6 +75,9 @@ export type Body = {
       }
     | {
         fixed: FixedJoint;
+      }
+    | {
+        moved_by_waves: MovedByWaves;
       };
   /**
    * Named points of this body, reported in the results.
@@ -1298,6 +1301,46 @@ export type FixedJoint = {
    * @maxItems 3
    */
   orientation_deg?: [number, number, number];
+};
+/**
+ * A body that moves with the waves of the sea by displacement RAOs, whatever acts on it. Its parent is the world. Its
+ * coordinates `x`, `y`, `z`, `yaw`, `pitch` and `roll` are those of the RAOs' vessel axes about their mean place.
+ */
+export type MovedByWaves = {
+  /**
+   * Name of the joint; the body's when absent.
+   */
+  name?: string | null;
+  /**
+   * The file of the RAOs: CSV whose names state its conventions, or OrcaFlex's YAML with one vessel type.
+   */
+  raos: string;
+  /**
+   * Whether port is as starboard, where a CSV file holds waves from 0 to 180 degrees only.
+   */
+  symmetric?: boolean | null;
+  /**
+   * The origin of the file's vessel axes in this body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  origin_m?: [number, number, number];
+  /**
+   * Mean place of that origin in the world, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * Mean heading, from the world's x axis counter-clockwise, rad.
+   */
+  heading_rad?: number;
+  /**
+   * The same as `heading_rad`, in the unit of this name.
+   */
+  heading_deg?: number;
 };
 /**
  * Where it is tied to one body. Constraints are along and about these axes.

@@ -8,6 +8,7 @@ mod motor;
 mod prescribed;
 mod profile;
 mod servo;
+mod wave_motion;
 
 pub use brake::Brake;
 pub use cylinder::{Aim, Cylinder, CylinderReading};
@@ -15,6 +16,7 @@ pub use motor::Motor;
 pub use prescribed::PrescribedMotion;
 pub use profile::{Profile, Pulse};
 pub use servo::Servo;
+pub use wave_motion::WaveMotion;
 
 use crate::dynamics::{LinkKinematics, Loads, Moment};
 use crate::model::Model;
@@ -31,6 +33,8 @@ pub enum Drive<S = f64> {
     Brake(Brake<S>),
     /// A motion that happens whatever it takes.
     Prescribed(PrescribedMotion<S>),
+    /// A motion with the waves, whatever it takes.
+    WaveMotion(WaveMotion<S>),
     /// A hydraulic cylinder between two bodies.
     Cylinder(Cylinder<S>),
 }
@@ -43,6 +47,7 @@ impl<S: Scalar> Drive<S> {
             Drive::Servo(servo) => servo.apply(at.q, at.v, loads),
             Drive::Brake(brake) => brake.apply(at.v, at.held, loads),
             Drive::Prescribed(motion) => motion.apply(at.clock, loads),
+            Drive::WaveMotion(motion) => motion.apply(at.clock.time_s, loads),
             Drive::Cylinder(cylinder) => cylinder.apply(at, loads),
         }
     }
@@ -75,7 +80,7 @@ impl<S: Scalar> Drive<S> {
         match self {
             Drive::Motor(motor) => Some(&motor.profile),
             Drive::Prescribed(motion) => Some(&motion.profile),
-            Drive::Servo(_) | Drive::Cylinder(_) | Drive::Brake(_) => None,
+            Drive::Servo(_) | Drive::Cylinder(_) | Drive::Brake(_) | Drive::WaveMotion(_) => None,
         }
     }
 }

@@ -41,12 +41,14 @@ impl Restraints {
             Force::JointSpring(spring) => Some(spring.coordinate),
             _ => None,
         });
-        let by_drives = setup.drives.iter().filter_map(|drive| match drive {
-            Drive::Motor(motor) => Some(motor.coordinate),
-            Drive::Servo(servo) => Some(servo.coordinate),
-            Drive::Brake(brake) => Some(brake.friction.coordinate),
-            Drive::Prescribed(motion) => Some(motion.coordinate),
-            Drive::Cylinder(_) => None,
+        let one = |coordinate: usize| coordinate..coordinate + 1;
+        let by_drives = setup.drives.iter().flat_map(|drive| match drive {
+            Drive::Motor(motor) => one(motor.coordinate),
+            Drive::Servo(servo) => one(servo.coordinate),
+            Drive::Brake(brake) => one(brake.friction.coordinate),
+            Drive::Prescribed(motion) => one(motion.coordinate),
+            Drive::WaveMotion(motion) => motion.coordinates(),
+            Drive::Cylinder(_) => 0..0,
         });
         let loops = setup.model.loops.iter().map(|closed| [&closed.first, &closed.second]);
         let cylinders = setup.drives.iter().filter_map(Drive::cylinder);

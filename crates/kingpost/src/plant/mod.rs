@@ -114,7 +114,9 @@ impl<S: Scalar> Plant<S> {
         for force in forces.iter_mut() {
             force.apply(&moments.of_forces, loads);
         }
-        for drive in drives.iter().filter(|drive| !(at_rest && matches!(drive, Drive::Prescribed(_)))) {
+        for drive in
+            drives.iter().filter(|drive| !(at_rest && matches!(drive, Drive::Prescribed(_) | Drive::WaveMotion(_))))
+        {
             drive.apply(&moments.of_drives, loads);
         }
     }
@@ -188,6 +190,9 @@ impl<S: Scalar> Plant<S> {
     pub fn prescribe(&self, interval: Interval, v: &mut [S]) {
         let middle_s = interval.middle_s();
         for drive in &self.drives {
+            if let Drive::WaveMotion(motion) = drive {
+                v[motion.coordinates()].copy_from_slice(&motion.at(interval.start_s).rates);
+            }
             if let Drive::Prescribed(motion) = drive {
                 v[motion.coordinate] = motion.rate_at(Clock { time_s: interval.start_s, middle_s });
             }

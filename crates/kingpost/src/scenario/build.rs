@@ -12,10 +12,12 @@ mod lines;
 mod loops;
 pub mod reading;
 mod water;
+mod wave_motion;
 mod waves;
 
 pub use super::error::FieldError;
 use super::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenario};
+use crate::drives::Drive;
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::moving_frame::Variation;
 use crate::dynamics::pivots::massless_coordinate;
@@ -63,13 +65,18 @@ fn open<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldErro
         let allowed = "false: in this version every parameter takes effect at reset";
         return Err(FieldError::new(format!("parameters.{i}.live"), true, allowed));
     }
-    let bodies::Bodies { model, q, mut v, forces: in_joints } = bodies::build(scenario)?;
+    let bodies::Bodies { model, mut q, mut v, forces: in_joints } = bodies::build(scenario)?;
     let model = loops::build(scenario, model)?;
     let (model, in_water) = water::build(scenario, model)?;
     let mut forces = forces(scenario, &model)?;
     forces.extend(in_joints);
     forces.extend(in_water);
     let drives::Drives { drives, inputs } = drives::build(scenario, &model, &mut v)?;
+    for drive in &drives {
+        if let Drive::WaveMotion(motion) = drive {
+            q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(0.0).positions);
+        }
+    }
     let setup = Setup { model, forces, drives, inputs, settings, q, v };
     lines::check_start(&setup)?;
     Ok(setup)

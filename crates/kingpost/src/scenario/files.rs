@@ -1,8 +1,9 @@
 //! Files that a scenario names: their texts come from the host, for the engine reads no disk.
 
 use super::error::FieldError;
-use super::schema::{Force, Scenario, Waves};
+use super::schema::{Force, Joint, Scenario, Waves};
 use crate::sea::database::Database;
+use crate::sea::raos::RaoTable;
 use crate::sea::waves::ElevationTable;
 use indexmap::IndexMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -47,6 +48,14 @@ impl Files {
         });
         Ok(Arc::new(table?))
     }
+
+    fn raos(&self, field: &str, name: &str) -> Result<Arc<RaoTable>, FieldError> {
+        let table = RaoTable::read(self.text(field, name, "a file of RAOs")?);
+        let table = table.map_err(|error| {
+            FieldError::new(field, format!("{name}: {}: {}", error.field, error.found), error.allowed)
+        });
+        Ok(Arc::new(table?))
+    }
 }
 
 /// What is in the files that a scenario names, by their names.
@@ -54,6 +63,7 @@ impl Files {
 pub struct NamedFiles {
     databases: IndexMap<String, Arc<Database>>,
     records: IndexMap<String, Arc<ElevationTable>>,
+    raos: IndexMap<String, Arc<RaoTable>>,
 }
 
 impl NamedFiles {
@@ -66,6 +76,11 @@ impl NamedFiles {
     pub fn record(&self, name: &str) -> Option<&Arc<ElevationTable>> {
         self.records.get(name)
     }
+
+    /// The displacement RAOs of a file.
+    pub fn raos(&self, name: &str) -> Option<&Arc<RaoTable>> {
+        self.raos.get(name)
+    }
 }
 
 /// What a file is to the scenario that names it.
@@ -73,6 +88,7 @@ impl NamedFiles {
 enum Kind {
     Database,
     Record,
+    Raos,
 }
 
 impl Scenario {
@@ -94,6 +110,7 @@ impl Scenario {
             match kind {
                 Kind::Database => drop(taken.databases.insert(name.to_owned(), files.database(&field, name)?)),
                 Kind::Record => drop(taken.records.insert(name.to_owned(), files.record(&field, name)?)),
+                Kind::Raos => drop(taken.raos.insert(name.to_owned(), files.raos(&field, name)?)),
             }
         }
         self.files = taken;
@@ -108,6 +125,14 @@ impl Scenario {
                 && record.enabled
             {
                 fields.push((format!("sea.waves.{name}.record.file"), record.file.as_str(), Kind::Record));
+            }
+        }
+        for (name, body) in &self.bodies {
+            if let Joint::MovedByWaves(joint) = &body.joint
+                && body.enabled
+            {
+                let field = format!("bodies.{name}.joint.moved_by_waves.raos");
+                fields.push((field, joint.raos.as_str(), Kind::Raos));
             }
         }
         for (name, force) in &self.forces {

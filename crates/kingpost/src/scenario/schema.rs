@@ -15,6 +15,7 @@ mod joints;
 mod joints_of_several_axes;
 mod lines;
 mod loops;
+mod moved_by_waves;
 mod parameter;
 mod sea;
 mod waves;
@@ -46,6 +47,7 @@ pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, Pr
 pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
 pub use lines::{CatenaryLine, SpringLine};
 pub use loops::{Attachment, Constraint, Distance, Loop};
+pub use moved_by_waves::MovedByWaves;
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;
 pub use waves::{

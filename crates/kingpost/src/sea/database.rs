@@ -204,8 +204,13 @@ impl Database {
 
     /// Whether a frequency lies within the grid.
     pub fn covers(&self, omega_rad_s: f64) -> bool {
-        let grid = &self.frequencies_rad_s;
-        (grid[0]..=grid[grid.len() - 1]).contains(&omega_rad_s)
+        let [lowest, highest] = self.band_rad_s();
+        (lowest..=highest).contains(&omega_rad_s)
+    }
+
+    /// The lowest frequency and the highest, rad/s.
+    pub fn band_rad_s(&self) -> [f64; 2] {
+        [self.frequencies_rad_s[0], self.frequencies_rad_s[self.frequencies_rad_s.len() - 1]]
     }
 
     /// The grid's interval that a frequency lies in, and where in it; outside, the nearest end.

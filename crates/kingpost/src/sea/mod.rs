@@ -2,4 +2,5 @@
 
 pub mod database;
 pub mod hull;
+pub mod raos;
 pub mod waves;

@@ -72,6 +72,11 @@ impl<'a> WaveLoads<'a> {
         self.hulls[0].place.position
     }
 
+    /// The heading of the first hull, rad.
+    pub(super) fn heading_rad(&self) -> f64 {
+        self.hulls[0].place.heading
+    }
+
     /// Accelerations of the free coordinates under waves of unit amplitude, a column for each direction.
     pub(super) fn accelerations(&self, omega: f64, directions: &[f64]) -> DMatrix<Complex<f64>> {
         let reference = self.reference_m();

@@ -35,8 +35,12 @@ pub struct WaveResponse {
     pub frequencies_rad_s: Vec<f64>,
     /// Reference point of the phases, world, m.
     pub reference_m: [f64; 2],
+    /// Heading of that hull at rest, from the world's x counter-clockwise, rad.
+    pub heading_rad: f64,
     /// Bodies, whose place is their centre of mass, then named points as `arm.tip`.
     pub places: Vec<String>,
+    /// Where they are at rest, world, m.
+    pub places_m: Vec<[f64; 3]>,
     /// Bodies whose angles are given.
     pub bodies: Vec<String>,
     /// Free coordinates.
@@ -139,7 +143,9 @@ impl Scenario {
             directions_rad: waves.directions_rad.clone(),
             frequencies_rad_s,
             reference_m: loads.reference_m(),
+            heading_rad: loads.heading_rad(),
             places: outputs.places,
+            places_m: outputs.places_m,
             bodies: outputs.bodies,
             coordinates: rest.coordinates(),
             states: linear.states,

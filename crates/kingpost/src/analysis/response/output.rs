@@ -8,6 +8,8 @@ use nalgebra::{Complex, DMatrix, DVector};
 /// The rows of a response.
 pub(super) struct Outputs {
     pub(super) places: Vec<String>,
+    /// Where they are at rest, world, m.
+    pub(super) places_m: Vec<[f64; 3]>,
     pub(super) bodies: Vec<String>,
     /// Of places and angles, by free coordinate.
     jacobian: DMatrix<Complex<f64>>,
@@ -32,9 +34,11 @@ impl Outputs {
             let rotation = at.world[body].rotation;
             rows.push(twists.iter().map(|twist| euler_rates(&rotation, twist[body].angular)).collect());
         }
+        let place_at_rest = |(_, body, r): &(String, usize, Vector3)| at.world[*body].point(*r).0;
         let entry = |row: usize, column: usize| Complex::new(rows[row / 3][column][row % 3], 0.0);
         Self {
             jacobian: DMatrix::from_fn(3 * rows.len(), free.len(), entry),
+            places_m: places.iter().map(place_at_rest).collect(),
             places: places.into_iter().map(|(name, ..)| name).collect(),
             bodies: model.bodies.iter().map(|body| body.name.clone()).collect(),
         }

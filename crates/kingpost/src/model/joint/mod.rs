@@ -14,6 +14,7 @@ mod floating;
 mod planar;
 mod prismatic;
 mod revolute;
+mod six_axes;
 mod spherical;
 mod universal;
 

@@ -46,6 +46,11 @@ pub fn axes(joint: &schema::Joint) -> Vec<Axis> {
         schema::Joint::Planar(joint) => {
             vec![length("x", &joint.x), length("y", &joint.y), angle("rotation", &joint.rotation)]
         }
+        schema::Joint::MovedByWaves(_) => {
+            let slides = ["x", "y", "z"].map(|label| length(label, &LengthAxis::default()));
+            let turns = ["yaw", "pitch", "roll"].map(|label| angle(label, &AngleAxis::default()));
+            slides.into_iter().chain(turns).map(|axis| Axis { mode: Mode::Prescribed, ..axis }).collect()
+        }
         schema::Joint::Floating(_) | schema::Joint::Spherical(_) | schema::Joint::Fixed(_) => Vec::new(),
     }
 }

@@ -200,6 +200,17 @@ fn joint<S: Gathered>(
             let planar = AxisList::planar(placement, direction(0), direction(1), to_child);
             JointKind::AxisList(planar.with_modes(&modes))
         }
+        schema::Joint::MovedByWaves(_) => {
+            if body.first().parent_body().is_some() {
+                let field = format!("bodies.{name}.parent");
+                return Err(FieldError::new(
+                    field,
+                    &body.first().parent,
+                    "world, for a body that moves with the waves",
+                ));
+            }
+            JointKind::AxisList(AxisList::six_axes(placement, to_child).with_modes(&modes))
+        }
         schema::Joint::Spherical(joint) => {
             mode = if joint.held { Mode::Held } else { Mode::Free };
             JointKind::Spherical(Spherical::new(placement, to_child))

@@ -5,7 +5,7 @@ use super::axes::axes;
 use super::bodies::joint_name;
 use super::flexible::owner;
 use super::reading::{Gathered, Reading};
-use super::{FieldError, cylinders, known};
+use super::{FieldError, cylinders, known, wave_motion};
 use crate::drives::{Brake, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
 use crate::dynamics::Clock;
 use crate::forces::CoulombFriction;
@@ -63,6 +63,10 @@ pub fn build<S: Gathered>(
     for motion in prescribed(scenario, model)? {
         v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
         drives.push(Drive::Prescribed(motion));
+    }
+    for motion in wave_motion::build(scenario, model)? {
+        v[motion.coordinates()].copy_from_slice(&motion.at(0.0).rates);
+        drives.push(Drive::WaveMotion(motion));
     }
     Ok(Drives { drives, inputs })
 }

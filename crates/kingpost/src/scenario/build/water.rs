@@ -188,24 +188,25 @@ impl<'a, S: Gathered> Sea<'a, S> {
         if waves.is_empty() || !given.excitation {
             return Ok(None);
         }
-        check_coverage(&field("database"), database, &waves)?;
+        check_coverage(&field("database"), database.band_rad_s(), &waves)?;
         let parts = Parts { froude_krylov: !given.wave_pressure, drift: given.wave_drift };
         Ok(Some(Excitation::new(database, WaveField::new(&waves, self.water, self.ramp_s), parts)))
     }
 }
 
 /// The sea's water, whose waves are the scenario's.
-fn water_of(sea: &schema::Sea, gravity: f64) -> Result<Water, FieldError> {
+pub(super) fn water_of(sea: &schema::Sea, gravity: f64) -> Result<Water, FieldError> {
     let water = Water::new(sea.density_kg_m3.get(), gravity, sea.depth_m.map(|depth| depth.get()));
     water.map_err(|error| FieldError::new(format!("sea.{}", error.field), error.found, error.allowed))
 }
 
-fn sea_of(scenario: &Scenario) -> Option<schema::Sea> {
+/// The sea as it is written.
+pub(super) fn sea_of(scenario: &Scenario) -> Option<schema::Sea> {
     scenario.sea.clone()
 }
 
 /// Gravity's acceleration: a sea is level by it.
-fn gravity(scenario: &Scenario) -> Result<f64, FieldError> {
+pub(super) fn gravity(scenario: &Scenario) -> Result<f64, FieldError> {
     let acts = scenario.forces.values().filter_map(gravity_of).find(|gravity| gravity.enabled);
     acts.map(|gravity| gravity.acceleration_m_s2.get())
         .ok_or_else(|| FieldError::new("forces", "water on a hull, and no gravity", "gravity that is enabled"))
@@ -221,27 +222,25 @@ fn same(field: &str, what: &str, found: f64, unit: &str, sea: f64) -> Result<(),
     Err(FieldError::new(field, format!("a {what} {found} {unit}"), format!("that of the sea, {sea} {unit}")))
 }
 
-/// Share of the waves' energy that may lie outside a database's frequencies.
+/// Share of the waves' energy that may lie outside the frequencies of a table.
 const MOST_UNCOVERED: f64 = 0.01;
 
-fn check_coverage<S: Scalar>(field: &str, database: &Database, waves: &[WaveComponent<S>]) -> Result<(), FieldError> {
-    let energy = |covered: Option<bool>| {
-        let counted = waves
-            .iter()
-            .filter(|wave| covered.is_none_or(|c| database.covers(wave.angular_frequency_rad_s.value()) == c));
+/// An error where a table of a hull's response, from `band_rad_s[0]` to `band_rad_s[1]`, leaves out what the waves hold.
+pub(super) fn check_coverage<S: Scalar>(
+    field: &str,
+    [lowest, highest]: [f64; 2],
+    waves: &[WaveComponent<S>],
+) -> Result<(), FieldError> {
+    let energy = |counts: &dyn Fn(f64) -> bool| {
+        let counted = waves.iter().filter(|wave| counts(wave.angular_frequency_rad_s.value()));
         counted.map(|wave| wave.amplitude_m.value() * wave.amplitude_m.value()).sum::<f64>()
     };
-    let share = energy(Some(false)) / energy(None);
-    if share <= MOST_UNCOVERED {
+    let (outside, all) = (energy(&|omega| !(lowest..=highest).contains(&omega)), energy(&|_| true));
+    if outside <= MOST_UNCOVERED * all {
         return Ok(());
     }
-    let grid = &database.frequencies_rad_s;
-    let found = format!(
-        "frequencies from {} to {} rad/s, with {:.1} % of the waves' energy outside",
-        grid[0],
-        grid[grid.len() - 1],
-        100.0 * share
-    );
+    let share = 100.0 * outside / all;
+    let found = format!("frequencies from {lowest} to {highest} rad/s, with {share:.1} % of the waves' energy outside");
     let allowed = format!("frequencies that leave at most {} % outside", 100.0 * MOST_UNCOVERED);
     Err(FieldError::new(field, found, allowed))
 }

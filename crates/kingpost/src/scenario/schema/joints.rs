@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::axes::one;
 use super::joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
+use super::moved_by_waves::MovedByWaves;
 use super::{
     AngleAxis, AngleFriction, AngleLimits, AngleSpring, Direction, LengthAxis, LengthFriction, LengthLimits,
     LengthSpring, Name, NonNegative, Positive, PrismaticMode, RevoluteMode,
@@ -30,6 +31,8 @@ pub enum Joint {
     Spherical(SphericalJoint),
     /// Does not move against its parent.
     Fixed(FixedJoint),
+    /// Moves in the world as the waves and its RAOs say.
+    MovedByWaves(MovedByWaves),
 }
 
 impl Joint {
@@ -44,6 +47,7 @@ impl Joint {
             Self::Planar(_) => "planar",
             Self::Spherical(_) => "spherical",
             Self::Fixed(_) => "fixed",
+            Self::MovedByWaves(_) => "moved_by_waves",
         }
     }
 
@@ -58,6 +62,7 @@ impl Joint {
             Self::Planar(joint) => joint.name.as_ref(),
             Self::Spherical(joint) => joint.name.as_ref(),
             Self::Fixed(joint) => joint.name.as_ref(),
+            Self::MovedByWaves(joint) => joint.name.as_ref(),
         }
     }
 
@@ -72,6 +77,7 @@ impl Joint {
             Self::Planar(j) => (j.position_m, j.child_position_m, j.orientation_rad),
             Self::Spherical(j) => (j.position_m, j.child_position_m, j.orientation_rad),
             Self::Fixed(j) => (j.position_m, j.child_position_m, j.orientation_rad),
+            Self::MovedByWaves(j) => (j.position_m, j.origin_m, [0.0, 0.0, j.heading_rad]),
         };
         JointPlace { position_m, child_position_m, orientation_rad }
     }
@@ -84,7 +90,7 @@ impl Joint {
             Self::Cylindrical(joint) => vec![("axis", joint.axis)],
             Self::Universal(joint) => vec![("first_axis", joint.first_axis), ("second_axis", joint.second_axis)],
             Self::Planar(joint) => vec![("normal", joint.normal), ("x_axis", joint.x_axis)],
-            Self::Floating(_) | Self::Spherical(_) | Self::Fixed(_) => Vec::new(),
+            Self::Floating(_) | Self::Spherical(_) | Self::Fixed(_) | Self::MovedByWaves(_) => Vec::new(),
         }
     }
 }

@@ -1,0 +1,82 @@
+//! A body that moves as the waves say, by response amplitude operators.
+
+use crate::dynamics::Loads;
+use crate::scalar::Scalar;
+use core::f64::consts::TAU;
+
+/// The six coordinates of a body that moves as the waves say, `q(t) = r(t) Re sum X a e^(-i w t)` with exact rates and
+/// accelerations; r is the ramp of the waves, `s^3 (10 - 15 s + 6 s^2)` with s = t / T up to T, whose two derivatives are 0
+/// at both ends.
+#[derive(Clone, Debug)]
+pub struct WaveMotion<S = f64> {
+    /// Index of the first in v.
+    pub velocities: usize,
+    /// Index of the first in q.
+    pub positions: usize,
+    /// w, rad/s, and the real and imaginary part of X a of each coordinate, for each wave.
+    pub waves: Vec<(f64, [[S; 2]; 6])>,
+    /// T, s.
+    pub ramp_s: f64,
+}
+
+/// Coordinates, their rates and their accelerations, in m or rad and s.
+#[derive(Clone, Copy, Debug)]
+pub struct SixMotions<S> {
+    /// q.
+    pub positions: [S; 6],
+    /// q'.
+    pub rates: [S; 6],
+    /// q''.
+    pub accelerations: [S; 6],
+}
+
+impl<S: Scalar> WaveMotion<S> {
+    /// Hands over the accelerations; their work is counted once the joint forces are known.
+    pub fn apply(&self, time_s: f64, loads: &mut Loads<S>) {
+        loads.acceleration[self.coordinates()].copy_from_slice(&self.at(time_s).accelerations);
+    }
+
+    /// Where its coordinates stand in v.
+    pub fn coordinates(&self) -> core::ops::Range<usize> {
+        self.velocities..self.velocities + 6
+    }
+
+    /// The motions at a time.
+    pub fn at(&self, time_s: f64) -> SixMotions<S> {
+        let [ramp, ramp_rate, ramp_acceleration] = self.ramp(time_s).map(S::constant);
+        let steady = self.steady(time_s);
+        let two = S::constant(2.0);
+        SixMotions {
+            positions: steady.map(|[x, _, _]| ramp * x),
+            rates: steady.map(|[x, x_dot, _]| ramp * x_dot + ramp_rate * x),
+            accelerations: steady
+                .map(|[x, x_dot, x_ddot]| ramp * x_ddot + two * ramp_rate * x_dot + ramp_acceleration * x),
+        }
+    }
+
+    /// Without the ramp: each coordinate with its rate and acceleration.
+    fn steady(&self, time_s: f64) -> [[S; 3]; 6] {
+        let mut sums = [[S::ZERO; 3]; 6];
+        for (omega, responses) in &self.waves {
+            let (sin, cos) = (omega / TAU * time_s).sin_cos_of_turns();
+            let (sin, cos, omega) = (S::constant(sin), S::constant(cos), S::constant(*omega));
+            for (sum, [real, imaginary]) in sums.iter_mut().zip(responses) {
+                let value = *real * cos + *imaginary * sin;
+                sum[0] += value;
+                sum[1] += omega * (*imaginary * cos - *real * sin);
+                sum[2] -= omega * omega * value;
+            }
+        }
+        sums
+    }
+
+    fn ramp(&self, time_s: f64) -> [f64; 3] {
+        if time_s >= self.ramp_s {
+            return [1.0, 0.0, 0.0];
+        }
+        let (s, length) = ((time_s / self.ramp_s).max(0.0), self.ramp_s);
+        let left = 1.0 - s;
+        let rate = 30.0 * s * s * left * left / length;
+        [s * s * s * (10.0 - s * (15.0 - 6.0 * s)), rate, 60.0 * s * left * (1.0 - 2.0 * s) / (length * length)]
+    }
+}

@@ -1,0 +1,204 @@
+//! Displacement RAOs of a ship: how it moves in a regular wave of unit amplitude, read from a file that states its
+//! conventions.
+
+mod csv;
+mod orcaflex;
+
+use core::f64::consts::{PI, TAU};
+use thiserror::Error;
+
+/// What a file holds that cannot be read as RAOs.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{field}: found {found}, allowed: {allowed}")]
+pub struct RaoError {
+    /// Where.
+    pub field: String,
+    /// What is there.
+    pub found: String,
+    /// What may be.
+    pub allowed: String,
+}
+
+impl RaoError {
+    fn new(field: impl ToString, found: impl ToString, allowed: impl ToString) -> Self {
+        Self { field: field.to_string(), found: found.to_string(), allowed: allowed.to_string() }
+    }
+}
+
+/// Surge, sway, heave (m/m), roll, pitch, yaw (rad/m), each real and imaginary: x forward, y to port, z up, right-handed,
+/// with the motion Re{X a e^(-i w t)} where the wave at the RAOs' origin is Re{a e^(-i w t)}. A lag is a positive angle.
+pub type Response = [[f64; 2]; 6];
+
+/// Displacement RAOs over wave direction and frequency.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RaoTable {
+    /// The point that they are of, in the file's axes of the vessel, m.
+    pub origin_m: [f64; 3],
+    /// The point whose wave the phases refer to, in the same axes, m.
+    pub phase_origin_m: [f64; 3],
+    /// Whether port is as starboard, where the file says so.
+    pub symmetric: Option<bool>,
+    /// Directions that waves go to, against the x axis counter-clockwise, rad, increasing within one turn.
+    directions_rad: Vec<f64>,
+    /// Frequencies, rad/s, increasing.
+    frequencies_rad_s: Vec<f64>,
+    /// By direction and frequency.
+    responses: Vec<Vec<Response>>,
+}
+
+/// One line of a file.
+struct Row {
+    direction_rad: f64,
+    frequency_rad_s: f64,
+    response: Response,
+}
+
+/// What a file holds.
+struct Content {
+    rows: Vec<Row>,
+    origin_m: [f64; 3],
+    phase_origin_m: [f64; 3],
+    symmetric: Option<bool>,
+}
+
+/// How near two angles or frequencies are that are one, rad and rad/s.
+const SAME: f64 = 1e-9;
+
+impl RaoTable {
+    /// From the text of a file: OrcaFlex's YAML where it has `VesselTypes`, else CSV.
+    ///
+    /// The CSV has a line of names, which state the conventions: `direction_to_deg` (where the waves go to, from x
+    /// counter-clockwise: 180 is a head sea); `period_s`, `frequency_rad_s` or `frequency_Hz`; and for each motion its
+    /// amplitude and its phase, `surge_forward_m_per_m`, `sway_port_m_per_m` or `sway_starboard_m_per_m`,
+    /// `heave_up_m_per_m`, `roll_port_up_deg_per_m` or `roll_starboard_up_...`, `pitch_bow_down_...` or
+    /// `pitch_bow_up_...`, `yaw_bow_port_...` or `yaw_bow_starboard_...`, in `deg_per_m` or `rad_per_m`; phases as
+    /// `surge_lag_deg` or `surge_lead_deg` against the crest at the origin.
+    ///
+    /// # Errors
+    /// What is missing, unknown or no number, by line and name; directions that have not all the same frequencies.
+    pub fn read(text: &str) -> Result<Self, RaoError> {
+        let text = text.trim_start_matches('\u{feff}');
+        let is_yaml = text.lines().any(|line| line.trim_end() == "VesselTypes:");
+        Self::from_content(if is_yaml { orcaflex::read(text)? } else { csv::read(text)? })
+    }
+
+    fn from_content(content: Content) -> Result<Self, RaoError> {
+        let Content { mut rows, origin_m, phase_origin_m, symmetric } = content;
+        let order = |a: &Row, b: &Row| {
+            let by_direction = a.direction_rad.total_cmp(&b.direction_rad);
+            by_direction.then(a.frequency_rad_s.total_cmp(&b.frequency_rad_s))
+        };
+        rows.sort_by(order);
+        let (directions_rad, frequencies_rad_s, responses) = (vec![], vec![], vec![]);
+        let mut table = Self { origin_m, phase_origin_m, symmetric, directions_rad, frequencies_rad_s, responses };
+        let mut frequencies: Vec<Vec<f64>> = Vec::new();
+        for row in rows {
+            if table.directions_rad.last().is_none_or(|last| row.direction_rad - last > SAME) {
+                table.directions_rad.push(row.direction_rad);
+                frequencies.push(Vec::new());
+                table.responses.push(Vec::new());
+            }
+            if let (Some(of_direction), Some(responses)) = (frequencies.last_mut(), table.responses.last_mut()) {
+                of_direction.push(row.frequency_rad_s);
+                responses.push(row.response);
+            }
+        }
+        table.frequencies_rad_s = frequencies.first().cloned().unwrap_or_default();
+        table.check(&frequencies)?;
+        Ok(table)
+    }
+
+    fn check(&self, frequencies: &[Vec<f64>]) -> Result<(), RaoError> {
+        let first = &self.frequencies_rad_s;
+        if first.len() < 2 || first.windows(2).any(|pair| pair[1] - pair[0] <= SAME) {
+            return Err(RaoError::new("frequencies", format!("{first:?} rad/s"), "two or more, each once"));
+        }
+        for (direction, other) in self.directions_rad.iter().zip(frequencies) {
+            if other.len() != first.len() || other.iter().zip(first).any(|(a, b)| (a - b).abs() > SAME) {
+                let field = format!("direction {:.6} deg", direction.to_degrees());
+                let found = format!("frequencies {other:?} rad/s");
+                return Err(RaoError::new(field, found, format!("those of the first direction, {first:?}")));
+            }
+        }
+        Ok(())
+    }
+
+    /// The same over the whole circle, where `symmetric` says whether port is as starboard: then directions from 0 to 180
+    /// degrees are enough.
+    ///
+    /// # Errors
+    /// Directions that leave a gap of more than a quarter of the circle; nothing said about what is not given.
+    pub fn whole_circle(&self, symmetric: Option<bool>) -> Result<Self, RaoError> {
+        let mut table = self.clone();
+        if self.symmetric.or(symmetric) == Some(true) {
+            for (direction, responses) in self.directions_rad.iter().zip(&self.responses).rev() {
+                let mirrored = (TAU - direction).rem_euclid(TAU);
+                let is_there = |known: &f64| (mirrored - known).abs() < 1e-6 || (mirrored - known).abs() > TAU - 1e-6;
+                if !table.directions_rad.iter().any(is_there) {
+                    let at = table.directions_rad.partition_point(|known| *known < mirrored);
+                    table.directions_rad.insert(at, mirrored);
+                    table.responses.insert(at, responses.iter().map(mirror).collect());
+                }
+            }
+        }
+        let next = |i: usize| table.directions_rad.get(i + 1).copied().unwrap_or(table.directions_rad[0] + TAU);
+        let gap = |i: usize| next(i) - table.directions_rad[i];
+        match (0..table.directions_rad.len()).find(|&i| gap(i) > PI / 2.0 + 1e-6) {
+            Some(i) => {
+                let [from, to] = [table.directions_rad[i], next(i)].map(f64::to_degrees);
+                let found = format!("nothing from {from:.1} to {to:.1} deg");
+                let allowed = "gaps of at most 90 deg; with symmetric: true directions from 0 to 180 deg are enough";
+                Err(RaoError::new("directions", found, allowed))
+            }
+            None => Ok(table),
+        }
+    }
+
+    /// Whether a frequency is within those of the table.
+    pub fn covers(&self, frequency_rad_s: f64) -> bool {
+        let [lowest, highest] = self.band_rad_s();
+        (lowest..=highest).contains(&frequency_rad_s)
+    }
+
+    /// The lowest frequency and the highest, rad/s.
+    pub fn band_rad_s(&self) -> [f64; 2] {
+        [self.frequencies_rad_s[0], self.frequencies_rad_s[self.frequencies_rad_s.len() - 1]]
+    }
+
+    /// Linear between the real and imaginary parts at the nearest directions and frequencies; nothing outside.
+    pub fn at(&self, frequency_rad_s: f64, direction_rad: f64) -> Response {
+        if !self.covers(frequency_rad_s) {
+            return [[0.0; 2]; 6];
+        }
+        let n = self.directions_rad.len();
+        let first = self.directions_rad[0];
+        let direction = (direction_rad - first).rem_euclid(TAU) + first;
+        let before = self.directions_rad.partition_point(|known| *known <= direction).max(1) - 1;
+        let after = (before + 1) % n;
+        let width = (self.directions_rad[after] - self.directions_rad[before]).rem_euclid(TAU);
+        let share = if width > 0.0 { (direction - self.directions_rad[before]) / width } else { 0.0 };
+        let high = self.frequencies_rad_s.partition_point(|known| *known < frequency_rad_s).max(1);
+        let [low_at, high_at] = [high - 1, high].map(|i| self.frequencies_rad_s[i]);
+        let along = (frequency_rad_s - low_at) / (high_at - low_at);
+        let of = |i: usize, mode: usize, part: usize| {
+            let [low, high] = [high - 1, high].map(|k| self.responses[i][k][mode][part]);
+            low + along * (high - low)
+        };
+        let between = |mode: usize, part: usize| {
+            of(before, mode, part) + share * (of(after, mode, part) - of(before, mode, part))
+        };
+        core::array::from_fn(|mode| [between(mode, 0), between(mode, 1)])
+    }
+}
+
+/// The response to the mirrored wave.
+fn mirror(response: &Response) -> Response {
+    let sign = |mode: usize| if mode.is_multiple_of(2) { 1.0 } else { -1.0 };
+    core::array::from_fn(|mode| response[mode].map(|part| sign(mode) * part))
+}
+
+/// A e^(i lag).
+fn phasor(amplitude: f64, lag_rad: f64) -> [f64; 2] {
+    let (sin, cos) = libm::sincos(lag_rad);
+    [amplitude * cos, amplitude * sin]
+}
