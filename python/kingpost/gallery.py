@@ -80,15 +80,15 @@ def find(path_or_name: str | Path) -> Path:
     raise ScenarioError(f"{text}: neither a file nor a name of the gallery; {hint}", file=text)
 
 
-def beside(file: str, name: str) -> Path | None:
-    """Return the file of this name beside another, or in the gallery; `None` where there is neither.
+def beside(file: str | Path, name: str) -> Path | None:
+    """Return the file of this name beside another; `None` where there is none.
 
-    >>> beside("nowhere.yaml", "paper.yaml").name
-    'paper.yaml'
-    >>> beside("nowhere.yaml", "missing.json")
+    >>> beside(find("barge"), "hydro/barge.hydro.json").name
+    'barge.hydro.json'
+    >>> beside("nowhere.yaml", "hydro/barge.hydro.json")
     """
-    candidates = (Path(file).parent / name, folder() / name)
-    return next((path for path in candidates if path.is_file()), None)
+    path = Path(file).parent / name
+    return path if path.is_file() else None
 
 
 def read_text(path: Path) -> str:

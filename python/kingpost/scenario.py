@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from . import _engine, gallery
-from .errors import KingpostError
+from .errors import KingpostError, ScenarioError
 
 Overrides = Mapping[str, Any]
 
@@ -32,7 +32,10 @@ class Scenario:
 
     def __post_init__(self) -> None:
         # Validates: a scenario that exists is one that can run.
-        vars(self)["json"] = _engine.read(self.text, self.file, self._overrides_json, self.files)
+        try:
+            vars(self)["json"] = _engine.read(self.text, self.file, self._overrides_json, self.files)
+        except ScenarioError as error:
+            raise _with_place(error, self.file) from None
 
     @property
     def _overrides_json(self) -> str:
@@ -149,6 +152,17 @@ def as_scenario(
     if isinstance(scenario_or_path, Scenario):
         return scenario_or_path.with_overrides(overrides, **parameters)
     return load(scenario_or_path, overrides, **parameters)
+
+
+def _with_place(error: ScenarioError, file: str) -> ScenarioError:
+    """Of a file that is not there: with where it was looked for, which the engine cannot know."""
+    name = (error.found or "").removeprefix("no file ")
+    if name == error.found or not name:
+        return error
+    looked = f"{error}; looked for {Path(file).parent / name}"
+    return ScenarioError(
+        looked, error.file, error.line, error.column, error.field, error.found, error.allowed
+    )
 
 
 def _pairs(overrides: Overrides | None, parameters: Overrides) -> tuple[tuple[str, Any], ...]:

@@ -19,7 +19,7 @@ export interface Run {
 interface Source {
   text: string;
   file: string;
-  /** Texts of the files that were opened with it, by their names. */
+  /** Texts of the files that were opened with it, by their names; left out for a scenario of the gallery. */
   opened?: Record<string, string>;
 }
 
@@ -71,7 +71,7 @@ export class Session {
   }
 
   private read({ text, file, opened }: Source, overrides: Values): Promise<Opened> {
-    return this.client.open(text, file, overrides, opened ?? {});
+    return this.client.open(text, file, overrides, opened ?? null);
   }
 
   /** Back to the start with the values that the controls show. Calls that come together are one. */

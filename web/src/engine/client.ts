@@ -20,8 +20,8 @@ export class EngineClient {
     worker.onerror = (event) => this.fail({ kind: "internal", message: event.message || "the engine did not load" });
   }
 
-  /** `opened` are the texts of the files that came with it, by their names. */
-  open(text: string, file: string, overrides: Values, opened: Record<string, string>): Promise<Replies["open"]> {
+  /** `opened` are the texts of the files that came with it, by their names; null for a scenario of the gallery. */
+  open(text: string, file: string, overrides: Values, opened: Record<string, string> | null): Promise<Replies["open"]> {
     return this.ask({ kind: "open", text, file, overrides, opened, folder: this.folder });
   }
 

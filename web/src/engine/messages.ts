@@ -6,9 +6,9 @@ export interface OpenRequest {
   text: string;
   file: string;
   overrides: Values;
-  /** Texts of the files that were opened with it, by their names. */
-  opened: Record<string, string>;
-  /** Address of the folder that has the files that scenarios name. */
+  /** Texts of the files that were opened with it, by their names; null for a scenario of the gallery. */
+  opened: Record<string, string> | null;
+  /** Address of the folder that has the files that the gallery's scenarios name. */
   folder: string;
 }
 

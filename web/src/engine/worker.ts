@@ -20,13 +20,14 @@ const runner = new Runner(
 
 const files = new Map<string, ScenarioFiles>();
 
-/** The files that a scenario names: opened with it, else from the folder that the page says. */
+/** The files that a scenario names: of a person's own those that were opened with it, of the gallery's from its folder. */
 async function filesOf({ text, file, overrides, opened, folder }: OpenRequest): Promise<Record<string, string>> {
+  const names = JSON.parse(file_names(text, file, JSON.stringify(overrides))) as string[];
+  // A file of the same name in the gallery would be another hull.
+  if (opened) return openedWith(names, opened);
   const known = files.get(folder) ?? new ScenarioFiles(folder, fetchText);
   files.set(folder, known);
-  const names = JSON.parse(file_names(text, file, JSON.stringify(overrides))) as string[];
-  const own = openedWith(names, opened);
-  return { ...(await known.take(names.filter((name) => !(name in own)))), ...own };
+  return known.take(names);
 }
 
 async function answer(request: Request): Promise<unknown> {

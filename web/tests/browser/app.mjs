@@ -55,8 +55,10 @@ export async function setFigures(page) {
   await setNumber(page, "crane_y_m", 0);
 }
 
-export async function openFile(page, name, text) {
-  await page.getByTestId("file").setInputFiles({ name, mimeType: "text/yaml", buffer: Buffer.from(text) });
+/** Opens a file, and others of these texts by their names with it. */
+export async function openFile(page, name, text, others = {}) {
+  const files = Object.entries({ [name]: text, ...others });
+  await page.getByTestId("file").setInputFiles(files.map(([one, content]) => ({ name: one, mimeType: "text/yaml", buffer: Buffer.from(content) })));
 }
 
 /** Presses Step until the time is reached: once as a person does, then from within the page, which is faster. */

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { close as near, numberIn, openApp, openFile, PHONE, sample, stepTo } from "./app.mjs";
 
-/** A barge in a regular wave, its data from the gallery's folder. */
+/** A barge in a regular wave, with its database beside it. */
 const BARGE = `version: 1
 title: A barge in a regular wave
 simulation: {step_s: 0.02, duration_s: 60, record_every_s: 0.1}
@@ -21,11 +21,13 @@ forces:
   water: {hydrodynamics: {body: hull, database: hydro/barge.hydro.json}}
 `;
 
+const DATABASE = { "barge.hydro.json": readFileSync(new URL("../../../scenarios/hydro/barge.hydro.json", import.meta.url), "utf-8") };
+
 const opened = (page, title) => page.waitForFunction((wanted) => document.title.endsWith(wanted), title);
 
 async function openBarge(host, options) {
   const app = await openApp(host, options);
-  await openFile(app.page, "barge.yaml", BARGE);
+  await openFile(app.page, "barge.yaml", BARGE, DATABASE);
   await opened(app.page, "A barge in a regular wave");
   return app;
 }
@@ -105,7 +107,7 @@ export default {
     assert.equal(await page.getByTestId("floating").isVisible(), false);
     assert.equal((await sample(page)).surface, null);
     assert.match(await page.locator("#scene-note").textContent(), /No water in this scenario/);
-    await openFile(page, "calm.yaml", BARGE.replace("regular: {", "regular: {enabled: false, ").replace("in a regular wave", "in still water"));
+    await openFile(page, "calm.yaml", BARGE.replace("regular: {", "regular: {enabled: false, ").replace("in a regular wave", "in still water"), DATABASE);
     await opened(page, "A barge in still water");
     await stepTo(page, 0.5);
     const { surface } = await sample(page);
@@ -116,20 +118,17 @@ export default {
 
   async "says which file of a scenario is not there"(host) {
     const { page, close } = await openApp(host);
-    // The address of a file that is not there is an error in the console too.
-    await openFile(page, "lost.yaml", BARGE.replace("hydro/barge.hydro.json", "../lost.hydro.json"));
+    // The gallery has a file of this name, but of another hull than the person's.
+    await openFile(page, "lost.yaml", BARGE);
     await page.waitForFunction(() => document.querySelector("[data-testid=alert]").textContent.includes("no file"));
-    assert.match(await page.getByTestId("alert").textContent(), /lost\.hydro\.json.*Open the scenario and its database together/);
+    assert.match(await page.getByTestId("alert").textContent(), /barge\.hydro\.json.*Open the scenario and its database together/);
     await close();
   },
 
   async "opens a scenario with a database of the person's own"(host) {
     const { page, close } = await openApp(host);
-    const database = readFileSync(new URL("../../../scenarios/hydro/barge.hydro.json", import.meta.url));
-    await page.getByTestId("file").setInputFiles([
-      { name: "mine.hydro.json", mimeType: "application/json", buffer: database },
-      { name: "mine.yaml", mimeType: "text/yaml", buffer: Buffer.from(BARGE.replace("hydro/barge.hydro.json", "data/mine.hydro.json")) },
-    ]);
+    const scenario = BARGE.replace("hydro/barge.hydro.json", "data/mine.hydro.json");
+    await openFile(page, "mine.yaml", scenario, { "mine.hydro.json": DATABASE["barge.hydro.json"] });
     await opened(page, "A barge in a regular wave");
     await stepTo(page, 0.5);
     await page.getByTestId("reset").click();
