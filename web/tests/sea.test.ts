@@ -68,7 +68,11 @@ describe("how a hull floats", () => {
     // A quarter turn about x carries z to -y, one about y carries x to -z.
     const half = Math.SQRT1_2;
     const one = { ...model(0), hulls: [{ ...model(0).hulls[0], origin_m: [5, 2, 1.5] as [number, number, number] }] };
-    expect(afloat(one, columns, row, [0, 0, 0, half, half, 0, 0])!.draught_m).toBeCloseTo(2 - 2, 12);
-    expect(afloat(one, columns, row, [0, 0, 0, half, 0, half, 0])!.draught_m).toBeCloseTo(2 + 5, 12);
+    expect(afloat(one, columns, row, [0, 0, 0, half, half, 0, 0])!.draught_m).toBeCloseTo(-2, 12);
+    expect(afloat(one, columns, row, [0, 0, 0, half, 0, half, 0])!.draught_m).toBeCloseTo(5, 12);
+    // The keel's depth, not the distance to it: T cos(heel) where the origin stays on the water.
+    const level = { ...model(0), hulls: [{ ...model(0).hulls[0], origin_m: [0, 0, 0] as [number, number, number] }] };
+    const heel = 0.1;
+    expect(afloat(level, columns, row, [0, 0, 0, Math.cos(heel / 2), Math.sin(heel / 2), 0, 0])!.draught_m).toBeCloseTo(2 * Math.cos(heel), 12);
   });
 });

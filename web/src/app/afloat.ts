@@ -7,7 +7,7 @@ export interface Afloat {
   heel_rad: number;
   /** Pitch: positive by the bow, rad. */
   trim_rad: number;
-  /** Of the origin of the hull's data, from still water, m. */
+  /** Depth of the keel below still water, under the origin of the hull's data, along the vertical, m: as the engine's hydrostatics. */
   draught_m: number;
   /** Elevation of the incident waves where the hull is on average, m. */
   wave_m: number;
@@ -25,7 +25,7 @@ export function afloat(model: ModelInfo, columns: Columns, row: ArrayLike<number
   return {
     heel_rad: columns.read(row, `${body}.roll`),
     trim_rad: columns.read(row, `${body}.pitch`),
-    draught_m: draught_m - rise_m,
+    draught_m: heights[2] * draught_m - rise_m,
     wave_m: columns.read(row, `wave_elevation.${name}`),
   };
 }
