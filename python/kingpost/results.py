@@ -23,7 +23,8 @@ if TYPE_CHECKING:
     from .scenario import Scenario
 
 ENDINGS = (".nc", ".csv", ".parquet")
-NAMED = ("body", "coordinate", "joint", "loop", "constraint", "cylinder", "line", "flow", "point", "drive")
+NAMED = ("body", "coordinate", "joint", "loop", "constraint", "cylinder", "hull", "line", "flow", "point",
+         "drive")  # fmt: skip
 """Dimensions whose label stands before the variable in a flat column name."""
 AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port"
 
@@ -100,6 +101,8 @@ def column_name(variable: str, labels: dict[Any, Any]) -> str:
     'ship.angular_velocity.x'
     >>> column_name("joint_position", {"coordinate": "slew"})
     'slew.joint_position'
+    >>> column_name("excitation_force", {"hull": "water", "component": "force_x"})
+    'water.excitation_force.force_x'
     """
     before = [str(label) for dim, label in labels.items() if dim in NAMED]
     after = [str(label) for dim, label in labels.items() if dim not in NAMED]

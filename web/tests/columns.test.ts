@@ -15,6 +15,11 @@ it("names columns as the CSV files do", () => {
   expect(names.slice(10)).toEqual(["slew.joint_reaction.force_x", "slew.joint_reaction.force_y", "slew.joint_reaction.force_z"]);
 });
 
+it("puts the name of the hull before what acts on it", () => {
+  const force = { variable: "excitation_force", long_name: "", unit: "N", frame: "none", dims: ["hull", "component"], labels: [["water"], ["force_x"]], offset: 0, len: 1 };
+  expect(columnNames([force])).toEqual(["water.excitation_force.force_x"]);
+});
+
 it("reads a row by name, and no number where there is no such column", () => {
   const columns = new Columns(CHANNELS);
   const row = new FakeEngine().row();

@@ -62,10 +62,35 @@ describe("what the figures can show", () => {
     const hull = { name: "water", body: "ship", origin_m: [0, 0, 1.5] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, mesh: null };
     const { angles } = kindsOf({ ...model([SHIP, SLEW]), hulls: [hull] }, []);
     expect(angles.map(({ title }) => title)).toEqual(["Angles of ship", "Heave of ship"]);
-    expect(angles[1].quantities.map(({ column, offset }) => [column, offset ?? 0])).toEqual([["ship.position.z", 1.5], ["wave_elevation.water", 0]]);
+    expect(angles[1].quantities.map(({ column, offset }) => [column, offset ?? 0])).toEqual([["ship.position.z", 1.5], ["water.wave_elevation", 0]]);
     expect([angles[1].units.deg, angles[1].turns]).toEqual(["m", false]);
     const alone = kindsOf({ ...model([SHIP]), hulls: [hull] }, []);
     expect(alone.angles.map(({ title }) => title)).toEqual(["Heave of ship", "Angles of ship"]);
+  });
+
+  it("has the hook load, tensions and the loads of sea and wind, in kN", () => {
+    const labelled = (variable: string, thing: string): Channel => ({ ...channel(variable, [thing], "N"), dims: [thing] });
+    const channels = [
+      { ...channel("joint_reaction", ["ship", "pendant"], "N, N m"), dims: ["joint", "component"] },
+      labelled("line_tension", "bow"),
+      labelled("excitation_force", "water"),
+      labelled("flow_force", "gale"),
+    ];
+    const hull = { name: "water", body: "ship", origin_m: [0, 0, 1.5] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, mesh: null };
+    const { rates } = kindsOf({ ...model([SHIP, SLEW]), hulls: [hull] }, channels);
+    expect(rates.slice(1).map(({ title, units }) => [title, units.deg])).toEqual([
+      ["pendant: force carried", "kN"],
+      ["bow: tension", "kN"],
+      ["Wave force on ship", "kN"],
+      ["Wave moment on ship", "kN m"],
+      ["gale: force", "kN"],
+      ["gale: moment", "kN m"],
+    ]);
+    const [, hook, bow, wave] = rates;
+    expect(hook.quantities[0].lengthOf).toEqual(["x", "y", "z"].map((axis) => `pendant.joint_reaction.force_${axis}`));
+    expect(bow.quantities.map(({ column }) => column)).toEqual(["bow.line_tension", "bow.line_end_tension"]);
+    expect(wave.quantities[2].column).toBe("water.excitation_force.force_z");
+    expect([scaleOf(hook, "deg"), decimalsOf(hook, "deg")]).toEqual([1e-3, 2]);
   });
 
   it("shows the first body where none floats", () => {

@@ -26,6 +26,6 @@ export function afloat(model: ModelInfo, columns: Columns, row: ArrayLike<number
     heel_rad: columns.read(row, `${body}.roll`),
     trim_rad: columns.read(row, `${body}.pitch`),
     draught_m: heights[2] * draught_m - rise_m,
-    wave_m: columns.read(row, `wave_elevation.${name}`),
+    wave_m: columns.read(row, `${name}.wave_elevation`),
   };
 }

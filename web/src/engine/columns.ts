@@ -8,6 +8,7 @@ const THINGS = new Set([
   "loop",
   "constraint",
   "cylinder",
+  "hull",
   "line",
   "flow",
   "point",

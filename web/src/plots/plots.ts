@@ -14,7 +14,8 @@ export class Plots {
     angles: new Plot(byId("plot-angles"), "angles", "What the second plot shows"),
   };
   private history = new History(1, 1);
-  private places: number[] = [];
+  /** For each column of the history where it stands in a row: one place, or those of a vector whose length it is. */
+  private places: number[][] = [];
   private unit: Unit = "deg";
 
   constructor(session: Session) {
@@ -38,9 +39,10 @@ export class Plots {
   private open(run: Run, frame: Frame): void {
     const { duration_s, record_every_s, step_s } = run.model;
     const kinds = kindsOf(run.model, run.channels);
-    const shown = [...kinds.rates, ...kinds.angles].flatMap(({ quantities }) => quantities.map(({ column }) => column));
-    const names = ["time", ...new Set(shown)];
-    this.places = names.map((name) => run.columns.at(name));
+    const shown = [...kinds.rates, ...kinds.angles].flatMap(({ quantities }) => quantities);
+    const parts = new Map([["time", ["time"]], ...shown.map(({ column, lengthOf }) => [column, lengthOf ?? [column]] as const)]);
+    const names = [...parts.keys()];
+    this.places = [...parts.values()].map((columns) => columns.map((column) => run.columns.at(column)));
     const { window_s, capacity } = windowLength(duration_s, Math.max(record_every_s, step_s), names.length);
     this.history = new History(names.length, capacity);
     this.plots.rates.offer(kinds.rates, this.history, names);
@@ -52,7 +54,8 @@ export class Plots {
   private take(run: Run, frame: Frame): void {
     const { width } = run.columns;
     for (let at = 0; at < frame.rows.length; at += width) {
-      this.history.push(this.places.map((place) => (place < 0 ? NaN : frame.rows[at + place])));
+      const value = (place: number) => (place < 0 ? NaN : frame.rows[at + place]);
+      this.history.push(this.places.map((places) => (places.length === 1 ? value(places[0]) : Math.hypot(...places.map(value)))));
     }
     if (frame.rows.length > 0) this.each((plot) => plot.touch());
   }

@@ -1,11 +1,14 @@
 import type { Channel, HullInfo, ModelInfo } from "../engine/engine";
+import { loadsOf } from "./loads";
 
 /** One drawn line: what it is called, its colour, which column it comes from. */
 export interface Quantity {
   key: "pitch" | "yaw" | "roll" | "plain";
   label: string;
-  /** Name of the column. */
+  /** Name of the column; of a length the name of the vector. */
   column: string;
+  /** Columns of the vector whose length it is. */
+  lengthOf?: string[];
   /** Added to the column, in its unit. */
   offset?: number;
 }
@@ -18,6 +21,8 @@ export interface PlotKind {
   units: Record<Unit, string>;
   /** Whether the columns are in radians and may be shown in degrees. */
   turns: boolean;
+  /** Factor from the columns to these units; 1 unless given. */
+  scale?: number;
   /** Angles jump from +180 to -180 degrees: no line is drawn there. */
   wraps: boolean;
 }
@@ -29,14 +34,15 @@ export type FigureKey = "rates" | "angles";
 export const PER_RADIAN: Record<Unit, number> = { deg: 180 / Math.PI, rad: 1 };
 const DECIMALS: Record<Unit, number> = { deg: 2, rad: 5 };
 const PLAIN_DECIMALS = 4;
+const SCALED_DECIMALS = 2;
 
 /** Factor from a column to what is shown. */
 export function scaleOf(kind: PlotKind, unit: Unit): number {
-  return kind.turns ? PER_RADIAN[unit] : 1;
+  return kind.turns ? PER_RADIAN[unit] : (kind.scale ?? 1);
 }
 
 export function decimalsOf(kind: PlotKind, unit: Unit): number {
-  return kind.turns ? DECIMALS[unit] : PLAIN_DECIMALS;
+  return kind.turns ? DECIMALS[unit] : kind.scale ? SCALED_DECIMALS : PLAIN_DECIMALS;
 }
 
 /** What each figure can show of a model, the first by default. */
@@ -52,6 +58,7 @@ export function kindsOf(model: ModelInfo, channels: Channel[]): Record<FigureKey
       ...bodies.map(bodyRates),
       ...coordinates.map((name) => coordinate(name, "rate", "joint_velocity", unitOf(name), { m: "m/s", rad: "rad/s", deg: "°/s" })),
       ...coordinates.map((name) => effort(name, unitOf(name))),
+      ...loadsOf(model, channels),
       ...labels("point_velocity").map((name) => point(name, "velocity", "m/s")),
     ],
     angles: [
@@ -107,7 +114,7 @@ function heave({ name, body, origin_m }: HullInfo): PlotKind {
     title: `Heave of ${body}`,
     quantities: [
       { key: "pitch", label: "Heave", column: `${body}.position.z`, offset: origin_m[2] },
-      { key: "yaw", label: "Wave", column: `wave_elevation.${name}` },
+      { key: "yaw", label: "Wave", column: `${name}.wave_elevation` },
     ],
     units: { deg: "m", rad: "m" },
     turns: false,

@@ -71,7 +71,7 @@ export default {
     const { row, surface, poses, time_s } = await sample(page);
     near(await numberIn(page, "heel"), (row["hull.roll"] * 180) / Math.PI, 0.0051, "heel shown");
     near(await numberIn(page, "trim"), (row["hull.pitch"] * 180) / Math.PI, 0.0051, "trim shown");
-    near(await numberIn(page, "wave"), row["wave_elevation.water"], 0.0051, "wave shown");
+    near(await numberIn(page, "wave"), row["water.wave_elevation"], 0.0051, "wave shown");
     // a cos(k (x cos b + y sin b) - w t), k = w^2 / g: the documented wave, at every crossing.
     const [omega, direction] = [(2 * Math.PI) / 4.5, (140 * Math.PI) / 180];
     const [x_m, y_m, elevations] = [surface.x_m, surface.y_m, surface.elevation_m].map(Object.values);
