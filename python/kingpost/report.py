@@ -152,20 +152,22 @@ def _joints(results: xarray.Dataset, scenario: Scenario) -> list[str]:
         rows.append((
             str(name),
             *(fixed(value, 6) for value in (position.values[-1], largest(position.values))),
-            _unit(position, _slides(str(name), slides)),
+            _unit(position, slides_along(str(name), slides)),
             *(fixed(value, 6) for value in (rate.values[-1], largest(rate.values))),
-            _unit(rate, _slides(str(name), slides)),
+            _unit(rate, slides_along(str(name), slides)),
             significant(largest(force.values), most_force),
-            _unit(force, _slides(str(name), slides)),
+            _unit(force, slides_along(str(name), slides)),
         ))  # fmt: skip
     return table(_shortened(rows), "<>><>><><")
 
 
-def _slides(coordinate: str, prismatic: set[str]) -> bool:
+def slides_along(coordinate: str, prismatic: set[str]) -> bool:
     """Whether a coordinate is a length: of a prismatic joint, or of a sliding axis of several.
 
-    >>> _slides("boom.1.shear_z", set()), _slides("boom.1.torsion", set()), _slides("slide", {"slide"})
-    (True, False, True)
+    >>> slides_along("boom.1.shear_z", set()), slides_along("boom.1.torsion", set())
+    (True, False)
+    >>> slides_along("slide", {"slide"})
+    True
     """
     return coordinate in prismatic or coordinate.endswith(SLIDING_AXES)
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import statistics
 from .errors import KingpostError
-from .report import fixed, table
+from .report import fixed, slides_along, table
 from .results import column_name
 
 if TYPE_CHECKING:
@@ -23,15 +23,18 @@ if TYPE_CHECKING:
 # Of these where no channels are named; a floating body's place and angles, and all of the others.
 OF_SHIPS = ("position.z", "roll", "pitch", "yaw")
 ALL_OF = ("wave_elevation", "joint_position", "line_tension")
-FEWEST_RUNS = 5
-"""Runs that an extreme is fitted to."""
+FEWEST_RUNS, ENOUGH_RUNS = 5, 10
+"""Runs that an extreme is fitted to, and those that give an error worth having."""
+SMALLEST_MOTION = 1e-12
+"""What varies by less than this share of its size stands still but for rounding."""
+FINISHED = "finished"
 HEADINGS = {
     "mean": "mean",
     "standard_deviation": "deviation",
     "significant_double_amplitude": "sig. double",
     "zero_up_crossing_period": "period, s",
-    "maximum": "largest",
-    "minimum": "smallest",
+    "maximum": "largest of all",
+    "minimum": "smallest of all",
 }
 
 
@@ -39,12 +42,17 @@ def read(path: str | Path) -> xarray.Dataset:
     """A data set that `kingpost run -o FILE.nc` wrote, or `Batch`."""
     import xarray
 
+    allowed = "allowed: results in NetCDF, as kingpost run -o FILE.nc writes them"
+    if not Path(path).is_file():
+        raise KingpostError(f"{path}: {'is a folder' if Path(path).is_dir() else 'no such file'}, {allowed}")
     try:
         found = xarray.load_dataset(path, engine="h5netcdf")
-    except OSError as error:
-        raise KingpostError(f"{path}: {error.strerror or error}, allowed: results in NetCDF, .nc") from None
+    except PermissionError as error:
+        raise KingpostError(f"{path}: {error.strerror}, {allowed}") from None
+    except (OSError, ValueError):
+        raise KingpostError(f"{path}: found a file that is not NetCDF, {allowed}") from None
     if "time" not in found.dims:
-        raise KingpostError(f"{path}: found no dimension time, allowed: results of kingpost run")
+        raise KingpostError(f"{path}: found no dimension time, {allowed}")
     return found
 
 
@@ -59,8 +67,12 @@ def start_s(results: xarray.Dataset, after_s: float | None) -> float:
 def frame(
     runs: Sequence[xarray.Dataset], after_s: float | None, patterns: Sequence[str] = ()
 ) -> pandas.DataFrame:
-    """A row for each channel: its unit (angles in deg), its statistics, the means over several runs, and
-    from five runs on the expected largest and smallest value of three hours with their standard errors."""
+    """A row for each channel: its unit (angles in deg), its statistics and, from five runs on, the expected
+    largest and smallest value of three hours with their standard errors.
+
+    Of several runs mean, deviation, double amplitude and period are the means over them, the largest and the
+    smallest value those of all. Where no channels are asked for, those that stand still are left out.
+    """
     import pandas
 
     first = start_s(runs[0], after_s)
@@ -68,6 +80,8 @@ def frame(
     rows = []
     for name, unit in names.items():
         series = [part for run in runs for part in _series(run, name)]
+        if not patterns and all(_stands_still(statistics.after(part, first).values) for part in series):
+            continue
         scale = 180 / np.pi if unit == "rad" else 1.0
         rows.append({"channel": name, "unit": "deg" if unit == "rad" else unit, **_row(series, first, scale)})
     return pandas.DataFrame(rows)
@@ -77,27 +91,55 @@ def text(runs: Sequence[xarray.Dataset], found: pandas.DataFrame, after_s: float
     """The statistics as a table, with what they are of."""
     first, time = start_s(runs[0], after_s), runs[0]["time"].values
     count = sum(run.sizes.get("run", 1) for run in runs)
-    of = f"{count} runs, means over them" if count > 1 else "one run"
-    lines = [str(runs[0].attrs.get("title", "")), f"{first:g} to {time[-1]:g} s of {of}", ""]
+    hours = f"{count * (time[-1] - first) / 3600:.2g} h in all"
+    of = (
+        f"{count} runs, {hours}: means over them, but for the largest and the smallest"
+        if count > 1
+        else "one run"
+    )
+    lines = [
+        str(runs[0].attrs.get("title", "")),
+        f"{first:g} to {time[-1]:g} s of {of}",
+        *_unfinished(runs),
+        "",
+    ]
     rows = [("channel", "", *HEADINGS.values())]
     for row in found.to_dict("records"):
         rows.append((row["channel"], row["unit"], *(_number(row[name]) for name in HEADINGS)))
     lines += table(rows, "<<" + ">" * len(HEADINGS))
-    if count >= FEWEST_RUNS:
-        rows = [("three-hour extreme, expected", "", "largest", "", "smallest", "")]
-        for row in found.to_dict("records"):
-            cells = [(_number(row[side]), f"+- {_number(row[f'{side}_error'])}")
-                     for side in ("extreme_largest", "extreme_smallest")]  # fmt: skip
-            rows.append((row["channel"], row["unit"], *cells[0], *cells[1]))
-        lines += ["", *table(rows, "<<><><")]
-    else:
-        lines += ["", f"three-hour extremes want {FEWEST_RUNS} runs or more, each of another seed"]
-    return "\n".join(lines)
+    return "\n".join([*lines, "", *_extremes(found, count)])
+
+
+def _extremes(found: pandas.DataFrame, count: int) -> list[str]:
+    """Expected extremes of three hours with their standard errors, where there are runs enough."""
+    if count < FEWEST_RUNS:
+        return [f"three-hour extremes want {ENOUGH_RUNS} runs or more, each of another seed"]
+    rows = [("expected of three hours", "", "largest", "", "smallest", "")]
+    for row in found.to_dict("records"):
+        cells = [(_number(row[side]), f"+- {_number(row[f'{side}_error'])}" if np.isfinite(row[side]) else "")
+                 for side in ("extreme_largest", "extreme_smallest")]  # fmt: skip
+        rows.append((row["channel"], row["unit"], *cells[0], *cells[1]))
+    lines = [*table(rows, "<<><><"), "+- one standard error, by the scatter of the runs"]
+    if count < ENOUGH_RUNS:
+        lines.append(f"warning: of {count} runs these are rough: {ENOUGH_RUNS} or more, each of another seed")
+    return lines
+
+
+def _unfinished(runs: Sequence[xarray.Dataset]) -> list[str]:
+    """Of the runs that Ctrl-C or a divergence ended early."""
+    ends = [(run, str(run.attrs.get("status", FINISHED))) for run in runs if "run" not in run.sizes]
+    return [f"warning: a run ended early, at {run['time'].values[-1]:g} s: {status}"
+            for run, status in ends if status != FINISHED]  # fmt: skip
+
+
+def _stands_still(values: np.ndarray) -> bool:
+    return bool(np.ptp(values) <= SMALLEST_MOTION * np.abs(values).max())
 
 
 def _chosen(results: xarray.Dataset, patterns: Sequence[str]) -> dict[str, str]:
     """Names of flat columns with their units."""
-    units = {name: str(series.attrs.get("units", "")) for name, series in _columns(results)}
+    slides = _sliding(results)
+    units = {name: _unit(series, slides) for name, series in _columns(results)}
     if not patterns:
         return {name: unit for name, unit in units.items() if _is_default(results, name)}
     chosen = {name: unit for name, unit in units.items() if any(fnmatchcase(name, p) for p in patterns)}
@@ -107,6 +149,25 @@ def _chosen(results: xarray.Dataset, patterns: Sequence[str]) -> dict[str, str]:
                 f"--channels: found {pattern!r}, allowed: columns as ship.roll, or patterns as ship.*"
             )
     return chosen
+
+
+def _unit(series: xarray.DataArray, slides: set[str]) -> str:
+    """The unit of one column, of a variable that has those of forces and moments, or of turning and sliding."""
+    units = str(series.attrs.get("units", ""))
+    if ", " in units:
+        of_force, of_moment = units.split(", ")
+        return of_moment if str(series.coords["component"].item()).startswith("moment") else of_force
+    if " or " in units and "coordinate" in series.coords:
+        turning, sliding = units.split(" or ")
+        return sliding if slides_along(str(series.coords["coordinate"].item()), slides) else turning
+    return units
+
+
+def _sliding(results: xarray.Dataset) -> set[str]:
+    """Names of the prismatic joints."""
+    described = json.loads(results.attrs.get("scenario", "{}")).get("bodies", {})
+    joints = ((body, given["joint"].get("prismatic")) for body, given in described.items())
+    return {str(joint.get("name") or body) for body, joint in joints if joint}
 
 
 def _is_default(results: xarray.Dataset, name: str) -> bool:
@@ -147,6 +208,9 @@ def _row(series: Sequence[xarray.DataArray], after_s: float, scale: float) -> di
     by_name = {
         name: np.array([float(s.sel(statistic=name)) for s in summaries]) for name in statistics.STATISTICS
     }
+    still = [_stands_still(statistics.after(part, after_s).values) for part in series]
+    for name in ("standard_deviation", "significant_amplitude", "significant_double_amplitude"):
+        by_name[name][still] = 0.0
     row = {
         name: float(values.mean()) * (1.0 if name == "zero_up_crossing_period" else scale)
         for name, values in by_name.items()
@@ -165,7 +229,7 @@ def _row(series: Sequence[xarray.DataArray], after_s: float, scale: float) -> di
 
 def _extreme(side: str, scale: float, sign: int, values: np.ndarray, record_s: float) -> dict[str, float]:
     """Expected extreme of three hours and its standard error; not a number where nothing moves."""
-    if not np.isfinite(values).all() or np.ptp(values) == 0:
+    if not np.isfinite(values).all() or _stands_still(values):
         return {f"extreme_{side}": np.nan, f"extreme_{side}_error": np.nan}
     found = statistics.extreme(sign * values, record_s)
     return {
