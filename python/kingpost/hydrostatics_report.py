@@ -40,8 +40,8 @@ def _hull(hull: dict[str, Any]) -> list[str]:
         ("displacement", f"{hull['displacement_kg'] / 1000:.3f} t", f"{hull['displacement_m3']:.3f} m3"),
         ("mass afloat", f"{hull['mass_kg'] / 1000:.3f} t", ""),
         ("draught", f"{hull['draught_m']:.4f} m", f"the database's is {hull['database_draught_m']:g} m"),
-        ("heel", f"{fixed(degrees(hull['heel_rad']), 4)} deg", "to starboard"),
-        ("trim", f"{fixed(degrees(hull['trim_rad']), 4)} deg", "by the bow"),
+        ("heel", *_angle(hull["heel_rad"], "to starboard", "to port")),
+        ("trim", *_angle(hull["trim_rad"], "by the bow", "by the stern")),
         ("KB", _metres(hull["keel_to_buoyancy_m"]), ""),
         ("BM", *both("metacentric_radius_m")),
         ("KM", *both("keel_to_metacentre_m")),
@@ -52,6 +52,13 @@ def _hull(hull: dict[str, Any]) -> list[str]:
     ]
     how = "its mesh" if hull["by_mesh"] else "its database's waterplane"
     return [f"{hull['body']} afloat at rest in still water, by {how}", *table(rows, "<><")]
+
+
+def _angle(radians: float, positive: str, negative: str) -> tuple[str, str]:
+    """Its size in degrees, and which way; upright, no way."""
+    size = f"{abs(degrees(radians)):.4f}"
+    way = "" if float(size) == 0 else positive if radians > 0 else negative
+    return f"{size} deg", way
 
 
 def _metres(value: float) -> str:
@@ -70,12 +77,31 @@ def _hanging(hull: dict[str, Any]) -> list[str]:
 
 
 def _arms(hull: dict[str, Any]) -> list[str]:
-    """GZ at constant displacement, free to trim."""
-    if not hull["righting_arm"]:
+    """GZ at constant displacement, free to trim, to the side of the list."""
+    curve = hull["righting_arm"]
+    if curve is None:
         return []
-    points = hull["righting_arm"]
-    return table([
-        ("heel, deg", *(f"{degrees(point['heel_rad']):.0f}" for point in points)),
+    side, points = curve["side"], curve["points"]
+    rows = [
+        (f"heel to {side}, deg", *(f"{degrees(point['heel_rad']):.0f}" for point in points)),
         ("GZ, m", *(fixed(point["arm_m"], 3) for point in points)),
-        ("trim, deg", *(fixed(degrees(point["trim_rad"]), 2) for point in points)),
-    ])  # fmt: skip
+        ("trim by the bow, deg", *(fixed(degrees(point["trim_rad"]), 2) for point in points)),
+    ]
+    return [f"righting arms to {side}: {_range(curve)}", *table(rows)]
+
+
+def _range(curve: dict[str, Any]) -> str:
+    """Equilibrium, the largest arm and how far stability reaches."""
+    rest, vanishing = curve["equilibrium_rad"], curve["vanishing_rad"]
+    if rest is None:
+        return "none that rises through zero to 90 deg"
+    top = curve["largest"]
+    reach = (
+        "positive beyond to 90 deg"
+        if vanishing is None
+        else f"vanishing at {degrees(vanishing):.1f} deg, a range of {degrees(vanishing - rest):.1f} deg"
+    )
+    return (
+        f"equilibrium at {fixed(degrees(rest), 2)} deg, largest GZ {_metres(top['arm_m'])} at "
+        f"{degrees(top['heel_rad']):.1f} deg, {reach}"
+    )

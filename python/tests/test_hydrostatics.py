@@ -50,8 +50,8 @@ def test_check_prints_how_a_ship_floats(capsys) -> None:
     for label, value, unit in [
         ("displacement", hull["displacement_kg"] / 1000, "t"),
         ("draught", hull["draught_m"], "m"),
-        ("heel", np.rad2deg(hull["heel_rad"]), "deg"),
-        ("trim", np.rad2deg(hull["trim_rad"]), "deg"),
+        ("heel", abs(np.rad2deg(hull["heel_rad"])), "deg"),
+        ("trim", abs(np.rad2deg(hull["trim_rad"])), "deg"),
         ("KB", hull["keel_to_buoyancy_m"], "m"),
         ("BM", hull["metacentric_radius_m"][0], "m"),
         ("KM", hull["keel_to_metacentre_m"][0], "m"),
@@ -62,10 +62,30 @@ def test_check_prints_how_a_ship_floats(capsys) -> None:
         (number,) = re.findall(rf"^{label} +(-?[\d.]+) {unit}\b", shown, re.MULTILINE)
         assert float(number) == pytest.approx(value, abs=0.6 * 10 ** -len(number.partition(".")[2])), label
     assert re.search(r"^load +pendant +1 t +4\.000 m +100 % +100 %$", shown, re.MULTILINE)
+    side = "starboard" if hull["heel_rad"] > 0 else "port"
+    end = "bow" if hull["trim_rad"] > 0 else "stern"
+    assert re.search(rf"^heel .* deg +to {side}$", shown, re.MULTILINE)
+    assert re.search(rf"^trim .* deg +by the {end}$", shown, re.MULTILINE)
     (arms,) = re.findall(r"^GZ, m +(.*)$", shown, re.MULTILINE)
-    expected = [point["arm_m"] for point in hull["righting_arm"]]
+    expected = [point["arm_m"] for point in hull["righting_arm"]["points"]]
     assert np.allclose([float(arm) for arm in arms.split()], expected, atol=6e-4)
     assert "warning" not in shown
+
+
+def test_the_righting_arms_of_a_crane_to_port_and_to_starboard_are_the_same(capsys) -> None:
+    """Source: the two are mirror images, and settle to 1e-10; the side of the load is the lesser."""
+    heels, largest = [], []
+    for side, slew in (("port", 90), ("starboard", -90)):
+        overrides = ["load_t=40", f"bodies.pedestal.joint.revolute.initial_angle_deg={slew}"]
+        assert main(["check", "offshore_vessel", *(a for pair in overrides for a in ("--set", pair))]) == 0
+        shown = capsys.readouterr().out
+        (heel,) = re.findall(rf"^heel +([\d.]+) deg +to {side}$", shown, re.MULTILINE)
+        (top,) = re.findall(rf"^righting arms to {side}: .*largest GZ ([\d.]+) m", shown, re.MULTILINE)
+        assert f"warning: hull: heel {float(heel):.2f} deg to {side}" in shown
+        heels.append(float(heel))
+        largest.append(float(top))
+    assert heels[0] == pytest.approx(heels[1], abs=2e-4)
+    assert largest[0] == pytest.approx(largest[1], abs=2e-3)
 
 
 def test_check_warns_that_the_ship_of_the_paper_floats_at_5_85_cm(capsys) -> None:

@@ -4,7 +4,7 @@ mod common;
 
 use common::barge::{BEAM, DENSITY, DEPTH, LENGTH, scenario};
 use kingpost::Simulation;
-use kingpost::hydrostatics::{HullAfloat, HydrostaticReport, RightingArmPoint};
+use kingpost::hydrostatics::{HullAfloat, HydrostaticReport, RightingArmPoint, Side};
 use serde_json::{Value, json};
 
 const MAST: &str = "bodies.mast.joint.prismatic.position_m";
@@ -106,7 +106,8 @@ fn the_righting_arm_follows_the_wall_sided_formula_until_the_bilge_comes_out() {
     let wall_sided = libm::atan(2.0 * hull.draught_m.min(DEPTH - hull.draught_m) / BEAM);
     near(wall_sided.to_degrees(), 21.8, 0.05);
     let inside = |point: &RightingArmPoint| point.heel_rad < wall_sided;
-    let (inside, outside): (Vec<RightingArmPoint>, Vec<_>) = hull.righting_arm.into_iter().partition(inside);
+    let (inside, outside): (Vec<RightingArmPoint>, Vec<_>) =
+        hull.righting_arm.expect("a mesh").points.into_iter().partition(inside);
     assert!(inside.len() == 5 && outside.len() == 8, "0, 5, ... 20 degrees and on to 60");
     for point in inside {
         let (sin, tan) = (libm::sin(point.heel_rad), libm::tan(point.heel_rad));
@@ -117,6 +118,49 @@ fn the_righting_arm_follows_the_wall_sided_formula_until_the_bilge_comes_out() {
         let (sin, tan) = (libm::sin(point.heel_rad), libm::tan(point.heel_rad));
         assert!(point.arm_m < sin * (gm + 0.5 * bm * tan * tan), "a box that lost its sides rights itself less");
     }
+}
+
+/// The mast off the middle makes the list `W GZ = moment cos(phi)`: wall-sided, `(GM + BM tan^2(phi) / 2) tan(phi) = d`
+/// with GM of the ship upright and d the moment over the weight (Barrass & Derrett, ch. on list).
+#[test]
+fn the_righting_arms_are_those_of_the_side_that_the_ship_lists_to() {
+    // So high that the box does not right itself on its side.
+    let high = (MAST, json!([0.0, 0.0, 12.0]));
+    let upright = afloat(&[high.clone()]);
+    let [gm, bm] = [upright.metacentric_height_m[0], upright.metacentric_radius_m[0]];
+    let curve = |shift: f64| {
+        let overrides = [high.clone(), ("shift_m", json!(shift)), (HYDROSTATICS, json!("mesh"))];
+        let hull = report(&overrides).hulls.remove(0);
+        (hull.heel_rad, hull.righting_arm.expect("a mesh"))
+    };
+    let shift = 3.0;
+    let ((to_port, port), (to_starboard, starboard)) = (curve(shift), curve(-shift));
+    assert!(to_port < -0.01 && to_starboard > 0.01, "{to_port} {to_starboard}");
+    assert_eq!((port.side, starboard.side), (Side::Port, Side::Starboard));
+    let d = 30e3 * shift / total();
+    for point in port.points.iter().take(5) {
+        let (sin, cos) = libm::sincos(point.heel_rad);
+        let tan = sin / cos;
+        near(point.arm_m, sin * (gm + 0.5 * bm * tan * tan) - d * cos, 1e-8);
+    }
+    // Mirror images: settling leaves 1e-10 of each.
+    for (a, b) in port.points.iter().zip(&starboard.points) {
+        near(a.arm_m, b.arm_m, 1e-8);
+    }
+    let largest = [&port, &starboard].map(|curve| curve.largest.expect("it rights itself"));
+    near(largest[0].arm_m, largest[1].arm_m, 1e-8);
+    near(port.equilibrium_rad.expect("it rests"), -to_port, 1e-8);
+    let (fluid, vanishing) = (libm::tan(-to_port), starboard.vanishing_rad.expect("within 90 deg"));
+    near((gm + 0.5 * bm * fluid * fluid) * fluid, d, 1e-8);
+    near(vanishing, port.vanishing_rad.expect("within 90 deg"), 1e-8);
+    for point in &starboard.points {
+        let rights = point.heel_rad > -to_port && point.heel_rad < vanishing;
+        assert_eq!(point.arm_m > 0.0, rights, "{point:?} {vanishing}");
+    }
+    let top = starboard.points.iter().map(|point| point.arm_m).fold(0.0, f64::max);
+    assert!(largest[1].arm_m >= top && largest[1].arm_m < top + 0.05, "{top} {largest:?}");
+    let small = upright.righting_arm.expect("a mesh").largest.expect("stable").arm_m;
+    assert!(largest[0].arm_m < small, "a list takes of the arm: {largest:?} {small}");
 }
 
 /// The GM of the report is the heel that a small moment makes: `W GM phi = moment`, with the load free
@@ -155,7 +199,8 @@ fn an_equilibrium_off_the_database_is_warned_of_with_the_limits() {
          database's draught, upright (warned of beyond 5 %)"
     );
     let off = report(&[("shift_m", json!(4.0))]).warnings;
-    assert!(off.len() == 1 && off[0].starts_with("hull: heel -") && off[0].ends_with("beyond 3 deg)"), "{off:?}");
+    assert!(off.len() == 1 && off[0].starts_with("hull: heel ") && off[0].ends_with("beyond 3 deg)"), "{off:?}");
+    assert!(off[0].contains(" deg to port: linear"), "{off:?}");
     // Of the mesh alone nothing is linear.
     let mesh_alone = ["added_mass", "radiation", "excitation"]
         .map(|name| (format!("forces.water.hydrodynamics.{name}"), Value::Bool(false)));

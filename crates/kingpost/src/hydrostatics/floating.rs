@@ -1,12 +1,13 @@
 //! One hull at rest in still water.
 
 use super::hanging::{HangingLoad, Restraints, Weight, carried, loads, weight};
-use super::{HullAfloat, HydrostaticsError, RightingArmPoint};
+use super::righting::{RightingArmCurve, Side};
+use super::{HullAfloat, HydrostaticsError};
 use crate::dynamics::Kinematics;
 use crate::forces::hull::{Hull, Hydrostatics};
 use crate::model::Model;
 use crate::sea::database::Database;
-use crate::sea::hull::{FloatingPosition, HullMesh, Loading, RightingArm, StabilityError, WettedHull};
+use crate::sea::hull::{FloatingPosition, HullMesh, Loading, StabilityError, WettedHull};
 use crate::spatial::{Frame, Vector3};
 
 /// Linear hydrodynamics about a draught that differs from the database's by more than this share of it
@@ -17,8 +18,6 @@ const LARGEST_DRAUGHT_CHANGE: f64 = 0.05;
 const LARGEST_ANGLE_DEG: f64 = 3.0;
 /// A displacement that differs from the mass by more than this share of it is warned of.
 const LARGEST_PULL: f64 = 1e-3;
-/// Angles of heel of the righting-arm curve, deg.
-const HEELS_DEG: [f64; 13] = [0.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0];
 
 /// A hull, its data, and where everything is.
 pub(super) struct Floating<'a> {
@@ -68,8 +67,8 @@ impl Floating<'_> {
         let mut afloat = self.heights(&position, &underwater, &hanging);
         let mut warnings = self.warnings(&afloat);
         if let Some(mesh) = &mesh {
-            match self.righting_arm(mesh, &position, afloat.fluid_rise_m()[0]) {
-                Ok(curve) => afloat.righting_arm = curve,
+            match self.righting_arm(mesh, &position, &afloat) {
+                Ok(curve) => afloat.righting_arm = Some(curve),
                 Err(error) => warnings.push(format!("{name}: no righting-arm curve: {error}")),
             }
         }
@@ -140,7 +139,7 @@ impl Floating<'_> {
             solid_metacentric_height_m: solid,
             metacentric_height_m: [solid[0] - rise[0], solid[1] - rise[1]],
             hanging: Vec::new(),
-            righting_arm: Vec::new(),
+            righting_arm: None,
             by_mesh: false,
         }
     }
@@ -192,33 +191,31 @@ impl Floating<'_> {
                 100.0 * LARGEST_DRAUGHT_CHANGE
             ));
         }
-        for (what, angle) in [("heel", hull.heel_rad), ("trim", hull.trim_rad)] {
-            let angle = angle.to_degrees();
-            if angle.abs() > LARGEST_ANGLE_DEG {
+        let end = if hull.trim_rad < 0.0 { "by the stern" } else { "by the bow" };
+        let side = format!("to {}", Side::of(hull.heel_rad).name());
+        for (what, angle, sense) in [("heel", hull.heel_rad, side.as_str()), ("trim", hull.trim_rad, end)] {
+            let angle = angle.to_degrees().abs();
+            if angle > LARGEST_ANGLE_DEG {
                 let limit = format!("warned of beyond {LARGEST_ANGLE_DEG} deg");
-                warnings.push(format!("{body}: {what} {angle:.2} deg: {about} ({limit})"));
+                warnings.push(format!("{body}: {what} {angle:.2} deg {sense}: {about} ({limit})"));
             }
         }
         warnings
     }
 
-    /// GZ of the weight whose centre hanging loads raise by so much along the vertical.
+    /// GZ of the weight whose centre hanging loads raise along the vertical.
     fn righting_arm(
         &self,
         mesh: &HullMesh,
         position: &FloatingPosition,
-        rise_m: f64,
-    ) -> Result<Vec<RightingArmPoint>, StabilityError> {
+        afloat: &HullAfloat,
+    ) -> Result<RightingArmCurve, StabilityError> {
         let loading = Loading {
             mass: self.carried_weight().mass,
-            centre_of_gravity: self.centre_of_gravity() + position.vertical * rise_m,
+            centre_of_gravity: self.centre_of_gravity() + position.vertical * afloat.fluid_rise_m()[0],
             water_density: self.density(),
         };
-        let curve = RightingArm::curve(mesh, &loading, &HEELS_DEG.map(f64::to_radians))?;
-        Ok(curve
-            .iter()
-            .map(|point| RightingArmPoint { heel_rad: point.heel, trim_rad: point.trim, arm_m: point.arm })
-            .collect())
+        RightingArmCurve::of(mesh, &loading, afloat.heel_rad)
     }
 }
 

@@ -13,8 +13,10 @@
 
 mod floating;
 mod hanging;
+mod righting;
 
 pub use hanging::HangingLoad;
+pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 
 use crate::dynamics::Kinematics;
 use crate::forces::{Force, Hull};
@@ -76,22 +78,11 @@ pub struct HullAfloat {
     pub metacentric_height_m: [f64; 2],
     /// The loads that hang.
     pub hanging: Vec<HangingLoad>,
-    /// GZ at constant displacement, free to trim, hanging loads at their joints; empty without a mesh.
-    pub righting_arm: Vec<RightingArmPoint>,
+    /// GZ to the side that the ship lists to; `None` without a mesh.
+    pub righting_arm: Option<RightingArmCurve>,
     /// Whether volume, KB and BM are of the mesh as it floats; else they are of the waterplane at the
     /// database's draught, moved along the hull's z.
     pub by_mesh: bool,
-}
-
-/// One point of a righting-arm curve.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct RightingArmPoint {
-    /// To starboard, rad.
-    pub heel_rad: f64,
-    /// By the bow, rad.
-    pub trim_rad: f64,
-    /// GZ, m.
-    pub arm_m: f64,
 }
 
 /// Why hulls cannot be described.

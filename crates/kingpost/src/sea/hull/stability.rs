@@ -50,7 +50,7 @@ pub enum StabilityError {
     },
     /// Steps that do not settle.
     #[error(
-        "no equilibrium at heel {heel_deg:.3} deg, trim {trim_deg:.3} deg: a turn of {turn_rad:.1e} rad is left after {steps} steps, allowed: {allowed_rad:e} rad"
+        "no equilibrium at heel {heel_deg:.3} deg to starboard, trim {trim_deg:.3} deg by the bow: a turn of {turn_rad:.1e} rad is left after {steps} steps, allowed: {allowed_rad:e} rad"
     )]
     NotSettled {
         /// Heel to starboard, deg.

@@ -1,0 +1,171 @@
+//! Righting arms of a loaded hull towards the side that it lists to.
+
+use crate::sea::hull::{HullMesh, Loading, RightingArm, StabilityError};
+use serde::Serialize;
+
+/// A curve is sampled at every degree of heel to here, deg, and kept at every fifth.
+const LAST_KEPT_DEG: usize = 60;
+const KEPT_EVERY: usize = 5;
+/// Where the search for the vanishing angle ends, deg.
+const LAST_HEEL_DEG: usize = 90;
+/// A list below this is none, rad: the curve is of the side whose largest arm is the lesser.
+const UPRIGHT_RAD: f64 = 1e-6;
+/// Arms below this are none, m.
+const NO_ARM_M: f64 = 1e-9;
+/// Halvings of the degree in which an arm passes through zero.
+const HALVINGS: usize = 30;
+
+/// A side of the ship.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// On the left, looking forward.
+    Port,
+    /// On the right.
+    Starboard,
+}
+
+/// GZ over the heel to one side, at constant displacement, free to trim, with hanging loads where they hang from.
+///
+/// Of a ship that lists, to the side of its list, where its arms are the lesser; of one that stands upright, to the side
+/// whose largest arm is the lesser, starboard where both are the same.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RightingArmCurve {
+    /// Which way the ship heels.
+    pub side: Side,
+    /// By angles of heel from 0 to 60 deg.
+    pub points: Vec<RightingArmPoint>,
+    /// Heel to that side at which the arm rises through zero, rad: the list, or the angle of loll. `None` where it
+    /// does not to 90 deg.
+    pub equilibrium_rad: Option<f64>,
+    /// The largest arm beyond that, m, and its heel, rad; a parabola through three angles a degree apart.
+    pub largest: Option<LargestArm>,
+    /// Heel at which the arm falls through zero, rad; `None` where it does not to 90 deg. The range of positive
+    /// stability is from the equilibrium to there.
+    pub vanishing_rad: Option<f64>,
+}
+
+/// One point of a righting-arm curve.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RightingArmPoint {
+    /// To the curve's side, rad.
+    pub heel_rad: f64,
+    /// By the bow, rad.
+    pub trim_rad: f64,
+    /// GZ, m: above 0 where it turns the ship back.
+    pub arm_m: f64,
+}
+
+/// The top of a righting-arm curve.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct LargestArm {
+    /// To the curve's side, rad.
+    pub heel_rad: f64,
+    /// GZ, m.
+    pub arm_m: f64,
+}
+
+impl Side {
+    /// The side that a heel to starboard is to.
+    pub(super) fn of(heel_to_starboard_rad: f64) -> Self {
+        if heel_to_starboard_rad < 0.0 { Self::Port } else { Self::Starboard }
+    }
+
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Port => "port",
+            Self::Starboard => "starboard",
+        }
+    }
+
+    /// 1 to starboard, as heel counts.
+    fn sign(self) -> f64 {
+        match self {
+            Self::Port => -1.0,
+            Self::Starboard => 1.0,
+        }
+    }
+}
+
+impl RightingArmCurve {
+    /// Of a hull that rests at this heel to starboard, rad.
+    ///
+    /// # Errors
+    /// [`StabilityError`].
+    pub(super) fn of(mesh: &HullMesh, loading: &Loading, heel_rad: f64) -> Result<Self, StabilityError> {
+        if heel_rad.abs() > UPRIGHT_RAD {
+            return Self::to(Side::of(heel_rad), mesh, loading);
+        }
+        let [port, starboard] = [Side::Port, Side::Starboard].map(|side| Self::to(side, mesh, loading));
+        let (port, starboard) = (port?, starboard?);
+        let top = |curve: &Self| curve.largest.map_or(0.0, |largest| largest.arm_m);
+        Ok(if top(&port) < top(&starboard) - NO_ARM_M { port } else { starboard })
+    }
+
+    fn to(side: Side, mesh: &HullMesh, loading: &Loading) -> Result<Self, StabilityError> {
+        let at = |heels: &[f64]| -> Result<Vec<RightingArmPoint>, StabilityError> {
+            let heels: Vec<f64> = heels.iter().map(|heel| side.sign() * heel).collect();
+            let curve = RightingArm::curve(mesh, loading, &heels)?;
+            let point = |point: &RightingArm| RightingArmPoint {
+                heel_rad: side.sign() * point.heel,
+                trim_rad: point.trim,
+                arm_m: side.sign() * point.arm,
+            };
+            Ok(curve.iter().map(point).collect())
+        };
+        let arm = |heel: f64| at(&[heel]).map(|points| points[0].arm_m);
+        let heels = |degrees: core::ops::RangeInclusive<usize>| -> Vec<f64> {
+            degrees.map(|degrees| (degrees as f64).to_radians()).collect()
+        };
+        let mut points = at(&heels(0..=LAST_KEPT_DEG))?;
+        // A hull that finds no trim on its side has a curve to 60 deg nevertheless.
+        points.extend(at(&heels(LAST_KEPT_DEG + 1..=LAST_HEEL_DEG)).unwrap_or_default());
+        let positive = |point: &RightingArmPoint| point.arm_m > NO_ARM_M;
+        let rise = (1..points.len()).find(|&i| !positive(&points[i - 1]) && positive(&points[i]));
+        let fall = rise.and_then(|rise| (rise..points.len()).find(|&i| !positive(&points[i])));
+        let crossing = |after: usize| zero(&arm, [points[after - 1].heel_rad, points[after].heel_rad]);
+        let equilibrium_rad = match rise {
+            Some(1) if points[0].arm_m.abs() <= NO_ARM_M => Some(0.0),
+            _ => rise.map(crossing).transpose()?,
+        };
+        Ok(Self {
+            side,
+            equilibrium_rad,
+            largest: rise.map(|rise| largest(&points[rise - 1..fall.unwrap_or(points.len())])),
+            vanishing_rad: fall.map(crossing).transpose()?,
+            points: points.into_iter().take(LAST_KEPT_DEG + 1).step_by(KEPT_EVERY).collect(),
+        })
+    }
+}
+
+/// Where an arm passes through zero between two angles of heel, rad.
+fn zero(
+    arm: &impl Fn(f64) -> Result<f64, StabilityError>,
+    [mut from, mut to]: [f64; 2],
+) -> Result<f64, StabilityError> {
+    let positive_first = arm(from)? > NO_ARM_M;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (from + to);
+        if (arm(middle)? > 0.0) == positive_first {
+            from = middle;
+        } else {
+            to = middle;
+        }
+    }
+    Ok(0.5 * (from + to))
+}
+
+/// The top of the parabola through the largest and its two neighbours; at an end of the samples, the largest.
+fn largest(points: &[RightingArmPoint]) -> LargestArm {
+    let arm = |i: usize| points[i].arm_m;
+    let top = (1..points.len()).fold(0, |top, i| if arm(i) > arm(top) { i } else { top });
+    let (heel_rad, arm_m) = (points[top].heel_rad, arm(top));
+    if top == 0 || top + 1 == points.len() {
+        return LargestArm { heel_rad, arm_m };
+    }
+    let step = points[top + 1].heel_rad - heel_rad;
+    let (slope, bend) = (0.5 * (arm(top + 1) - arm(top - 1)), arm(top + 1) - 2.0 * arm_m + arm(top - 1));
+    let share = if bend < 0.0 { -slope / bend } else { 0.0 };
+    LargestArm { heel_rad: heel_rad + share * step, arm_m: arm_m + 0.5 * share * slope }
+}
