@@ -4,6 +4,7 @@ mod common;
 
 use common::barge::{self, BEAM, DENSITY, GRAVITY, LENGTH, scenario};
 use kingpost::results::Channel;
+use kingpost::scenario::Files;
 use kingpost::simulation::{Run, Simulation};
 use serde_json::{Value, json};
 
@@ -323,6 +324,15 @@ fn what_a_database_lacks_is_told_at_its_field() {
     assert!(other.contains("found no file ship.hydro.json"), "{other}");
     let lake = error(&[("sea.density_kg_m3", json!(1000.0))]);
     assert!(lake.contains(field) && lake.contains("found a density of 1025 kg/m^3"), "{lake}");
+    for depth in [50.0, 1e300] {
+        // The barge's data are for deep water; no depth is near to none, nor none to a depth.
+        let shallow = error(&[("sea.depth_m", json!(depth))]);
+        assert!(shallow.contains("found a depth of inf m"), "{shallow}");
+        let pool = barge::database().replace("\"depth_m\":null", &format!("\"depth_m\":{depth:e}"));
+        let pool = Files::new([("barge.hydro.json".to_owned(), pool)]);
+        let deep = kingpost::scenario::read_with(barge::TEXT, "barge.yaml", &[], &pool).expect_err("another depth");
+        assert!(deep.to_string().contains("allowed: that of the sea, inf m"), "{deep}");
+    }
     let ripples = error(&[(SWELL, ON), ("sea.waves.swell.regular.period_s", json!(1.0))]);
     assert!(ripples.contains("100.0 % of the waves' energy outside"), "{ripples}");
     let weightless = error(&[("forces.gravity.gravity.enabled", OFF)]);

@@ -216,7 +216,9 @@ pub(super) fn gravity(scenario: &Scenario) -> Result<f64, FieldError> {
 const SAME_WATER: f64 = 1e-4;
 
 fn same(field: &str, what: &str, found: f64, unit: &str, sea: f64) -> Result<(), FieldError> {
-    if found == sea || (found - sea).abs() <= SAME_WATER * sea.abs() {
+    // Infinite depth is near to no other.
+    let near = found.is_finite() && sea.is_finite() && (found - sea).abs() <= SAME_WATER * sea.abs();
+    if found == sea || near {
         return Ok(());
     }
     Err(FieldError::new(field, format!("a {what} {found} {unit}"), format!("that of the sea, {sea} {unit}")))
