@@ -150,6 +150,15 @@ fn wind_and_current_are_linearised_exactly() {
     assert_linearised(&ship(motion, &(sea + &wind("") + &loads + "}, " + &current)));
 }
 
+/// A load whose coefficient in one row is 0.1.
+fn pushed_along(load: &str, column: &str, row: usize) -> String {
+    let begin = load.find(&format!("{column}: [")).expect("a column") + column.len() + 3;
+    let end = begin + load[begin..].find(']').expect("its end");
+    let mut numbers: Vec<&str> = load[begin..end].split(", ").collect();
+    numbers[row] = "0.1";
+    format!("{}{}{}", &load[..begin], numbers.join(", "), &load[end..])
+}
+
 #[test]
 fn tables_and_winds_that_cannot_be_are_refused() {
     let refused = |text: &str, message: &str| {
@@ -164,6 +173,15 @@ fn tables_and_winds_that_cannot_be_are_refused() {
         "directions",
     );
     refused(&(wind.clone() + &load.replace(", 180.0]", ", 181.0]")), "where the hull is symmetric");
+    // Of a symmetric hull; the sines of 180 degrees above are rounding.
+    for (column, row) in [("sway", 0), ("yaw", 0), ("sway", 36), ("yaw", 36)] {
+        let text = pushed_along(&load, column, row);
+        let message = format!("{column}.{row}: found 0.1, allowed: 0 in a flow along a symmetric hull");
+        refused(&(wind.clone() + &text), &message);
+        let whole = text.replace("symmetric: true", "symmetric: false");
+        read(&ship("velocity_m_s: [0, 0, 0]", &(wind.clone() + &whole)), "test.yaml", &[])
+            .expect("any hull may be pushed aside");
+    }
     refused(&(wind.clone() + &load.replace("surge: [", "surge: [0.5, ")), "surge: found 38 numbers, allowed: 37");
     refused(&(wind.replace("}", ", profile: {logarithmic: {roughness_m: 11}}}") + &load), "roughness_m: found 11");
     let current = load.replace("wind_load", "current_load");

@@ -3,9 +3,11 @@
 use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
 
-/// What is wrong with a table: which row of the directions, and what it may be.
+/// What is wrong with a table: which column and row, and what it may be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableError {
+    /// The column.
+    pub column: &'static str,
     /// Index of the row; `None` for their number.
     pub row: Option<usize>,
     /// What is there.
@@ -29,12 +31,16 @@ type Piece = [[f64; 4]; 3];
 
 impl DirectionTable {
     /// From directions, rad, and the three coefficients at each. A table of a `symmetric` hull holds 0 to pi, both
-    /// included; port is as starboard, with sway and yaw reversed.
+    /// included; port is as starboard, with sway and yaw reversed, so that both are 0 in a flow along the hull.
     ///
     /// # Errors
-    /// Directions that do not increase or do not stay within one turn, and fewer than three of them.
+    /// Directions that do not increase or do not stay within one turn, and fewer than three of them; of a symmetric hull
+    /// sway or yaw other than 0 at 0 or pi.
     pub fn new(directions_rad: &[f64], rows: &[[f64; 3]], symmetric: bool) -> Result<Self, TableError> {
         check(directions_rad, symmetric)?;
+        if symmetric {
+            check_mirrored(rows)?;
+        }
         let mut points: Vec<(f64, [f64; 3])> = directions_rad.iter().copied().zip(rows.iter().copied()).collect();
         if symmetric {
             let inner = points[1..points.len() - 1].iter().rev();
@@ -83,7 +89,7 @@ fn hermite(width: f64, [from, to]: [f64; 2], [start, end]: [f64; 2]) -> [f64; 4]
 const SAME_ANGLE: f64 = 1e-6;
 
 fn check(directions: &[f64], symmetric: bool) -> Result<(), TableError> {
-    let error = |row, found, allowed| Err(TableError { row, found, allowed });
+    let error = |row, found, allowed| Err(TableError { column: "directions_rad", row, found, allowed });
     let last = directions.len().saturating_sub(1);
     if directions.len() < 3 {
         return error(None, directions.len() as f64, "three directions or more");
@@ -103,4 +109,22 @@ fn check(directions: &[f64], symmetric: bool) -> Result<(), TableError> {
         }
         _ => Ok(()),
     }
+}
+
+/// A coefficient in a flow along a symmetric hull that is rounding, of the largest of its column.
+const ROUNDING: f64 = 1e-9;
+
+/// A flow along a hull whose port is as its starboard pushes it to neither side.
+fn check_mirrored(rows: &[[f64; 3]]) -> Result<(), TableError> {
+    for (k, column) in [(1, "sway"), (2, "yaw")] {
+        let largest = rows.iter().fold(0.0, |largest: f64, row| largest.max(row[k].abs()));
+        for row in [0, rows.len() - 1] {
+            let found = rows[row][k];
+            if found.abs() > ROUNDING * largest {
+                let allowed = "0 in a flow along a symmetric hull, from ahead or astern";
+                return Err(TableError { column, row: Some(row), found, allowed });
+            }
+        }
+    }
+    Ok(())
 }

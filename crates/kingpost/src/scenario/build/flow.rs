@@ -79,7 +79,7 @@ fn table(field: &str, given: &schema::FlowCoefficients) -> Result<DirectionTable
     let row = |i: usize| [given.surge[i], given.sway[i], given.yaw[i]];
     let rows: Vec<[f64; 3]> = (0..count).map(row).collect();
     DirectionTable::new(&given.directions_rad, &rows, given.symmetric).map_err(|error| {
-        let field = format!("{field}.directions_rad");
+        let field = format!("{field}.{}", error.column);
         let field = error.row.map_or(field.clone(), |row| format!("{field}.{row}"));
         FieldError::new(field, error.found, error.allowed)
     })
