@@ -126,7 +126,7 @@ fn the_righting_arm_follows_the_wall_sided_formula_until_the_bilge_comes_out() {
 fn the_righting_arms_are_those_of_the_side_that_the_ship_lists_to() {
     // So high that the box does not right itself on its side.
     let high = (MAST, json!([0.0, 0.0, 12.0]));
-    let upright = afloat(&[high.clone()]);
+    let upright = afloat(core::slice::from_ref(&high));
     let [gm, bm] = [upright.metacentric_height_m[0], upright.metacentric_radius_m[0]];
     let curve = |shift: f64| {
         let overrides = [high.clone(), ("shift_m", json!(shift)), (HYDROSTATICS, json!("mesh"))];

@@ -1,8 +1,8 @@
 //! Random seas and measured records: energy, sampling, repetition, seeds.
 
 use kingpost::sea::waves::{
-    Amplitudes, Band, ElevationRecord, Jonswap, PiersonMoskowitz, Spectrum, Spreading, Water, WaveComponent, WaveField,
-    WaveSystem, significant_height_of_components_m,
+    Amplitudes, Band, ElevationRecord, ElevationTable, Jonswap, PiersonMoskowitz, Spectrum, Spreading, Water,
+    WaveComponent, WaveField, WaveSystem, significant_height_of_components_m,
 };
 use std::f64::consts::TAU;
 
@@ -188,6 +188,26 @@ fn a_measured_record_returns_where_and_when_it_was_measured() {
     }
 }
 
+/// What a table keeps are the same sums: of one band, of another that goes beyond it, and of the first again.
+#[test]
+fn a_table_gives_the_waves_of_its_record_bit_for_bit_however_often_it_is_asked() {
+    let taken = record(&system().components(3, 0, &Water::default()).unwrap(), 0.5, 300.5);
+    let rows: Vec<String> = (0..).zip(&taken).map(|(i, eta)| format!("{},{eta}", 12.0 + 0.5 * f64::from(i))).collect();
+    let table = ElevationTable::read_csv(&format!("time_s,elevation_m\n{}\n", rows.join("\n"))).unwrap();
+    let water = Water::default();
+    for (lowest_rad_s, highest_rad_s) in [(0.4, 1.0), (0.2, 2.0), (0.4, 1.0)] {
+        let band = Band { lowest_rad_s, highest_rad_s };
+        let expected = measured(taken.clone(), Some(band)).components(&water).unwrap();
+        assert_eq!(table.components([30.0, -40.0], 2.0, band, &water).unwrap(), expected);
+    }
+}
+
+#[test]
+fn a_file_without_waves_is_an_error_that_says_so() {
+    let error = ElevationTable::read_csv("time_s,elevation_m\n0,0\n0.5,0\n1,0\n1.5,0\n").unwrap_err();
+    assert!(error.to_string().contains("no waves in the record: every elevation is 0 m"), "{error}");
+}
+
 /// Parseval's theorem: what a band cuts off is what the other harmonics hold.
 #[test]
 fn a_band_keeps_its_harmonics_of_a_record_only() {
@@ -216,7 +236,8 @@ fn what_makes_no_sea_is_an_error_that_says_what_is_allowed() {
         of(WaveSystem { band: band(1e-4, 1e-3), ..system() }),
         record(measured(vec![0.0; 3], None)),
         record(measured(vec![0.0, f64::NAN, 0.0, 0.0], None)),
-        record(measured(vec![0.0; 100], band(0.01, 0.02))),
+        record(measured([0.0, 1.0].repeat(50), band(0.01, 0.02))),
+        record(measured(vec![0.25; 100], None)),
     ];
     let expected = [
         "components: found 0, allowed: a number from 1 to 20000",
@@ -226,6 +247,7 @@ fn what_makes_no_sea_is_an_error_that_says_what_is_allowed() {
         "elevations_m: found 3 samples, allowed: 4 to 65536 samples",
         "elevations_m[1]: found NaN, allowed: a number from -100 to 100",
         "lowest_rad_s, highest_rad_s: found 0 harmonics of 0.125664 rad/s, allowed: a band with 1 to 20000 harmonics below half the sampling frequency",
+        "elevations_m: found no waves in the record: every elevation is 0.25 m, allowed: elevations that differ",
     ];
     assert_eq!(messages, expected);
 }

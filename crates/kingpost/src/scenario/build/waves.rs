@@ -4,8 +4,8 @@ use super::super::schema::{self, Scenario, WaveAmplitudes, WaveRealisation, Wave
 use super::FieldError;
 use super::reading::{Gathered, Reading};
 use crate::sea::waves::{
-    Amplitudes, Band, ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable,
-    Spreading, Torsethaugen, Water, WaveComponent, WaveError, WaveSystem,
+    Amplitudes, Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Spreading,
+    Torsethaugen, Water, WaveComponent, WaveError, WaveSystem,
 };
 
 /// All components of all wave systems, in the order of the file. Amplitudes are gathered from all
@@ -66,15 +66,7 @@ fn record(
         lowest_rad_s: given.lowest_rad_s.map_or(0.0, |lowest| lowest.get()),
         highest_rad_s: given.highest_rad_s.map_or(f64::INFINITY, |highest| highest.get()),
     };
-    let record = ElevationRecord {
-        elevations_m: table.elevations_m.clone(),
-        start_s: table.start_s,
-        interval_s: table.interval_s,
-        position_m: given.position_m,
-        direction_rad: given.direction_rad,
-        band: Some(band),
-    };
-    record.components(water)
+    table.components(given.position_m, given.direction_rad, band, water)
 }
 
 fn of_spectrum(waves: &Waves, (seed, number): (u64, u64), water: &Water) -> Result<Vec<WaveComponent>, WaveError> {

@@ -1,21 +1,27 @@
 //! A measured wave record as a sum of regular waves.
 
 use core::f64::consts::TAU;
+use std::sync::{Mutex, PoisonError};
 
 use super::components::{ANGLES_RAD, MOST_COMPONENTS, WaveComponent};
 use super::error::{WaveError, between};
 use super::spectrum::Band;
 use super::water::Water;
 
-/// Elevations at equal intervals of time, as a file holds them.
-#[derive(Clone, Debug, PartialEq)]
+/// Elevations at equal intervals of time, as a file holds them, and the harmonics of them that were asked for.
+#[derive(Debug)]
 pub struct ElevationTable {
-    /// Time of the first, s.
-    pub start_s: f64,
-    /// Interval between two, s.
-    pub interval_s: f64,
-    /// Elevations, m.
-    pub elevations_m: Vec<f64>,
+    start_s: f64,
+    interval_s: f64,
+    elevations_m: Vec<f64>,
+    harmonics: Mutex<Vec<Option<[f64; 2]>>>,
+}
+
+impl PartialEq for ElevationTable {
+    fn eq(&self, other: &Self) -> bool {
+        let of = |table: &Self| (table.start_s, table.interval_s);
+        of(self) == of(other) && self.elevations_m == other.elevations_m
+    }
 }
 
 /// The first line of a table.
@@ -28,12 +34,12 @@ impl ElevationTable {
     ///
     /// # Errors
     /// Another header, a line that is not two numbers, fewer than 4 or more than 65,536 lines, times
-    /// that do not increase by equal intervals.
+    /// that do not increase by equal intervals, elevations that are all the same.
     ///
     /// ```
     /// use kingpost::sea::waves::ElevationTable;
     /// let table = ElevationTable::read_csv("time_s,elevation_m\n0,0.5\n0.25,0.1\n0.5,-0.4\n0.75,-0.2\n")?;
-    /// assert_eq!((table.interval_s, table.elevations_m[2]), (0.25, -0.4));
+    /// assert_eq!((table.interval_s(), table.elevations_m()[2]), (0.25, -0.4));
     /// # Ok::<(), kingpost::sea::waves::WaveError>(())
     /// ```
     pub fn read_csv(text: &str) -> Result<Self, WaveError> {
@@ -67,8 +73,72 @@ impl ElevationTable {
                 return Err(WaveError::new(format!("row {}", i + 1), format!("{time} s"), allowed));
             }
         }
-        Ok(Self { start_s: first, interval_s, elevations_m: rows.iter().map(|[_, elevation]| *elevation).collect() })
+        let elevations_m: Vec<f64> = rows.iter().map(|[_, elevation]| *elevation).collect();
+        check_waves(&elevations_m)?;
+        Ok(Self { start_s: first, interval_s, elevations_m, harmonics: Mutex::default() })
     }
+
+    /// Time of the first, s.
+    pub fn start_s(&self) -> f64 {
+        self.start_s
+    }
+
+    /// Interval between two, s.
+    pub fn interval_s(&self) -> f64 {
+        self.interval_s
+    }
+
+    /// Elevations, m.
+    pub fn elevations_m(&self) -> &[f64] {
+        &self.elevations_m
+    }
+
+    /// As [`ElevationRecord::components`] of these elevations, each harmonic computed once.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn components(
+        &self,
+        position_m: [f64; 2],
+        direction_rad: f64,
+        band: Band,
+        water: &Water,
+    ) -> Result<Vec<WaveComponent>, WaveError> {
+        let record = ElevationRecord {
+            elevations_m: self.elevations_m.clone(),
+            start_s: self.start_s,
+            interval_s: self.interval_s,
+            position_m,
+            direction_rad,
+            band: Some(band),
+        };
+        let mut known = self.harmonics.lock().unwrap_or_else(PoisonError::into_inner);
+        known.resize(self.elevations_m.len(), None);
+        record.components_of(water, |turn, m| *known[m].get_or_insert_with(|| harmonic(&self.elevations_m, turn, m)))
+    }
+}
+
+/// A table whose harmonics are computed anew.
+impl Clone for ElevationTable {
+    fn clone(&self) -> Self {
+        let Self { start_s, interval_s, elevations_m, .. } = self;
+        Self {
+            start_s: *start_s,
+            interval_s: *interval_s,
+            elevations_m: elevations_m.clone(),
+            harmonics: Mutex::default(),
+        }
+    }
+}
+
+/// A level record holds no waves.
+fn check_waves(elevations_m: &[f64]) -> Result<(), WaveError> {
+    let level = elevations_m[0];
+    if elevations_m.iter().any(|elevation| *elevation != level) {
+        return Ok(());
+    }
+    let found = format!("no waves in the record: every elevation is {level} m");
+    Err(WaveError::new("elevations_m", found, "elevations that differ"))
 }
 
 fn check_samples(count: usize) -> Result<(), WaveError> {
@@ -106,13 +176,23 @@ impl ElevationRecord {
     /// after the record's length, so the first sample should go on from the last.
     ///
     /// The transform is summed as it is written. A record of 20 minutes at 2 Hz takes 3 million
-    /// multiplications and the longest 10^9, once, which is not worth the size of a fast transform in
-    /// the browser; sines and cosines come from a table, so that no error grows along the sum.
+    /// multiplications and the longest 10^9, which is not worth the size of a fast transform in
+    /// the browser: an [`ElevationTable`] keeps what was summed, so that each harmonic of a file is summed once however
+    /// often a scenario is built. Sines and cosines come from a table, so that no error grows along the sum.
     ///
     /// # Errors
-    /// Fewer than 4 samples or more than 65,536, elevations above 100 m or not finite, an interval
+    /// Fewer than 4 samples or more than 65,536, elevations above 100 m, not finite or all the same, an interval
     /// outside 1e-3 to 1e3 s, a band without a harmonic or with more than 20,000.
     pub fn components(&self, water: &Water) -> Result<Vec<WaveComponent>, WaveError> {
+        self.components_of(water, |turn, m| harmonic(&self.elevations_m, turn, m))
+    }
+
+    /// The waves of these harmonics, which are computed from the table of turns.
+    fn components_of(
+        &self,
+        water: &Water,
+        mut harmonic: impl FnMut(&[(f64, f64)], usize) -> [f64; 2],
+    ) -> Result<Vec<WaveComponent>, WaveError> {
         self.check()?;
         let count = self.elevations_m.len();
         let step_rad_s = TAU / (count as f64 * self.interval_s);
@@ -125,7 +205,7 @@ impl ElevationRecord {
             return Err(WaveError::new("lowest_rad_s, highest_rad_s", found, allowed));
         }
         let turn: Vec<(f64, f64)> = (0..count).map(|n| libm::sincos(TAU * n as f64 / count as f64)).collect();
-        let wave = |&m: &usize| self.wave(m as f64 * step_rad_s, harmonic(&self.elevations_m, &turn, m), water);
+        let wave = |&m: &usize| self.wave(m as f64 * step_rad_s, harmonic(&turn, m), water);
         Ok(harmonics.iter().map(wave).collect())
     }
 
@@ -144,6 +224,7 @@ impl ElevationRecord {
         for (i, &elevation) in self.elevations_m.iter().enumerate() {
             between(&format!("elevations_m[{i}]"), elevation, [-100.0, 100.0])?;
         }
+        check_waves(&self.elevations_m)?;
         between("interval_s", self.interval_s, [1e-3, 1e3])?;
         between("start_s", self.start_s, [-1e7, 1e7])?;
         between("direction_rad", self.direction_rad, ANGLES_RAD)?;
