@@ -163,6 +163,39 @@ def test_a_gdf_file_cut_short_is_refused(tmp_path):
             hull_files.read(path)
 
 
+@pytest.mark.parametrize(
+    ("line", "change", "message"),
+    [
+        (1, "1.0 32.174", "found GRAV 32.174, a mesh that is not in metres, allowed: GRAV from 9.7 to 9.9"),
+        (1, "1.0 0", "found GRAV 0, allowed: GRAV from 9.7 to 9.9"),
+        (1, "1.0 nan", "found GRAV nan, allowed"),
+        (2, "1 -1", "found ISY -1, a wall along that plane, allowed: ISY 0, or 1"),
+        (2, "3 1", "found ISX 3, allowed: ISX 0, or 1"),
+    ],
+)
+def test_a_gdf_file_in_feet_or_beside_a_wall_is_refused(tmp_path, line, change, message):
+    """Source: WAMIT User Manual, version 7, chapter 6: GRAV has the corners' unit of length."""
+    path = tmp_path / "box.gdf"
+    lines = GDF.splitlines()
+    lines[line] = change
+    path.write_text("\n".join(lines))
+    with pytest.raises(HydrodynamicsError, match=message):
+        hull_files.read(path)
+
+
+def test_a_gdf_file_without_symmetry_is_read_as_it_stands(tmp_path):
+    path = tmp_path / "box.gdf"
+    lines = GDF.splitlines()
+    whole = hull_files.read(_written(path, lines)).area
+    lines[2] = "0 0"
+    assert hull_files.read(_written(path, lines)).area == pytest.approx(whole / 4)
+
+
+def _written(path, lines):
+    path.write_text("\n".join(lines))
+    return path
+
+
 def refused(tmp_path, hull: Surface, **options: object) -> str:
     with pytest.raises(HydrodynamicsError) as caught:
         HullFile(written(tmp_path, hull), **options).meshes(200)

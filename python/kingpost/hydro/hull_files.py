@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 LARGEST_HULL = 2000
 """Triangles of the largest hull that goes into a database."""
+METRIC_GRAVITY = (9.7, 9.9)
+"""What GRAV of a file in metres may be, m/s2; in feet it is 32.2."""
 INSTALL = 'pip install "meshio>=5.3"'
 
 
@@ -151,12 +153,14 @@ def _read_gdf(path: Path) -> Surface:
     """WAMIT's low-order geometry: title, ULEN and GRAV, ISX and ISY, number of panels, corners of each.
 
     Its panels run counter-clockwise as the water sees them (WAMIT User Manual, version 7, chapter 6); ISX
-    and ISY say that x = 0 and y = 0 are planes of symmetry.
+    and ISY of 1 say that x = 0 and y = 0 are planes of symmetry, of -1 that a wall stands there. Corners have
+    the unit of length of GRAV, the acceleration of gravity, whatever ULEN.
     """
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()[1:]
     allowed = "WAMIT's GDF: a title, ULEN GRAV, ISX ISY, the number of panels, twelve coordinates each"
     words = [line.split() for line in lines]
     try:
+        gravity = float(words[0][1])
         symmetric = [int(word) for word in words[1][:2]]
         count = int(words[2][0])
         numbers = np.array([float(word) for line in words[3:] for word in line][: 12 * count])
@@ -164,6 +168,16 @@ def _read_gdf(path: Path) -> Surface:
     except (ValueError, IndexError):
         found = "a file of another format or cut short"
         raise HydrodynamicsError("hull", found, allowed, str(path)) from None
+    if not METRIC_GRAVITY[0] <= gravity <= METRIC_GRAVITY[1]:
+        found = f"GRAV {gravity:g}, a mesh that is not in metres" if gravity > 0 else f"GRAV {gravity:g}"
+        allowed = "GRAV from {:g} to {:g} m/s2: scale corners, ULEN and GRAV to metres".format(
+            *METRIC_GRAVITY
+        )
+        raise HydrodynamicsError("hull", found, allowed, str(path))
+    for name, value in zip(("ISX", "ISY"), symmetric, strict=True):
+        if value not in (0, 1):
+            found = f"{name} {value}" + (", a wall along that plane" if value == -1 else "")
+            raise HydrodynamicsError("hull", found, f"{name} 0, or 1 for a plane of symmetry", str(path))
     corners = np.arange(4 * count).reshape(count, 4)
     part = Surface(quads.reshape(-1, 3), _halved(corners))
     return whole(part.welded(), tuple(axis for axis in (0, 1) if symmetric[axis]))
