@@ -64,8 +64,15 @@ def _about_reference(found: xarray.Dataset, body: str) -> np.ndarray:
     cos, sin = np.cos(found.attrs["heading_rad"]), np.sin(found.attrs["heading_rad"])
     to_heading = np.array([[cos, sin, 0], [-sin, cos, 0], [0, 0, 1]])
     # Roll and pitch are about axes that head as the body, yaw about the vertical.
-    theta = complex_amplitude(found, "rotation").sel(body=body).transpose("direction", "frequency", "angle").values
-    moved = complex_amplitude(found, "displacement").sel(point=body).transpose("direction", "frequency", "axis")
+    theta = (
+        complex_amplitude(found, "rotation")
+        .sel(body=body)
+        .transpose("direction", "frequency", "angle")
+        .values
+    )
+    moved = (
+        complex_amplitude(found, "displacement").sel(point=body).transpose("direction", "frequency", "axis")
+    )
     at_rest = found["place"].sel(point=body).values - np.append(found.attrs["reference_m"], 0.0)
     moved = moved.values @ to_heading.T - np.cross(theta, to_heading @ at_rest)
     return np.concatenate([moved, theta], axis=-1)

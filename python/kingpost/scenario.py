@@ -88,8 +88,8 @@ class Scenario:
         Of each hull, with units in the names (docs/afloat.md): displacement, draught, heel to
         starboard and trim by the bow, KB, BM, KM, KG, GM with hanging loads where they hang from
         (``metacentric_height_m``) and as if they were fixed, the loads that hang, and the righting arms
-        (``righting_arm``, `None` without a mesh) at constant displacement, free to trim, to the side of the list. Pairs are across the ship and
-        along it.
+        (``righting_arm``, `None` without a mesh) at constant displacement, free to trim, to the side of the
+        list. Pairs are across the ship and along it.
 
         Raises
         ------

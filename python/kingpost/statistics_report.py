@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from . import statistics
+from . import pooling, statistics
 from .errors import KingpostError
 from .report import fixed, slides_along, table
 from .results import column_name
@@ -72,9 +72,15 @@ def frame(
 
     Of several runs mean, deviation, double amplitude and period are the means over them, the largest and the
     smallest value those of all. Where no channels are asked for, those that stand still are left out.
+
+    Raises
+    ------
+    KingpostError
+        When the runs are not realisations of one scenario, each with a seed of its own.
     """
     import pandas
 
+    pooling.check(runs)
     first = start_s(runs[0], after_s)
     names = _chosen(runs[0], patterns)
     rows = []
@@ -152,7 +158,7 @@ def _chosen(results: xarray.Dataset, patterns: Sequence[str]) -> dict[str, str]:
 
 
 def _unit(series: xarray.DataArray, slides: set[str]) -> str:
-    """The unit of one column, of a variable that has those of forces and moments, or of turning and sliding."""
+    """The unit of one column, of a variable with those of forces and moments, or of turning and sliding."""
     units = str(series.attrs.get("units", ""))
     if ", " in units:
         of_force, of_moment = units.split(", ")

@@ -155,17 +155,20 @@ def test_bad_input_is_named(call, message: str) -> None:
         call(xarray.DataArray(np.sin(time), {"time": time}, ("time",), "sway"))
 
 
-def recorded(tmp_path, seed: int) -> str:
+def recorded(tmp_path, seed: int, duration_s: float = 1800.0, **parameters) -> str:
     """A file as `kingpost run` writes it, of half an hour of the process above as roll."""
-    record = gaussian_process(np.random.default_rng(seed), duration_s=1800.0).values
+    record = gaussian_process(np.random.default_rng(seed), duration_s=duration_s).values
     time = 0.25 * np.arange(len(record))
     ramp = np.where(time < 20, 100.0, 1.0)
     results = xarray.Dataset(
         {"roll": (("time", "body"), (0.02 * ramp * record)[:, None], {"units": "rad"})},
         {"time": time, "body": ["ship"]},
-        {"title": "a barge", "scenario": kingpost.load("barge").json},
+        {
+            "title": "a barge",
+            "scenario": kingpost.load("barge", {"simulation.seed": seed}, **parameters).json,
+        },
     )
-    path = tmp_path / f"run_{seed}.nc"
+    path = tmp_path / f"run_{seed}_{len(list(tmp_path.iterdir()))}.nc"
     results.to_netcdf(path, engine="h5netcdf")
     return str(path)
 
@@ -217,6 +220,44 @@ def test_the_command_reads_what_run_writes(tmp_path, capsys) -> None:
     shown = capsys.readouterr().out
     assert "arm.roll" in shown
     assert "ship.roll" not in shown
+
+
+def test_only_runs_that_differ_in_their_seeds_are_pooled(tmp_path, capsys) -> None:
+    """Source: another sea state, records of another length, the same seed twice."""
+    first = recorded(tmp_path, 0, significant_height_m=1)
+    higher = recorded(tmp_path, 1, significant_height_m=3)
+    short = recorded(tmp_path, 2, duration_s=600.0, significant_height_m=1)
+    again = recorded(tmp_path, 0, significant_height_m=1)
+    height = "sea.waves.wind_sea.jonswap.significant_height_m"
+    for files, message in [
+        ([first, higher], f"{higher}: found {height} 3.0, allowed: 1.0, as in {first}"),
+        ([first, short], f"{short}: found 2400 records to 599.75 s, allowed: 7200 records to 1799.75 s"),
+        ([first, again], f"{again}: found simulation.seed 0, which is that of {first}"),
+    ]:
+        assert main(["statistics", *files]) == 2
+        assert message in capsys.readouterr().err
+    assert main(["statistics", first, recorded(tmp_path, 3, significant_height_m=1)]) == 0
+
+
+@pytest.mark.parametrize(
+    ("parameters", "message"),
+    [
+        (
+            {"simulation.seed": [1, 2], "significant_height_m": [1, 3]},
+            "significant_height_m 1 and 3, allowed",
+        ),
+        ({"simulation.seed": [1, 1]}, "found simulation.seed 1, which is that of"),
+        ({"simulation.seed": [1, 2]}, ""),
+    ],
+)
+def test_only_runs_of_a_batch_that_differ_in_their_seeds_are_pooled(
+    tmp_path, capsys, parameters, message
+) -> None:
+    file = tmp_path / "batch.nc"
+    found = kingpost.Batch("barge", parameters, {"simulation.duration_s": 1, "waves": True}).run()
+    found.to_netcdf(file, engine="h5netcdf")
+    assert main(["statistics", str(file), "--after_s", "0"]) == (2 if message else 0)
+    assert message in capsys.readouterr().err
 
 
 def test_the_command_names_what_is_wrong(tmp_path, capsys) -> None:
