@@ -1,0 +1,141 @@
+"""docs/scenarios.md: every piece of its scenario reads, every command runs, its table is the engine's."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import kingpost
+import pytest
+from kingpost import cli
+from kingpost.results import column_name
+
+PAGE = (Path(__file__).resolve().parents[2] / "docs" / "scenarios.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"```(\w*)\n(.*?)```", PAGE, re.DOTALL)
+FILE = "barge_crane.yaml"
+RECORD = "time_s,elevation_m\n" + "\n".join(f"{i},{(-1) ** i * 0.2}" for i in range(64)) + "\n"
+
+
+Outline = dict[str, "Outline | str"]
+
+
+def outline(block: str) -> Outline:
+    """A block of YAML by its indentation: what stands on the line of a key is kept as it is written."""
+    found: Outline = {}
+    open_keys: list[tuple[int, Outline]] = [(-1, found)]
+    for line in block.splitlines():
+        indent, text = len(line) - len(line.lstrip()), line.strip()
+        if not text or text.startswith("#"):
+            continue
+        while open_keys[-1][0] >= indent:
+            open_keys.pop()
+        key, _, value = (text, "", text) if text.startswith("- ") else text.partition(":")
+        value = re.sub(r"(^|\s)#\s.*", "", value).strip()
+        inside: Outline = {}
+        open_keys[-1][1][key] = value or inside
+        open_keys.append((indent, inside))
+    return found
+
+
+def merged(whole: Outline | str | None, piece: Outline | str) -> Outline | str:
+    """A piece added to what is there: under the same keys, else in its place."""
+    if isinstance(whole, dict) and isinstance(piece, dict):
+        return whole | {key: merged(whole.get(key), value) for key, value in piece.items()}
+    return piece
+
+
+def written(found: Outline, indent: str = "") -> str:
+    lines = []
+    for key, value in found.items():
+        start = indent if key.startswith("- ") else f"{indent}{key}: "
+        inside = isinstance(value, dict)
+        lines.append(f"{start}\n{written(value, indent + '  ')}" if inside else f"{start}{value}\n")
+    return "".join(lines)
+
+
+def commands(block: str) -> list[list[str]]:
+    return [shlex.split(line)[1:] for line in block.splitlines()]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """With the database that the page computes, and a record of waves."""
+    pytest.importorskip("capytaine")
+    made = tmp_path_factory.mktemp("scenario")
+    (words,) = commands(BLOCKS[0][1])
+    assert words[0] == "hydro"
+    output = words.index("-o") + 1
+    assert cli.main([*words[:output], str(made / words[output]), *words[output + 1 :]]) == 0
+    (made / "gauge.csv").write_text(RECORD)
+    return made
+
+
+def test_the_page_is_a_scenario_that_grows_and_runs(folder, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(folder)
+    whole: Outline = {}
+    ran = []
+    for language, block in BLOCKS[1:]:
+        if language == "yaml":
+            piece = outline(block)
+            for one in each_sea(piece):
+                Path(FILE).write_text(written(merged(whole, one)))
+                kingpost.Simulation(kingpost.load(FILE)).step(3)
+            whole = whole if "regular_wave" in block else merged(whole, piece)
+            Path(FILE).write_text(written(whole))
+        elif language == "python":
+            exec(compile(block, "scenarios.md", "exec"), {})
+        else:
+            for words in commands(block):
+                ran.append(words[0])
+                words = [*words, "--check", "--port", "0"] if words[0] == "serve" else words
+                assert cli.main(words) == 0, words
+    assert ran == ["check", "run", "statistics", "rao", "serve"]
+    shown = capsys.readouterr().out
+    assert "pendant.joint_reaction.force_z" in shown
+    # Light crane on a wide barge: upright but for a few degrees.
+    assert max(abs(kingpost.run(FILE, {"simulation.duration_s": 30})["roll"].sel(body="hull").values)) < 0.1
+
+
+def each_sea(piece: Outline) -> list[Outline]:
+    """Of a piece with several wave systems one for each of them."""
+    waves = piece.get("sea", {}).get("waves", {})
+    return [{"sea": {"waves": {name: waves[name]}}} for name in waves] if len(waves) > 1 else [piece]
+
+
+def table() -> list[str]:
+    """The table of results that the page should have."""
+    whole: Outline = {}
+    for language, block in BLOCKS:
+        if language == "yaml" and "regular_wave" not in block:
+            whole = merged(whole, outline(block))
+    # Of the gallery, one with turning and sliding joints, loops and cylinders names units and labels.
+    channels = kingpost.Simulation("knuckle_boom_crane").channels
+    labels = {"body": "hull", "axis": "z", "quaternion": "w", "coordinate": "pendant.first",
+              "joint": "pendant",
+              "component": "force_z", "point": "boom.tip", "hull": "water", "line": "line_port_bow",
+              "flow": "wind_on_hull"}  # fmt: skip
+    rows = [
+        "| variable | a column | unit | frame | dimensions | what it is |",
+        "| --- | --- | --- | --- | --- | --- |",
+    ]
+    for channel in channels:
+        at = {dim: labels.get(dim, f"NAME_OF_{dim.upper()}") for dim in channel["dims"]}
+        cells = (f"`{channel['variable']}`", f"`{column_name(channel['variable'], at)}`", channel["unit"],
+                 "" if channel["frame"] == "none" else channel["frame"].replace("_", " "),
+                 ", ".join(channel["dims"]), channel["long_name"])  # fmt: skip
+        rows.append("| " + " | ".join(cells) + " |")
+    return rows
+
+
+def test_the_table_of_results_is_the_engines() -> None:
+    found = [line for line in PAGE.split("## Results")[1].splitlines() if line.startswith("|")]
+    assert found == table(), "to write it anew: print('\\n'.join(table()))"
+
+
+def test_the_columns_that_the_page_names_are_columns(folder, monkeypatch) -> None:
+    monkeypatch.chdir(folder)
+    names = set(re.findall(r"`([a-z_]+(?:\.[a-z_]+)+)`", PAGE.split("## Results")[1]))
+    columns = set(kingpost.results.frame(kingpost.run(FILE, {"simulation.duration_s": 0.2})).columns)
+    assert len(names) > 20
+    assert names <= columns
