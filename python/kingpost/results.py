@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from .scenario import Scenario
 
 ENDINGS = (".nc", ".csv", ".parquet")
-NAMED = ("body", "coordinate", "joint", "loop", "constraint", "cylinder", "hull", "line", "flow", "point",
-         "drive")  # fmt: skip
+NAMED = ("body", "coordinate", "joint", "loop", "constraint", "cylinder", "hull", "line", "flow", "station",
+         "thruster", "point", "drive")  # fmt: skip
 """Dimensions whose label stands before the variable in a flat column name."""
 AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port"
 

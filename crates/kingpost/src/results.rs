@@ -3,7 +3,7 @@
 mod loops;
 
 use crate::drives::Drive;
-use crate::forces::Force;
+use crate::forces::{DynamicPositioning, Force};
 use crate::ledger;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::plant::Observation;
@@ -42,6 +42,12 @@ pub enum Dimension {
     Line,
     /// Loads of wind and current by the name of their force.
     Flow,
+    /// Dynamic positioning by the name of its force.
+    Station,
+    /// Thrusters as `force.thruster`.
+    Thruster,
+    /// Surge, sway and yaw.
+    Planar,
 }
 
 /// The frame of a vector's components.
@@ -58,6 +64,8 @@ pub enum Components {
     Loop,
     /// Level axes that turn slowly with the hull.
     SlowFrame,
+    /// Level axes that turn with the hull's heading.
+    Heading,
     /// Not a vector.
     None,
 }
@@ -112,10 +120,13 @@ enum Unit {
     Coordinate([&'static str; 3]),
 }
 
-use Components::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, SlowFrame as InSlowFrame, World};
+use Components::{
+    Body as InBody, Heading as InHeading, Joint as InJoint, Loop as InLoop, None as Number, SlowFrame as InSlowFrame,
+    World,
+};
 use Dimension::{
-    Axis, Body, Component, Constraint, Coordinate, Cylinder, Flow, Hull, Joint, Line, Loop, Point,
-    Quaternion as QuaternionDim,
+    Axis, Body, Component, Constraint, Coordinate, Cylinder, Flow, Hull, Joint, Line, Loop, Planar, Point,
+    Quaternion as QuaternionDim, Station, Thruster,
 };
 use Unit::{Coordinate as By, Plain};
 
@@ -124,7 +135,7 @@ struct Table<S>(PhantomData<S>);
 #[rustfmt::skip]
 impl<S: Scalar> Table<S> {
     /// Every channel: the single source of names, units and frames.
-    const ENTRIES: [Entry<S>; 40] = [
+    const ENTRIES: [Entry<S>; 47] = [
         Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
         Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
             write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
@@ -173,6 +184,20 @@ impl<S: Scalar> Table<S> {
             write: |x, out| out.extend(x.observed.lines.iter().map(|line| line.grounded_length)) },
         Entry { variable: "flow_force", long_name: "force and moment of wind or current about the reference point of its coefficients", unit: Plain("N, N m"), frame: InBody, dims: &[Flow, Component],
             write: |x, out| out.extend(x.observed.flow_forces.iter().flatten()) },
+        Entry { variable: "station_error", long_name: "surge and sway from a ship on dynamic positioning to its target, and the heading that lacks", unit: Plain("m, rad"), frame: InHeading, dims: &[Station, Planar],
+            write: |x, out| out.extend(x.observed.positioning.iter().flat_map(|station| station.error)) },
+        Entry { variable: "station_demand", long_name: "force and yaw moment that dynamic positioning asks for, about the point that is kept", unit: Plain("N, N m"), frame: InHeading, dims: &[Station, Planar],
+            write: |x, out| out.extend(x.observed.positioning.iter().flat_map(|station| station.demand)) },
+        Entry { variable: "station_command", long_name: "what of that the thrusters are told to give", unit: Plain("N, N m"), frame: InBody, dims: &[Station, Planar],
+            write: |x, out| out.extend(x.observed.positioning.iter().flat_map(|station| station.command)) },
+        Entry { variable: "station_force", long_name: "force and yaw moment that the thrusters give, about the point that is kept", unit: Plain("N, N m"), frame: InBody, dims: &[Station, Planar],
+            write: |x, out| out.extend(x.observed.positioning.iter().flat_map(|station| station.delivered)) },
+        Entry { variable: "thruster_thrust", long_name: "thrust, negative astern; of an azimuth thruster its length", unit: Plain("N"), frame: Number, dims: &[Thruster],
+            write: |x, out| out.extend(x.observed.thrusters.iter().map(|thruster| thruster.thrust)) },
+        Entry { variable: "thruster_force", long_name: "thrust as a force", unit: Plain("N"), frame: InBody, dims: &[Thruster, Axis],
+            write: |x, out| out.extend(x.observed.thrusters.iter().flat_map(|thruster| [thruster.force[0], thruster.force[1], S::ZERO])) },
+        Entry { variable: "thruster_utilisation", long_name: "thrust as a share of what the thruster can give that way", unit: Plain("1"), frame: Number, dims: &[Thruster],
+            write: |x, out| out.extend(x.observed.thrusters.iter().map(|thruster| thruster.utilisation)) },
         Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
             write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
         Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
@@ -247,9 +272,18 @@ impl Dimension {
             Hull => forces.iter().filter_map(Force::hull).map(|hull| hull.name.clone()).collect(),
             Line => forces.iter().filter_map(Force::line).map(str::to_owned).collect(),
             Flow => forces.iter().filter_map(Force::flow_load).map(|load| load.name.clone()).collect(),
+            Station => {
+                forces.iter().filter_map(Force::dynamic_positioning).map(|station| station.name.clone()).collect()
+            }
+            Thruster => forces.iter().filter_map(Force::dynamic_positioning).flat_map(thruster_names).collect(),
+            Planar => fixed(&["surge", "sway", "yaw"]),
             Cylinder => drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.name.clone()).collect(),
         }
     }
+}
+
+fn thruster_names<S: Scalar>(station: &DynamicPositioning<S>) -> impl Iterator<Item = String> + '_ {
+    station.allocation.thrusters().iter().map(|thruster| format!("{}.{}", station.name, thruster.name))
 }
 
 impl Unit {

@@ -71,6 +71,18 @@ fn a_step_allocates_nothing_on_mooring_lines() {
 }
 
 #[test]
+fn a_step_allocates_nothing_on_dynamic_positioning() {
+    for integrator in common::INTEGRATORS {
+        let text = common::barge::station(&format!(", integrator: {integrator}"));
+        let scenario = kingpost::scenario::read_with(&text, "test.yaml", &[], &common::barge::files()).unwrap();
+        let mut simulation = scenario.simulation().unwrap();
+        let before = ALLOCATIONS.with(Cell::get);
+        simulation.step(100).unwrap();
+        assert_eq!(ALLOCATIONS.with(Cell::get), before, "{integrator}");
+    }
+}
+
+#[test]
 fn a_step_allocates_nothing_with_every_kind_of_joint() {
     for integrator in common::INTEGRATORS {
         let text = common::every_joint().replace("step_s: 0.0001", &format!("step_s: 0.001, integrator: {integrator}"));

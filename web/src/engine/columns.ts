@@ -11,6 +11,8 @@ const THINGS = new Set([
   "hull",
   "line",
   "flow",
+  "station",
+  "thruster",
   "point",
   "drive",
 ]);

@@ -1689,6 +1689,9 @@ export type Force =
     }
   | {
       current_load: CurrentLoad;
+    }
+  | {
+      dynamic_positioning: DynamicPositioning;
     };
 /**
  * A force and a moment against a body's velocity and angular velocity, each in body axes. Velocity is relative to the
@@ -1980,6 +1983,316 @@ export type FlowCoefficients1 = {
    * L, m.
    */
   length_m: number;
+};
+/**
+ * Where.
+ */
+export type StationTarget = {
+  /**
+   * x in the world, m.
+   */
+  x_m?: number;
+  /**
+   * y in the world, m.
+   */
+  y_m?: number;
+  /**
+   * From the world's x axis, counter-clockwise, rad.
+   */
+  heading_rad?: number;
+  /**
+   * The same as `heading_rad`, in the unit of this name.
+   */
+  heading_deg?: number;
+};
+/**
+ * Along the ship.
+ */
+export type TranslationTuning = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Mass, with that of the water that moves with the ship at low frequency, kg.
+   */
+  mass_kg?: number;
+  /**
+   * The same as `mass_kg`, in the unit of this name.
+   */
+  mass_t?: number;
+  /**
+   * Natural period, s.
+   */
+  period_s: number;
+  /**
+   * Damping ratio.
+   */
+  damping_ratio?: number;
+  /**
+   * T_i, s; without it 10 / omega.
+   */
+  integral_time_s?: number | null;
+};
+/**
+ * Athwartships.
+ */
+export type TranslationTuning1 = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Mass, with that of the water that moves with the ship at low frequency, kg.
+   */
+  mass_kg?: number;
+  /**
+   * The same as `mass_kg`, in the unit of this name.
+   */
+  mass_t?: number;
+  /**
+   * Natural period, s.
+   */
+  period_s: number;
+  /**
+   * Damping ratio.
+   */
+  damping_ratio?: number;
+  /**
+   * T_i, s; without it 10 / omega.
+   */
+  integral_time_s?: number | null;
+};
+/**
+ * About the vertical.
+ */
+export type RotationTuning = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Moment of inertia about the vertical, with that of the water, kg m^2.
+   */
+  inertia_kg_m2?: number;
+  /**
+   * The same as `inertia_kg_m2`, in the unit of this name.
+   */
+  inertia_t_m2?: number;
+  /**
+   * Natural period, s.
+   */
+  period_s: number;
+  /**
+   * Damping ratio.
+   */
+  damping_ratio?: number;
+  /**
+   * T_i, s; without it 10 / omega.
+   */
+  integral_time_s?: number | null;
+};
+/**
+ * Gains as numbers: of surge and sway, and of yaw.
+ */
+export type StatedGains = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Force per error, N/m.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  stiffness_N_per_m?: [number, number];
+  /**
+   * The same as `stiffness_N_per_m`, in the unit of this name.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  stiffness_kN_per_m?: [number, number];
+  /**
+   * Force per velocity, N s/m.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  damping_N_s_per_m?: [number, number];
+  /**
+   * The same as `damping_N_s_per_m`, in the unit of this name.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  damping_kN_s_per_m?: [number, number];
+  /**
+   * Rate of the force per error, N/(m s).
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  integral_N_per_m_s?: [number, number];
+  /**
+   * Moment per error, N m/rad.
+   */
+  yaw_stiffness_N_m_per_rad?: number;
+  /**
+   * The same as `yaw_stiffness_N_m_per_rad`, in the unit of this name.
+   */
+  yaw_stiffness_kN_m_per_rad?: number;
+  /**
+   * Moment per rate, N m s/rad.
+   */
+  yaw_damping_N_m_s_per_rad?: number;
+  /**
+   * The same as `yaw_damping_N_m_s_per_rad`, in the unit of this name.
+   */
+  yaw_damping_kN_m_s_per_rad?: number;
+  /**
+   * Rate of the moment per error, N m/(rad s).
+   */
+  yaw_integral_N_m_per_rad_s?: number;
+  /**
+   * The same as `yaw_integral_N_m_per_rad_s`, in the unit of this name.
+   */
+  yaw_integral_N_m_per_deg_s?: number;
+};
+/**
+ * A thruster.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export type Thruster =
+  | {
+      tunnel: TunnelThruster;
+    }
+  | {
+      main_propeller: MainPropeller;
+    }
+  | {
+      azimuth: AzimuthThruster;
+    };
+/**
+ * A propeller in a tunnel.
+ */
+export type TunnelThruster = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it runs.
+   */
+  enabled?: boolean;
+  /**
+   * Where it acts, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+  /**
+   * Direction of its positive thrust from the body's x axis to port, rad.
+   */
+  direction_rad?: number;
+  /**
+   * The same as `direction_rad`, in the unit of this name.
+   */
+  direction_deg?: number;
+  /**
+   * Largest thrust, both ways, N.
+   */
+  max_thrust_N?: number;
+  /**
+   * The same as `max_thrust_N`, in the unit of this name.
+   */
+  max_thrust_kN?: number;
+  /**
+   * Time constant of the thrust behind its command, s.
+   */
+  time_constant_s: number;
+  /**
+   * Weight of its use against that of the others in the allocation.
+   */
+  weight?: number;
+};
+/**
+ * A propeller on a fixed shaft.
+ */
+export type MainPropeller = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it runs.
+   */
+  enabled?: boolean;
+  /**
+   * Where it acts, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+  /**
+   * Direction of its thrust ahead from the body's x axis to port, rad.
+   */
+  direction_rad?: number;
+  /**
+   * The same as `direction_rad`, in the unit of this name.
+   */
+  direction_deg?: number;
+  /**
+   * Largest thrust ahead, N.
+   */
+  max_thrust_N?: number;
+  /**
+   * The same as `max_thrust_N`, in the unit of this name.
+   */
+  max_thrust_kN?: number;
+  /**
+   * Largest thrust astern, N.
+   */
+  max_astern_thrust_N?: number;
+  /**
+   * The same as `max_astern_thrust_N`, in the unit of this name.
+   */
+  max_astern_thrust_kN?: number;
+  /**
+   * Time constant of the thrust behind its command, s.
+   */
+  time_constant_s: number;
+  /**
+   * Weight of its use against that of the others in the allocation.
+   */
+  weight?: number;
+};
+/**
+ * A propeller that turns about the vertical: its thrust is two components, whose length has a limit.
+ */
+export type AzimuthThruster = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it runs.
+   */
+  enabled?: boolean;
+  /**
+   * Where it acts, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+  /**
+   * Largest thrust in any direction, N.
+   */
+  max_thrust_N?: number;
+  /**
+   * The same as `max_thrust_N`, in the unit of this name.
+   */
+  max_thrust_kN?: number;
+  /**
+   * Time constant of both components of the thrust behind their commands, s.
+   */
+  time_constant_s: number;
+  /**
+   * Weight of its use against that of the others in the allocation.
+   */
+  weight?: number;
 };
 /**
  * What acts between two bodies, mostly in the joint that connects them.
@@ -3034,6 +3347,89 @@ export interface CurrentLoad {
    */
   draught_m?: number | null;
   coefficients: FlowCoefficients1;
+}
+/**
+ * A controller that keeps a point of a ship over a place and the ship on a heading by its thrusters.
+ */
+export interface DynamicPositioning {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The ship.
+   */
+  body: string;
+  /**
+   * The point that is kept, and that forces and moments refer to, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  target?: StationTarget;
+  /**
+   * The controller's gains.
+   */
+  gains:
+    | {
+        natural_periods: NaturalPeriods;
+      }
+    | {
+        stated: StatedGains;
+      };
+  /**
+   * What keeps the thrusters from answering each wave; without it they do.
+   */
+  wave_filter?: WaveFilter | null;
+  /**
+   * What gives way where a thruster is at its limit.
+   */
+  priority?: "heading" | "none";
+  /**
+   * Time within which the integrals follow what the thrusters can give while one of them is at its limit, s; without it
+   * sqrt(K_d / K_i), of each of surge, sway and yaw.
+   */
+  anti_windup_time_s?: number | null;
+  /**
+   * The thrusters by name.
+   */
+  thrusters: {
+    [k: string]: Thruster;
+  };
+}
+/**
+ * K_p = m omega^2, K_d = 2 zeta omega m, K_i = K_p / T_i with omega = 2 pi / period.
+ */
+export interface NaturalPeriods {
+  surge: TranslationTuning;
+  sway: TranslationTuning1;
+  yaw: RotationTuning;
+  /**
+   * Whether integrals take up the mean of what pushes the ship.
+   */
+  integral?: boolean;
+}
+/**
+ * Notches, and a low pass after them, in what the controller makes of errors and rates; not in its integrals.
+ */
+export interface WaveFilter {
+  /**
+   * Periods that are notched out, s: the waves' peak period, or several about it.
+   */
+  notch_periods_s?: number[];
+  /**
+   * What a notch leaves at its own period: the ratio of the dampings of its numerator and its denominator.
+   */
+  notch_damping_ratio?: number;
+  /**
+   * Period of the low pass of second order, s; without it there is none.
+   */
+  cutoff_period_s?: number | null;
+  /**
+   * Its damping ratio.
+   */
+  cutoff_damping_ratio?: number;
 }
 /**
  * Pin on one body.

@@ -3,6 +3,7 @@
 //! A new force is one new file and one arm in each `match` of [`Force`].
 
 mod coulomb_friction;
+pub mod dynamic_positioning;
 pub mod flow;
 mod gravity;
 pub mod hull;
@@ -14,6 +15,7 @@ mod quadratic_damping;
 mod viscous_damping;
 
 pub use coulomb_friction::CoulombFriction;
+pub use dynamic_positioning::{DynamicPositioning, PositioningReading, ThrusterReading};
 pub use flow::FlowLoad;
 pub use gravity::Gravity;
 pub use hull::Hull;
@@ -53,6 +55,8 @@ pub enum Force<S = f64> {
     CatenaryLine(Box<CatenaryLine<S>>),
     /// Wind or current by coefficients.
     FlowLoad(Box<FlowLoad<S>>),
+    /// Thrusters that keep a ship in its place.
+    DynamicPositioning(Box<DynamicPositioning<S>>),
 }
 
 impl<S: Scalar> Force<S> {
@@ -70,6 +74,7 @@ impl<S: Scalar> Force<S> {
             Force::SpringLine(line) => line.apply(at, loads),
             Force::CatenaryLine(line) => line.apply(at, loads),
             Force::FlowLoad(load) => load.apply(at, loads),
+            Force::DynamicPositioning(positioning) => positioning.apply(at, loads),
         }
     }
 
@@ -85,6 +90,7 @@ impl<S: Scalar> Force<S> {
             Force::ViscousDamping(_)
             | Force::QuadraticDamping(_)
             | Force::FlowLoad(_)
+            | Force::DynamicPositioning(_)
             | Force::JointDamping(_)
             | Force::CoulombFriction(_) => S::ZERO,
         }
@@ -103,6 +109,16 @@ impl<S: Scalar> Force<S> {
     /// The load of wind or current, where it is one.
     pub fn flow_load(&self) -> Option<&FlowLoad<S>> {
         if let Force::FlowLoad(load) = self { Some(load) } else { None }
+    }
+
+    /// The dynamic positioning, where it is one.
+    pub fn dynamic_positioning(&self) -> Option<&DynamicPositioning<S>> {
+        if let Force::DynamicPositioning(positioning) = self { Some(positioning) } else { None }
+    }
+
+    /// The dynamic positioning, to change how it begins or whether it settles.
+    pub fn dynamic_positioning_mut(&mut self) -> Option<&mut DynamicPositioning<S>> {
+        if let Force::DynamicPositioning(positioning) = self { Some(positioning) } else { None }
     }
 
     /// The name of the line, where it is one.
@@ -125,7 +141,11 @@ impl<S: Scalar> Force<S> {
 
     /// Number of its extra states.
     pub fn state_count(&self) -> usize {
-        self.hull().map_or(0, Hull::state_count)
+        match self {
+            Force::Hull(hull) => hull.state_count(),
+            Force::DynamicPositioning(positioning) => positioning.state_count(),
+            _ => 0,
+        }
     }
 
     /// Number of the values that it holds over a step.

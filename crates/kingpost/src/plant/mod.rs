@@ -1,8 +1,10 @@
 //! The right-hand side: model, forces and drives put together for an integrator.
 
+mod observation;
 mod shares;
 mod tangent;
 
+pub use observation::{Observation, Totals};
 use shares::{Moments, Shares};
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
@@ -10,12 +12,11 @@ use crate::drives::{CylinderReading, Drive};
 use crate::dynamics::loops::{LoopFault, LoopSolver, Projection};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
 use crate::dynamics::{Clock, Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
-use crate::forces::{Force, LineReading, hull::HullReading};
+use crate::forces::{Force, LineReading, PositioningReading, ThrusterReading, hull::HullReading};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{Mode, Model, Node};
 use crate::scalar::Scalar;
-use crate::spatial::Vector3;
 
 /// Which form of the equations of motion is solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -53,6 +54,8 @@ pub struct Plant<S = f64> {
     hulls: Vec<HullReading<S>>,
     lines: Vec<LineReading<S>>,
     flow_forces: Vec<[S; 6]>,
+    positioning: Vec<PositioningReading<S>>,
+    thrusters: Vec<ThrusterReading<S>>,
     rotation_rates: Vec<bool>,
     /// Evaluations of the right-hand side so far.
     pub evaluations: u64,
@@ -91,6 +94,8 @@ impl<S: Scalar> Plant<S> {
             hulls: Vec::with_capacity(forces.len()),
             lines: Vec::with_capacity(forces.len()),
             flow_forces: Vec::with_capacity(forces.len()),
+            positioning: Vec::new(),
+            thrusters: Vec::new(),
             rotation_rates,
             evaluations: 0,
             model,
@@ -157,8 +162,8 @@ impl<S: Scalar> Plant<S> {
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
         let totals = self.totals_here(at.q, at.v);
         let shares = self.shares();
-        let Self { model, links, bodies, inverse, loops, forces, drives, cylinders, hulls, lines, flow_forces, .. } =
-            self;
+        let Self { model, links, bodies, inverse, loops, forces, drives, .. } = self;
+        let Self { cylinders, hulls, lines, flow_forces, positioning, thrusters, .. } = self;
         let Moments { of_drives, of_forces } = shares.moments(model, links, at);
         cylinders.clear();
         cylinders.extend(drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.reading(&of_drives)));
@@ -168,7 +173,24 @@ impl<S: Scalar> Plant<S> {
         flow_forces.extend(forces.iter().filter_map(Force::flow_load).map(|load| load.reading(&of_forces)));
         lines.clear();
         lines.extend(forces.iter().filter_map(|force| force.line_reading(&of_forces)));
-        Observation { model, bodies, inverse, loops, cylinders, hulls, lines, flow_forces, totals }
+        let stations = || forces.iter().filter_map(Force::dynamic_positioning);
+        positioning.clear();
+        positioning.extend(stations().map(|station| station.reading(&of_forces)));
+        thrusters.clear();
+        thrusters.extend(stations().flat_map(|station| station.thruster_readings(&of_forces)));
+        Observation {
+            model,
+            bodies,
+            inverse,
+            loops,
+            cylinders,
+            hulls,
+            lines,
+            flow_forces,
+            positioning,
+            thrusters,
+            totals,
+        }
     }
 
     /// Frames and twists of the bodies at a state.
@@ -250,7 +272,11 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// The extra states for a run that begins here: the ledger's entries, then those of the drives.
+    fn tangent_mut(&mut self) -> Option<&mut Tangent> {
+        self.exact.as_mut().map(|exact| &mut *exact.tangent)
+    }
+
+    /// The extra states for a run that begins here: the ledger's entries, those of the drives, those of the forces.
     pub fn open_ledger(&mut self, q: &[S], v: &[S]) -> Vec<S> {
         let mut s = vec![S::ZERO; ledger::COUNT];
         let totals = self.totals(q, v);
@@ -259,7 +285,12 @@ impl<S: Scalar> Plant<S> {
         totals.angular_momentum.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
         let cylinders = self.drives.iter().filter_map(Drive::cylinder);
         s.extend(cylinders.filter_map(|cylinder| cylinder.first_state(&self.model, &self.links)));
-        s.resize(self.shares().extras(), S::ZERO);
+        let shares = self.shares();
+        s.resize(shares.extras(), S::ZERO);
+        let of_forces = s.len() - shares.forces;
+        for positioning in self.forces.iter().filter_map(Force::dynamic_positioning) {
+            positioning.first_states(&self.model, &self.links, &mut s[of_forces..]);
+        }
         s
     }
 }
@@ -309,41 +340,6 @@ impl Plant {
             self.loops.apply(&self.model, &self.links, &mut self.loads);
         }
     }
-}
-
-/// Borrowed results of [`Plant::observe`].
-pub struct Observation<'a, S = f64> {
-    /// The model.
-    pub model: &'a Model<S>,
-    /// Kinematics of `model.tree`.
-    pub bodies: &'a Kinematics<S>,
-    /// Accelerations and joint wrenches of the bodies.
-    pub inverse: &'a InverseDynamics<S>,
-    /// Constraints of the closed loops, and what they carry.
-    pub loops: &'a LoopSolver<S>,
-    /// The hydraulic cylinders, in the order of the drives.
-    pub cylinders: &'a [CylinderReading<S>],
-    /// The sea at the hulls, in the order of the forces.
-    pub hulls: &'a [HullReading<S>],
-    /// The lines, in the order of the forces.
-    pub lines: &'a [LineReading<S>],
-    /// Loads of wind and current, in the order of the forces: force (N), then moment (N m).
-    pub flow_forces: &'a [[S; 6]],
-    /// Energy and momentum.
-    pub totals: Totals<S>,
-}
-
-/// Energy and momentum of all bodies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Totals<S = f64> {
-    /// With that of the water that moves with hulls, J.
-    pub kinetic_energy: S,
-    /// J.
-    pub potential_energy: S,
-    /// kg m/s, world.
-    pub linear_momentum: Vector3<S>,
-    /// N m s about [`ledger::reference_point`], world.
-    pub angular_momentum: Vector3<S>,
 }
 
 impl<S: Scalar> System<S> for Plant<S> {

@@ -68,6 +68,9 @@ impl Shares {
         for hull in plant.forces.iter().filter_map(Force::hull) {
             hull.state_rates(&moments.of_forces, forces);
         }
+        for positioning in plant.forces.iter().filter_map(Force::dynamic_positioning) {
+            positioning.state_rates(&moments.of_forces, forces);
+        }
         ledger
     }
 }
@@ -87,6 +90,51 @@ impl<S: Scalar> Plant<S> {
     pub fn set_at_rest(&mut self, at_rest: bool) {
         self.at_rest = at_rest;
         self.forces.iter_mut().filter_map(Force::hull_mut).for_each(|hull| hull.calm = at_rest);
+    }
+
+    /// As [`set_at_rest`](Self::set_at_rest), and lets dynamic positioning hold its ship without delay.
+    pub fn set_settling(&mut self, settling: bool) {
+        self.set_at_rest(settling);
+        let positioning = self.forces.iter_mut().filter_map(Force::dynamic_positioning_mut);
+        positioning.for_each(|positioning| positioning.settling = settling);
+        if let Some(tangent) = self.tangent_mut() {
+            tangent.set_settling(settling);
+        }
+    }
+
+    /// While an equilibrium is sought: the first dynamic positioning whose thrusters have not what holds its ship, and how
+    /// much of what the one most in use has it takes.
+    pub fn overloaded(&mut self, q: &[S], v: &[S]) -> Option<(&str, S)> {
+        self.links.update(&self.model, q, v);
+        let positioning = self.forces.iter().filter_map(Force::dynamic_positioning);
+        let mut used = positioning.map(|station| (&*station.name, station.utilisation(&self.model, &self.links)));
+        used.find(|(_, utilisation)| !utilisation.all(|utilisation| utilisation <= 1.0))
+    }
+
+    /// The integrals that dynamic positioning begins with, in the order of the forces.
+    pub fn biases(&self) -> Vec<[S; 3]> {
+        self.forces.iter().filter_map(Force::dynamic_positioning).map(|positioning| positioning.bias).collect()
+    }
+
+    /// Sets these.
+    pub fn set_biases(&mut self, biases: &[[S; 3]]) {
+        let positioning = self.forces.iter_mut().filter_map(Force::dynamic_positioning_mut);
+        positioning.zip(biases).for_each(|(positioning, bias)| positioning.bias = *bias);
+    }
+
+    /// While an equilibrium is sought: hands what holds ships to the integrals of their dynamic positioning. Returns how
+    /// far the ship that is furthest off still is, m or rad.
+    pub fn take_over(&mut self, q: &[S], v: &[S]) -> S {
+        self.links.update(&self.model, q, v);
+        let Self { model, links, forces, .. } = self;
+        let off = forces.iter_mut().filter_map(Force::dynamic_positioning_mut);
+        let off = off.map(|positioning| positioning.take_over(model, links));
+        let off = off.fold(S::ZERO, |most, off| most.select_less(off, || off, || most));
+        let biases = self.biases();
+        if let Some(tangent) = self.tangent_mut() {
+            tangent.set_biases(&biases);
+        }
+        off
     }
 
     /// Appends to the inputs what forces hold where a run begins.
@@ -120,6 +168,8 @@ impl<S: Scalar> Plant<S> {
             let names = hull.radiation.iter().flat_map(crate::forces::hull::Radiation::state_names);
             names.map(|name| format!("{}.{name}", hull.name)).collect::<Vec<_>>()
         };
-        of_drives.chain(self.forces.iter().filter_map(Force::hull).flat_map(of)).collect()
+        let hulls = self.forces.iter().filter_map(Force::hull).flat_map(of);
+        let positioning = self.forces.iter().filter_map(Force::dynamic_positioning);
+        of_drives.chain(hulls).chain(positioning.flat_map(|positioning| positioning.state_names())).collect()
     }
 }

@@ -66,6 +66,18 @@ impl Tangent {
         self.plant.set_at_rest(at_rest);
     }
 
+    /// As [`Plant::set_settling`].
+    pub fn set_settling(&mut self, settling: bool) {
+        self.plant.set_settling(settling);
+    }
+
+    /// As [`Plant::set_biases`].
+    pub fn set_biases<S: Scalar>(&mut self, biases: &[[S; 3]]) {
+        let biases: Vec<[Number; 3]> =
+            biases.iter().map(|bias| bias.map(|entry| Number::constant(entry.value()))).collect();
+        self.plant.set_biases(&biases);
+    }
+
     /// Begins to watch the closed loops at q, as [`Plant::watch_loops`].
     pub fn watch_loops(&mut self, q: &[f64]) {
         self.q.iter_mut().zip(q).for_each(|(to, from)| *to = Number::constant(*from));

@@ -10,6 +10,7 @@ pub(super) mod flexible;
 mod flow;
 mod lines;
 mod loops;
+mod positioning;
 pub mod reading;
 mod water;
 mod wave_motion;
@@ -71,6 +72,7 @@ fn open<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldErro
     let mut forces = forces(scenario, &model)?;
     forces.extend(in_joints);
     forces.extend(in_water);
+    positioning::place_states(&mut forces);
     let drives::Drives { drives, inputs } = drives::build(scenario, &model, &mut v)?;
     for drive in &drives {
         if let Drive::WaveMotion(motion) = drive {
@@ -169,6 +171,7 @@ fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result
             ForceSchema::CatenaryLine(_) => forces.extend(lines::catenary(scenario, name, model)?),
             ForceSchema::WindLoad(_) => forces.extend(flow::wind(scenario, name, model)?),
             ForceSchema::CurrentLoad(_) => forces.extend(flow::water(scenario, name, model)?),
+            ForceSchema::DynamicPositioning(_) => forces.extend(positioning::build(scenario, name, model)?),
             // With what it does to the model: see `water`.
             ForceSchema::Hydrodynamics(_) => {}
         }

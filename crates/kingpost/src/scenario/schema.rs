@@ -6,6 +6,7 @@ mod axes;
 mod bodies;
 mod cylinder;
 mod drives;
+mod dynamic_positioning;
 mod flexible;
 mod flow;
 mod forces;
@@ -36,6 +37,10 @@ pub use bodies::{
 };
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
 pub use drives::{Brake, BrakeState, Drive, History, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
+pub use dynamic_positioning::{
+    AzimuthThruster, DynamicPositioning, MainPropeller, NaturalPeriods, PositioningGains, RotationTuning, StatedGains,
+    StationTarget, ThrustPriority, Thruster, TranslationTuning, TunnelThruster, WaveFilter,
+};
 pub use flexible::{
     CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
 };

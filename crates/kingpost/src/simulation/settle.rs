@@ -19,6 +19,9 @@ const LEAST_GROWTH: f64 = 2.0;
 /// The smallest share of the largest entry of A that is kept against drift along zero modes.
 const SMALLEST_SHARE: f64 = 1e-9;
 
+/// A ship on dynamic positioning that is less than this off its target is there, m or rad.
+const ON_STATION: f64 = 1e-8;
+
 /// How an equilibrium was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equilibrium {
@@ -46,6 +49,16 @@ pub enum NoEquilibrium {
         /// What counts as none.
         allowed: f64,
     },
+    /// Thrusters that have not what holds their ship.
+    #[error(
+        "no equilibrium: dynamic positioning {name} takes {utilisation:.3} of what a thruster has, allowed: at most 1"
+    )]
+    Thrusters {
+        /// The dynamic positioning.
+        name: String,
+        /// What the thruster most in use would have to give, of what it can.
+        utilisation: f64,
+    },
     /// A state that the simulation refuses.
     #[error(transparent)]
     State(#[from] InputError),
@@ -61,14 +74,27 @@ impl Simulation {
     /// zero modes, such as the heading of a free ship, nothing moves. Where there are closed loops
     /// the moves are tangent to them, `J dx = 0` by multipliers, and each ends with the loops closed.
     ///
+    /// Ships on dynamic positioning rest where they are to be: what holds them there is in the integrals
+    /// of the controller, found by the method of multipliers (each time the ship rests, what its thrusters
+    /// give is handed over), and the thrusters give it.
+    ///
     /// # Errors
     /// Nothing at which all accelerations vanish was found; the simulation stands where it stood.
     pub fn settle(&mut self) -> Result<Equilibrium, NoEquilibrium> {
+        self.settle_with_biases().map(|(found, _)| found)
+    }
+
+    /// The same; returns the integrals of each dynamic positioning there too, as
+    /// [`DynamicPositioning::bias`](crate::forces::DynamicPositioning::bias).
+    ///
+    /// # Errors
+    /// As [`settle`](Self::settle).
+    pub fn settle_with_biases(&mut self) -> Result<(Equilibrium, Vec<[f64; 3]>), NoEquilibrium> {
         let mut there = self.clone();
-        there.plant.set_at_rest(true);
+        there.plant.set_settling(true);
         let found = there.settle_at_rest()?;
         self.set_state(&there.state.q, &there.state.v, Some(&there.state.s))?;
-        Ok(found)
+        Ok((found, there.plant.biases()))
     }
 
     fn settle_at_rest(&mut self) -> Result<Equilibrium, NoEquilibrium> {
@@ -83,7 +109,13 @@ impl Simulation {
         loop {
             let linear = self.linear_here(&free);
             let residual = if free.is_empty() { 0.0 } else { linear.acceleration.amax() };
+            if residual < AT_REST && iterations < MOST_ITERATIONS && self.take_over(&still) {
+                last = Some(LastMove { delta: linear.largest_delta(), acceleration: f64::MAX });
+                iterations += 1;
+                continue;
+            }
             if residual < AT_REST {
+                self.check_thrusters(&still)?;
                 self.set_state(&self.state.q.clone(), &still, None)?;
                 self.keep_drive_states(&kept);
                 return Ok(Equilibrium { iterations, residual });
@@ -103,6 +135,19 @@ impl Simulation {
                 return Err(NoEquilibrium::NotFound { iterations, coordinate, residual, allowed: AT_REST });
             }
         }
+    }
+
+    /// Hands what holds ships on dynamic positioning over to the integrals; returns whether one was off its target.
+    fn take_over(&mut self, still: &[f64]) -> bool {
+        let before = self.plant.biases();
+        let off = self.plant.take_over(&self.state.q, still);
+        off > ON_STATION && self.plant.biases() != before
+    }
+
+    fn check_thrusters(&mut self, still: &[f64]) -> Result<(), NoEquilibrium> {
+        let overloaded = self.plant.overloaded(&self.state.q, still);
+        overloaded
+            .map_or(Ok(()), |(name, utilisation)| Err(NoEquilibrium::Thrusters { name: name.to_owned(), utilisation }))
     }
 
     fn keep_drive_states(&mut self, kept: &[f64]) {
@@ -129,7 +174,7 @@ impl Simulation {
     /// the last of Newton's moves is made; `None` where it is singular.
     pub fn compliance(&self) -> Option<DMatrix<f64>> {
         let mut there = self.clone();
-        there.plant.set_at_rest(true);
+        there.plant.set_settling(true);
         let free = there.plant.model.free_coordinates();
         let (linear, j) = (there.linear_here(&free), there.moving_frame().j);
         let inverse = linear.bordered(&j, linear.largest_delta()).try_inverse()?;

@@ -106,6 +106,24 @@ fn hull() -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
 /// The barge with a mast that slides athwartships and a pendulum at its head.
 pub const TEXT: &str = include_str!("barge.yaml");
 
+/// The barge in a current, on dynamic positioning; `more` settings of the simulation.
+pub fn station(more: &str) -> String {
+    let thrusters = "bow: {tunnel: {position_m: [8, 0, 1], max_thrust_kN: 40, time_constant_s: 1}}, \
+                     port: {azimuth: {position_m: [-8, 3, 0.5], max_thrust_kN: 40, time_constant_s: 1.5}}, \
+                     starboard: {azimuth: {position_m: [-8, -3, 0.5], max_thrust_kN: 40, time_constant_s: 1.5}}";
+    let gains = "natural_periods: {surge: {mass_t: 470, period_s: 60}, sway: {mass_t: 620, period_s: 60}, \
+                 yaw: {inertia_kg_m2: 2.2e7, period_s: 50}}";
+    let dp = format!(
+        "  dp: {{dynamic_positioning: {{body: hull, position_m: [2, 0, 2], target: {{x_m: 4, y_m: -3, heading_deg: 20}}, \
+         wave_filter: {{notch_periods_s: [6], cutoff_period_s: 12}}, gains: {{{gains}}}, \
+         thrusters: {{{thrusters}}}}}}}\n"
+    );
+    let drag = "  drag: {viscous_damping: {body: hull, position_m: [0, 0, 2], linear_N_s_m: [1e4, 3e4, 1e4], \
+                angular_N_m_s: [2e6, 4e6, 2e6]}}\n";
+    let sea = "sea:\n  current_m_s: [0.5, -0.6]\n";
+    TEXT.replace("sea:\n", sea).replace("step_s: 0.02", &format!("step_s: 0.02{more}")) + drag + &dp
+}
+
 /// The scenario of the barge, with values set over it.
 pub fn scenario(overrides: &[(&str, Value)]) -> Scenario {
     let pairs: Vec<(String, Value)> =

@@ -31,8 +31,13 @@ impl<S: Scalar> HullFrame<S> {
 
     /// Where the hull is and how it moves.
     pub fn motion(&self, at: &Moment<'_, S>) -> HullMotion<S> {
-        let twist = self.in_body().twist_to_child(&at.links.body_twist(at.model, self.body));
-        HullMotion { frame: self.frame(at.model, at.links), twist }
+        self.motion_of(at.model, at.links)
+    }
+
+    /// The same, by kinematics alone.
+    pub fn motion_of(&self, model: &Model<S>, links: &LinkKinematics<S>) -> HullMotion<S> {
+        let twist = self.in_body().twist_to_child(&links.body_twist(model, self.body));
+        HullMotion { frame: self.frame(model, links), twist }
     }
 
     /// Twist relative to water that flows at `current` (world, m/s), in the body's axes about the origin, and the current

@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{CatenaryLine, CurrentLoad, Hydrodynamics, Name, NonNegative, SpringLine, WindLoad, yes};
+use super::{
+    CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, SpringLine, WindLoad, yes,
+};
 
 /// What acts on the bodies from outside.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -25,6 +27,8 @@ pub enum Force {
     WindLoad(Box<WindLoad>),
     /// The current on a body, by coefficients.
     CurrentLoad(Box<CurrentLoad>),
+    /// Thrusters that keep a ship in its place.
+    DynamicPositioning(Box<DynamicPositioning>),
 }
 
 /// Weight of every body, downwards along the world's z axis.

@@ -1,0 +1,132 @@
+//! One thruster.
+
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+
+/// A thruster on a hull. Its thrust, in the hull's x-y plane, follows its command as
+///
+/// ```text
+/// T' = (T_c - T) / tau
+/// ```
+///
+/// and so never leaves the limits that the command keeps.
+#[derive(Clone, Debug)]
+pub struct Thruster<S = f64> {
+    /// Name.
+    pub name: String,
+    /// Where it acts, seen from the point that is kept, body axes, m.
+    pub position: Vector3<S>,
+    /// What it can give.
+    pub kind: ThrusterKind<S>,
+    /// tau, s.
+    pub time_constant: S,
+    /// Weight of its use in the allocation.
+    pub weight: S,
+}
+
+/// What a thruster can give. Its thrust is one or two numbers, N.
+#[derive(Clone, Copy, Debug)]
+pub enum ThrusterKind<S = f64> {
+    /// One direction, ahead and astern.
+    Fixed {
+        /// Of the thrust ahead: a unit vector in the x-y plane.
+        direction: [S; 2],
+        /// Largest thrust ahead, N.
+        ahead: S,
+        /// Largest thrust astern, N.
+        astern: S,
+    },
+    /// Any direction: components along x and y.
+    Azimuth {
+        /// Largest thrust, N.
+        limit: S,
+    },
+}
+
+/// The numbers of a thrust; of a fixed thruster the second says nothing.
+pub type Thrust<S> = [S; 2];
+
+impl<S: Scalar> Thruster<S> {
+    /// How many numbers its thrust is: its extra states.
+    pub fn components(&self) -> usize {
+        match self.kind {
+            ThrusterKind::Fixed { .. } => 1,
+            ThrusterKind::Azimuth { .. } => 2,
+        }
+    }
+
+    /// Unit vectors of the components, in the x-y plane.
+    pub(super) fn directions(&self) -> [[S; 2]; 2] {
+        match self.kind {
+            ThrusterKind::Fixed { direction, .. } => [direction, [S::ZERO; 2]],
+            ThrusterKind::Azimuth { .. } => [[S::ONE, S::ZERO], [S::ZERO, S::ONE]],
+        }
+    }
+
+    /// The largest thrust, N.
+    pub fn limit(&self) -> S {
+        match self.kind {
+            ThrusterKind::Fixed { ahead, astern, .. } => astern.select_less(ahead, || ahead, || astern),
+            ThrusterKind::Azimuth { limit } => limit,
+        }
+    }
+
+    /// The thrust as a force in the x-y plane, N.
+    pub fn force(&self, thrust: Thrust<S>) -> [S; 2] {
+        let [first, second] = self.directions();
+        core::array::from_fn(|k| first[k] * thrust[0] + second[k] * thrust[1])
+    }
+
+    /// The thrust with its sign, or its length where it has two components, N.
+    pub fn signed_thrust(&self, thrust: Thrust<S>) -> S {
+        match self.kind {
+            ThrusterKind::Fixed { .. } => thrust[0],
+            ThrusterKind::Azimuth { .. } => length(thrust),
+        }
+    }
+
+    /// The thrust as a share of what the thruster can give that way.
+    pub fn utilisation(&self, thrust: Thrust<S>) -> S {
+        match self.kind {
+            ThrusterKind::Fixed { ahead, astern, .. } => {
+                thrust[0].select_below(0.0, || -thrust[0] / astern, || thrust[0] / ahead)
+            }
+            ThrusterKind::Azimuth { limit } => length(thrust) / limit,
+        }
+    }
+
+    /// The largest share s of `more`, from 0 to 1, that `base + s more` keeps the limits with; `base` does.
+    pub fn room(&self, base: Thrust<S>, more: Thrust<S>) -> S {
+        match self.kind {
+            ThrusterKind::Fixed { ahead, astern, .. } => {
+                let (from, way) = (base[0], more[0]);
+                let at_once = || S::ONE;
+                let astern_share = || (from + astern) / -way;
+                let ahead_share = || (ahead - from) / way;
+                let share = (from + way)
+                    .select_less(-astern, astern_share, || ahead.select_less(from + way, ahead_share, at_once));
+                share.clipped(S::ZERO, S::ONE)
+            }
+            ThrusterKind::Azimuth { limit } => {
+                let dot = |a: Thrust<S>, b: Thrust<S>| a[0] * b[0] + a[1] * b[1];
+                let whole = [base[0] + more[0], base[1] + more[1]];
+                let square = limit * limit;
+                // Of |base + s more|^2 = limit^2 the greater root.
+                let share = || {
+                    let (along, way) = (dot(base, more), dot(more, more));
+                    let left = square - dot(base, base);
+                    let left = left.select_below(0.0, || S::ZERO, || left);
+                    ((along * along + way * left).sqrt() - along) / way
+                };
+                square.select_less(dot(whole, whole), share, || S::ONE).clipped(S::ZERO, S::ONE)
+            }
+        }
+    }
+}
+
+/// Length; 0, and without derivatives, where there is none.
+fn length<S: Scalar>(thrust: Thrust<S>) -> S {
+    let square = thrust[0] * thrust[0] + thrust[1] * thrust[1];
+    let root = square.select_below(f64::MIN_POSITIVE, || S::ONE, || square).sqrt();
+    square.select_below(f64::MIN_POSITIVE, || S::ZERO, || root)
+}

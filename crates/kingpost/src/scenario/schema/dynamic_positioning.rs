@@ -1,0 +1,270 @@
+//! Dynamic positioning: thrusters that keep a ship in its place.
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+
+use super::{Name, NonNegative, Positive, yes};
+
+/// A controller that keeps a point of a ship over a place and the ship on a heading by its thrusters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct DynamicPositioning {
+    /// Whether it acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The ship.
+    pub body: Name,
+    /// The point that is kept, and that forces and moments refer to, in the body's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [f64; 3],
+    /// Where.
+    #[serde(default)]
+    pub target: StationTarget,
+    /// The controller's gains.
+    pub gains: PositioningGains,
+    /// What keeps the thrusters from answering each wave; without it they do.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wave_filter: Option<WaveFilter>,
+    /// What gives way where a thruster is at its limit.
+    #[serde(default)]
+    pub priority: ThrustPriority,
+    /// Time within which the integrals follow what the thrusters can give while one of them is at its limit, s; without it
+    /// sqrt(K_d / K_i), of each of surge, sway and yaw.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub anti_windup_time_s: Option<Positive>,
+    /// The thrusters by name.
+    pub thrusters: IndexMap<Name, Thruster>,
+}
+
+/// A place and a heading.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields, default)]
+pub struct StationTarget {
+    /// x in the world, m.
+    pub x_m: f64,
+    /// y in the world, m.
+    pub y_m: f64,
+    /// From the world's x axis, counter-clockwise, rad.
+    pub heading_rad: f64,
+}
+
+/// Gains of surge, sway and yaw.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum PositioningGains {
+    /// By the natural period and the damping that the ship is to have.
+    NaturalPeriods(Box<NaturalPeriods>),
+    /// As numbers.
+    Stated(Box<StatedGains>),
+}
+
+/// K_p = m omega^2, K_d = 2 zeta omega m, K_i = K_p / T_i with omega = 2 pi / period.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct NaturalPeriods {
+    /// Along the ship.
+    pub surge: TranslationTuning,
+    /// Athwartships.
+    pub sway: TranslationTuning,
+    /// About the vertical.
+    pub yaw: RotationTuning,
+    /// Whether integrals take up the mean of what pushes the ship.
+    #[serde(default = "yes")]
+    pub integral: bool,
+}
+
+/// How surge or sway answers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct TranslationTuning {
+    /// Mass, with that of the water that moves with the ship at low frequency, kg.
+    pub mass_kg: Positive,
+    /// Natural period, s.
+    pub period_s: Positive,
+    /// Damping ratio.
+    #[serde(default = "damping_ratio")]
+    pub damping_ratio: Positive,
+    /// T_i, s; without it 10 / omega.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub integral_time_s: Option<Positive>,
+}
+
+/// How yaw answers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct RotationTuning {
+    /// Moment of inertia about the vertical, with that of the water, kg m^2.
+    pub inertia_kg_m2: Positive,
+    /// Natural period, s.
+    pub period_s: Positive,
+    /// Damping ratio.
+    #[serde(default = "damping_ratio")]
+    pub damping_ratio: Positive,
+    /// T_i, s; without it 10 / omega.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub integral_time_s: Option<Positive>,
+}
+
+const fn damping_ratio() -> Positive {
+    Positive::literal(0.8)
+}
+
+/// Gains as numbers: of surge and sway, and of yaw.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct StatedGains {
+    /// Force per error, N/m.
+    #[serde(rename = "stiffness_N_per_m")]
+    pub stiffness_n_per_m: [Positive; 2],
+    /// Force per velocity, N s/m.
+    #[serde(rename = "damping_N_s_per_m")]
+    pub damping_n_s_per_m: [NonNegative; 2],
+    /// Rate of the force per error, N/(m s).
+    #[serde(default, rename = "integral_N_per_m_s")]
+    pub integral_n_per_m_s: [NonNegative; 2],
+    /// Moment per error, N m/rad.
+    #[serde(rename = "yaw_stiffness_N_m_per_rad")]
+    pub yaw_stiffness_n_m_per_rad: Positive,
+    /// Moment per rate, N m s/rad.
+    #[serde(rename = "yaw_damping_N_m_s_per_rad")]
+    pub yaw_damping_n_m_s_per_rad: NonNegative,
+    /// Rate of the moment per error, N m/(rad s).
+    #[serde(default, rename = "yaw_integral_N_m_per_rad_s")]
+    pub yaw_integral_n_m_per_rad_s: NonNegative,
+}
+
+/// Notches, and a low pass after them, in what the controller makes of errors and rates; not in its integrals.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct WaveFilter {
+    /// Periods that are notched out, s: the waves' peak period, or several about it.
+    #[serde(default)]
+    pub notch_periods_s: Vec<Positive>,
+    /// What a notch leaves at its own period: the ratio of the dampings of its numerator and its denominator.
+    #[serde(default = "notch_ratio")]
+    pub notch_damping_ratio: NonNegative,
+    /// Period of the low pass of second order, s; without it there is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cutoff_period_s: Option<Positive>,
+    /// Its damping ratio.
+    #[serde(default = "butterworth")]
+    pub cutoff_damping_ratio: Positive,
+}
+
+const fn notch_ratio() -> NonNegative {
+    NonNegative::literal(0.1)
+}
+
+const fn butterworth() -> Positive {
+    Positive::literal(core::f64::consts::FRAC_1_SQRT_2)
+}
+
+/// What gives way where a thruster is at its limit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum ThrustPriority {
+    /// The force, which keeps its direction: the yaw moment is given first.
+    #[default]
+    Heading,
+    /// Force and moment alike.
+    None,
+}
+
+/// A thruster.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Thruster {
+    /// A propeller in a tunnel through the hull, that pushes both ways alike.
+    Tunnel(TunnelThruster),
+    /// A propeller on a fixed shaft.
+    MainPropeller(MainPropeller),
+    /// A propeller that turns about the vertical.
+    Azimuth(AzimuthThruster),
+}
+
+/// A propeller in a tunnel.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct TunnelThruster {
+    /// Whether it runs.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// Where it acts, in the body's drawing frame, m.
+    pub position_m: [f64; 3],
+    /// Direction of its positive thrust from the body's x axis to port, rad.
+    #[serde(default = "athwartships")]
+    pub direction_rad: f64,
+    /// Largest thrust, both ways, N.
+    #[serde(rename = "max_thrust_N")]
+    pub max_thrust_n: Positive,
+    /// Time constant of the thrust behind its command, s.
+    pub time_constant_s: Positive,
+    /// Weight of its use against that of the others in the allocation.
+    #[serde(default = "one")]
+    pub weight: Positive,
+}
+
+/// A propeller on a fixed shaft.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct MainPropeller {
+    /// Whether it runs.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// Where it acts, in the body's drawing frame, m.
+    pub position_m: [f64; 3],
+    /// Direction of its thrust ahead from the body's x axis to port, rad.
+    #[serde(default)]
+    pub direction_rad: f64,
+    /// Largest thrust ahead, N.
+    #[serde(rename = "max_thrust_N")]
+    pub max_thrust_n: Positive,
+    /// Largest thrust astern, N.
+    #[serde(rename = "max_astern_thrust_N")]
+    pub max_astern_thrust_n: Positive,
+    /// Time constant of the thrust behind its command, s.
+    pub time_constant_s: Positive,
+    /// Weight of its use against that of the others in the allocation.
+    #[serde(default = "one")]
+    pub weight: Positive,
+}
+
+/// A propeller that turns about the vertical: its thrust is two components, whose length has a limit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct AzimuthThruster {
+    /// Whether it runs.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// Where it acts, in the body's drawing frame, m.
+    pub position_m: [f64; 3],
+    /// Largest thrust in any direction, N.
+    #[serde(rename = "max_thrust_N")]
+    pub max_thrust_n: Positive,
+    /// Time constant of both components of the thrust behind their commands, s.
+    pub time_constant_s: Positive,
+    /// Weight of its use against that of the others in the allocation.
+    #[serde(default = "one")]
+    pub weight: Positive,
+}
+
+const fn athwartships() -> f64 {
+    core::f64::consts::FRAC_PI_2
+}
+
+const fn one() -> Positive {
+    Positive::literal(1.0)
+}
