@@ -1,4 +1,5 @@
 import type { Channel, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Values } from "./engine";
+import type { Ropes } from "./ropes";
 import type { Surface } from "./surface";
 
 export interface OpenRequest {
@@ -35,6 +36,7 @@ export interface Frame {
 
 export interface Opened {
   model: ModelInfo;
+  ropes: Ropes;
   settings: Settings;
   channels: Channel[];
   inputs: InputInfo[];

@@ -1,6 +1,7 @@
 import { asFault, readModel, readSettings } from "./engine";
 import type { Engine, Fault, Hydrostatics, OpenEngine, Values } from "./engine";
 import type { Frame, Opened } from "./messages";
+import { readRopes } from "./ropes";
 import { SurfaceGrid } from "./surface";
 
 /** Longest stretch of wall time that one frame may catch up with, s: a slow machine runs slowly. */
@@ -35,9 +36,11 @@ export class Runner {
     this.stepsPerRecord = Math.max(1, Math.round(model.record_every_s / engine.step_s()));
     this.owed_s = 0;
     this.fault = null;
+    const resolved = engine.resolved_json();
     return {
       model,
-      settings: readSettings(engine.resolved_json()),
+      ropes: readRopes(resolved),
+      settings: readSettings(resolved),
       channels: JSON.parse(engine.channels_json()),
       inputs: JSON.parse(engine.inputs_json()),
       frame: this.frame([engine.row()]),

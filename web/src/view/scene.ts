@@ -26,12 +26,12 @@ export function createScene(session: Session): { draw(): void } {
   byId("fit").addEventListener("click", () => view.fit());
   session.listen({
     opened: (run, frame, isAnother) => {
-      view.build(run.model, frame.poses, isAnother);
+      view.build(run, frame, isAnother);
       view.showSea(frame.surface, true);
       setText(byId("scene-note"), noteOf(run.model, view.spacing()));
     },
     advanced: (_run, frame) => {
-      view.show(frame.poses);
+      view.show(frame);
       view.showSea(frame.surface, false);
     },
   });

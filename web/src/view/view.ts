@@ -1,12 +1,15 @@
 import { DirectionalLight, Group, HemisphereLight, Mesh, PCFShadowMap, Scene, Sprite, WebGLRenderer } from "three";
 import type { Material, Object3D } from "three";
+import type { Run } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
+import type { Frame } from "../engine/messages";
 import type { Surface } from "../engine/surface";
 import { Eye } from "./camera";
 import { Ground } from "./ground";
 import { Linkages } from "./linkages";
 import { readPalette } from "./palette";
 import type { Palette } from "./palette";
+import { DrawnRopes } from "./ropes";
 import { Sea } from "./sea";
 import { boxOf, edgesOf, solidOf, withFrame } from "./solids";
 import type { ShapedHull } from "./solids";
@@ -18,6 +21,11 @@ const LABEL_PX = 58;
 
 /** Length of a body frame, as a part of the longest diagonal of a body. */
 const FRAME_LENGTH = 0.14;
+
+/** What of a run is drawn. */
+type Shown = Pick<Run, "model" | "ropes" | "columns">;
+/** What of a moment is drawn. */
+type Moment = { [part in keyof Pick<Frame, "poses" | "row">]: ArrayLike<number> };
 
 /** The 3D picture: world z up, a body's object at the pose that the engine gives. Drawn on demand. */
 export class View {
@@ -32,8 +40,9 @@ export class View {
   private bodies: Group[] = [];
   private linkages: Linkages | null = null;
   private palette: Palette = readPalette();
-  private model: ModelInfo | null = null;
-  private poses: ArrayLike<number> = [];
+  private ropes: DrawnRopes | null = null;
+  private run: Shown | null = null;
+  private frame: Moment = { poses: [], row: [] };
   private surface: Surface | null = null;
   private framesShown = false;
   private stale = true;
@@ -55,9 +64,10 @@ export class View {
   }
 
   /** Builds the bodies; `refit` when it is another model and not the same one reset. */
-  build(model: ModelInfo, poses: ArrayLike<number>, refit: boolean): void {
-    this.model = model;
-    this.poses = poses;
+  build(run: Shown, frame: Moment, refit: boolean): void {
+    const { model } = run;
+    this.run = run;
+    this.frame = frame;
     this.clear();
     const hulls = model.bodies.map(({ name }) => shapedHull(model, name));
     this.bodies = model.bodies.map((body, i) => {
@@ -70,13 +80,14 @@ export class View {
     const boxes = model.bodies.map((body, i) => boxOf(body, hulls[i]));
     const thickness = boxes.map((box) => Math.min(...edgesOf(box)));
     this.linkages = new Linkages(model, this.bodies, thickness, this.world, this.palette);
+    this.ropes = new DrawnRopes(run.ropes, run.columns, model.bodies.map(({ name }) => name), this.bodies, this.world, this.palette.rope);
     const size = Math.max(...boxes.map((box) => Math.hypot(...edgesOf(box))));
-    const frame = this.framesShown ? FRAME_LENGTH * size : 0;
-    this.eye.watch(boxes.map((box) => withFrame(box, 1.3 * frame)), poses);
-    if (frame > 0) this.addFrames(frame);
+    const axes = this.framesShown ? FRAME_LENGTH * size : 0;
+    this.eye.watch(boxes.map((box) => withFrame(box, 1.3 * axes)), frame.poses);
+    if (axes > 0) this.addFrames(axes);
     this.ground.space(this.spacing());
     this.ground.visible = model.sea === null || model.hulls.length === 0;
-    this.place(poses);
+    this.place(frame);
     if (refit) this.eye.fit();
     this.stale = true;
   }
@@ -89,15 +100,15 @@ export class View {
     this.stale = true;
   }
 
-  show(poses: ArrayLike<number>): void {
-    this.poses = poses;
-    this.eye.follow(poses);
-    this.place(poses);
+  show(frame: Moment): void {
+    this.frame = frame;
+    this.eye.follow(frame.poses);
+    this.place(frame);
   }
 
   showFrames(shown: boolean): void {
     this.framesShown = shown;
-    if (this.model) this.build(this.model, this.poses, !this.eye.isTaken);
+    if (this.run) this.build(this.run, this.frame, !this.eye.isTaken);
   }
 
   fit(): void {
@@ -116,13 +127,14 @@ export class View {
     this.renderer.render(this.scene, this.eye.camera);
   }
 
-  private place(poses: ArrayLike<number>): void {
+  private place({ poses, row }: Moment): void {
     this.bodies.forEach((body, i) => {
       const at = 7 * i;
       body.position.set(poses[at], poses[at + 1], poses[at + 2]);
       body.quaternion.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 3]);
     });
     this.linkages?.place();
+    this.ropes?.place(row);
     this.lightFrom(poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0);
     this.stale = true;
   }
@@ -161,7 +173,7 @@ export class View {
   private repaint(): void {
     this.palette = readPalette();
     this.light();
-    if (this.model) this.build(this.model, this.poses, false);
+    if (this.run) this.build(this.run, this.frame, false);
     this.stale = true;
   }
 
@@ -171,7 +183,7 @@ export class View {
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer.setSize(width, height, false);
     this.eye.resize(width, height);
-    if (this.framesShown && this.model) this.build(this.model, this.poses, false);
+    if (this.framesShown && this.run) this.build(this.run, this.frame, false);
     this.stale = true;
     this.draw();
   }
