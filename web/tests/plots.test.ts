@@ -20,7 +20,17 @@ describe("history", () => {
 });
 
 describe("the window of time", () => {
-  it("shows the duration first and rolls after it", () => {
+  it("grows with the time shown, so that the start of a long run can be read", () => {
+    expect(timeRange(0, 600, 600)).toEqual([0, 15]);
+    expect(timeRange(15.2, 600, 600)).toEqual([0, 30]);
+    expect(timeRange(100, 600, 600)).toEqual([0, 120]);
+    expect(timeRange(241, 600, 600)).toEqual([0, 600]);
+    expect(timeRange(5, 18, 18)).toEqual([0, 18]);
+    // A run whose records do not all fit shows the last of them.
+    expect(timeRange(300, 3600, 200)).toEqual([100, 300]);
+  });
+
+  it("shows the duration of a short run first and rolls after it", () => {
     expect(timeRange(0, 3, 10)).toEqual([0, 3]);
     expect(timeRange(2, 3, 10)).toEqual([0, 3]);
     expect(timeRange(7, 3, 10)).toEqual([0, 7]);

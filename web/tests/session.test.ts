@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import { Session } from "../src/app/session";
+import { faultOfControl } from "../src/app/faults";
 import type { EngineClient } from "../src/engine/client";
 import type { Fault, Values } from "../src/engine/engine";
 import { Runner } from "../src/engine/runner";
@@ -88,6 +89,16 @@ describe("the session", () => {
     await settled();
     expect(session.value("load")).toBe(true);
     expect(session.fault?.kind).toBe("scenario");
+  });
+
+  it("words a refused value by its control, not as the command line does", () => {
+    const parameters = [{ name: "load_t", label: "Load on the hook", unit: "t", kind: "number", value: 20, range: [1, 50], choices: null, live: false }] as const;
+    const fault = { kind: "scenario", message: "--set load_t: found 500, allowed: a number from 1 to 50", file: "--set load_t", field: "load_t", found: "500", allowed: "a number from 1 to 50" };
+    expect(faultOfControl(fault, parameters as never)).toEqual({ kind: "input", message: "Load on the hook: 500 t is not a number from 1 to 50 t." });
+    const step = { ...fault, file: "--set simulation.step_s", found: "-1", allowed: "a number greater than 0" };
+    expect(faultOfControl(step, []).message).toBe("Step size: -1 is not a number greater than 0.");
+    const ofFile = { ...fault, file: "ship.yaml" };
+    expect(faultOfControl(ofFile, [])).toBe(ofFile);
   });
 
   it("stops where the run diverges, and starts again after a reset", async () => {

@@ -4,6 +4,7 @@ import type { Channel, Fault, Hydrostatics, InputInfo, ModelInfo, Value, Values 
 import type { Frame, Opened } from "../engine/messages";
 import type { Ropes } from "../engine/ropes";
 import { Accuracy } from "./accuracy";
+import { faultOfControl } from "./faults";
 
 /** idle: at the start; stopped: the run cannot go on. */
 export type Status = "loading" | "idle" | "running" | "paused" | "stopped";
@@ -198,7 +199,7 @@ export class Session {
       const kept = Object.entries(this.wanted).map(([name]) => [name, this.applied[name]]);
       this.wanted = Object.fromEntries(kept.filter(([, value]) => value !== undefined));
     }
-    this.report(fault);
+    this.report(faultOfControl(fault, this.run?.model.parameters ?? []));
     this.emit((listener) => listener.valuesChanged?.());
   }
 

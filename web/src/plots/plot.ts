@@ -6,6 +6,9 @@ import { decimalsOf, PER_RADIAN, scaleOf } from "./quantities";
 import type { FigureKey, PlotKind, Unit } from "./quantities";
 import { timeRange, wrapPlaces } from "./window";
 
+/** Room for the half of the last time on the axis that stands out, pixels. */
+const LAST_TICK_PX = 24;
+
 interface Legend {
   value: HTMLElement;
   column: number;
@@ -148,7 +151,7 @@ export class Plot {
       width: this.area.clientWidth,
       height: this.area.clientHeight,
       legend: { show: false },
-      padding: [8, 10, 0, 0],
+      padding: [8, LAST_TICK_PX, 0, 0],
       cursor: { sync: { key: "time" }, drag: { x: false, y: false }, points: { size: 7 } },
       scales: { x: { time: false }, y: { range: (_u, low, high) => paddedRange(low, high, 0.005 * scaleOf(this.kind, this.unit)) } },
       axes: [

@@ -10,9 +10,16 @@ export function windowLength(duration_s: number, interval_s: number, columns = 1
   return { window_s: Math.min(wanted_s, (capacity - 2) * interval_s), capacity };
 }
 
-/** The stretch of time in sight: the whole duration at first, then the last window. */
+/** What the plots show of a run at its start, s; it doubles until all of it is in sight. */
+const FIRST_STRETCH_S = 15;
+
+/** The stretch of time in sight: from the start, in doubling stretches to the duration, then the last window. */
 export function timeRange(now_s: number, duration_s: number, window_s: number): [number, number] {
-  const end = Math.max(now_s, Math.min(duration_s, window_s));
+  const whole = Math.min(duration_s, window_s);
+  let stretch = FIRST_STRETCH_S;
+  while (stretch < now_s) stretch *= 2;
+  // No last stretch that is hardly longer than the one before.
+  const end = Math.max(now_s, 1.3 * stretch > whole ? whole : stretch);
   return [Math.max(0, end - window_s), end];
 }
 

@@ -3,7 +3,7 @@ import { fixed } from "../app/format";
 import type { Run, Session } from "../app/session";
 import type { Hydrostatics } from "../engine/engine";
 import type { Frame } from "../engine/messages";
-import { byId, byTestId, setText } from "./dom";
+import { byId, byTestId, make, setText } from "./dom";
 
 /** Hydrostatics are asked for once the controls have been left alone for so long, ms: they cost more than a frame. */
 const CALM_MS = 250;
@@ -51,7 +51,8 @@ export class Floating {
     const height_m = found?.hulls[0]?.metacentric_height_m[0];
     setText(byTestId("metacentric-height"), height_m === undefined ? "–" : `${fixed(height_m, 2)} m`);
     this.warnings.hidden = !found || found.warnings.length === 0;
-    setText(this.warnings.querySelector("p")!, found?.warnings.join(" ") ?? "");
+    this.warnings.querySelector("ul")!.replaceChildren(...(found?.warnings ?? []).map((warning) => make("li", {}, warning)));
+    setText(this.warnings.querySelector("summary")!, found && found.warnings.length > 1 ? `${found.warnings.length} warnings` : "Warning");
   }
 }
 

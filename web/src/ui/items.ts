@@ -57,14 +57,17 @@ export function number({ name, label, unit, range }: Numeric, set: (value: numbe
     element.append(slider);
     slider.addEventListener("input", () => set(slider.valueAsNumber));
   }
+  let shown = "";
   box.addEventListener("change", () => {
     if (Number.isFinite(box.valueAsNumber)) set(box.valueAsNumber);
+    // What is no number leaves the value in force, and in sight.
+    else box.value = shown;
   });
   return {
     name,
     element,
     show(value, pending) {
-      box.value = typeof value === "number" ? withoutRounding(value) : String(value);
+      box.value = shown = typeof value === "number" ? withoutRounding(value) : String(value);
       if (slider) slider.value = String(value);
       mark(element, pending);
     },

@@ -1,3 +1,4 @@
+import { faultOfDatabase } from "../app/faults";
 import type { Gallery } from "../app/gallery";
 import type { Fault } from "../engine/engine";
 import { openingOverrides } from "../app/opening";
@@ -51,8 +52,9 @@ export class Scenarios {
 
   /** A scenario, and with it the databases that it names. */
   private async openFiles(files: File[]): Promise<void> {
-    const file = files.find(({ name }) => !name.endsWith(DATABASE)) ?? files[0];
-    if (!file) return;
+    if (files.length === 0) return;
+    const file = files.find(({ name }) => !name.endsWith(DATABASE));
+    if (!file) return this.session.report(faultOfDatabase(files[0].name));
     const others = files.filter((other) => other !== file).map(async (other) => [other.name, await other.text()]);
     const source = { text: await file.text(), file: file.name, opened: Object.fromEntries(await Promise.all(others)) };
     if (await this.session.open(source, {})) {

@@ -1,4 +1,5 @@
 import { FORM_NAMES, formName, INTEGRATOR_NAMES, integratorName } from "../app/format";
+import { SETTING_LABELS } from "../app/faults";
 import type { Session } from "../app/session";
 import { byId } from "./dom";
 import { choice, number } from "./items";
@@ -10,9 +11,9 @@ export class Settings {
 
   constructor(private readonly session: Session) {
     this.items = [
-      this.named("simulation.integrator", "Integrator", INTEGRATOR_NAMES, integratorName),
-      this.named("simulation.form", "Equations", FORM_NAMES, formName),
-      number({ name: "simulation.step_s", label: "Step size", unit: "s", range: null }, (value) =>
+      this.named("simulation.integrator", INTEGRATOR_NAMES, integratorName),
+      this.named("simulation.form", FORM_NAMES, formName),
+      number({ name: "simulation.step_s", label: SETTING_LABELS["simulation.step_s"], unit: "s", range: null }, (value) =>
         session.set("simulation.step_s", value),
       ),
     ];
@@ -22,8 +23,8 @@ export class Settings {
     session.listen({ valuesChanged: () => this.show() });
   }
 
-  private named(path: string, label: string, choices: string[], nameOf: (choice: string) => string): Item {
-    const item = choice({ name: path, label, choices }, (value) => this.session.set(path, value));
+  private named(path: string, choices: string[], nameOf: (choice: string) => string): Item {
+    const item = choice({ name: path, label: SETTING_LABELS[path], choices }, (value) => this.session.set(path, value));
     for (const option of item.element.querySelectorAll("option")) option.textContent = nameOf(option.value);
     return item;
   }
