@@ -65,6 +65,7 @@ def parser() -> argparse.ArgumentParser:
     _add_scenario(modes)
     modes.add_argument("-o", "--output", metavar="FILE", help="modes with their shapes: .nc or .csv")
     modes.add_argument("--sweep", metavar="name=from:to:n", help="n values of a parameter or a field")
+    modes.add_argument("--all", action="store_true", help="those of the water's memory of radiated waves too")
     modes.set_defaults(command=_modes)
 
     rao = commands.add_parser("rao", help="response of ship and crane to regular waves")
@@ -160,7 +161,7 @@ def _modes(options: argparse.Namespace) -> int:
     output = results.check_output(options.output, vibration.ENDINGS) if options.output is not None else None
     sweep = vibration.parse_sweep(options.sweep) if options.sweep is not None else None
     found = vibration.modes(scenario, sweep=sweep)
-    print(modes_report.text(found))
+    print(modes_report.text(found, options.all))
     if output:
         print(f"\nwritten  {vibration.write(found, output)}")
     return DONE

@@ -25,6 +25,10 @@ SMALLEST_SQUARE = 1e-10
 """Squared frequencies below this count as zero, (rad/s)^2: a period of a week."""
 FIRST = 1e3
 """Weight of what a drive keeps, beside the largest of a coordinate, in naming zero modes."""
+MEMORY = ".radiation."
+"""In the names of the states that remember radiated waves."""
+LAST = 1e-6
+"""Their weight in naming zero modes: they follow where a hull is."""
 ALIKE = 1e-9
 """Shares that differ by less are equal, and the first is taken."""
 
@@ -47,6 +51,10 @@ class Mode:
         share in the kinetic energy.
     shape
         Amplitudes, m or rad, by coordinate and then by further state; the largest is 1.
+    memory_share
+        What the states that remember radiated waves take part in it, by their participation factors
+        (Perez-Arriaga, Verghese & Schweppe, *IEEE Trans. PAS* 101(9), 1982): those of all states add
+        up to 1, whatever their units.
     """
 
     kind: str
@@ -54,6 +62,7 @@ class Mode:
     multiplicity: int
     coordinate: str
     shape: NDArray[np.complex128]
+    memory_share: float = 0.0
 
 
 def eigenmodes(
@@ -118,6 +127,11 @@ class Scaled:
         states, n = self.from_scaled @ scaled, len(self.mass)
         start = n if rates else 0
         return np.concatenate([states[start : start + n], states[2 * n :]])
+
+    @property
+    def memory(self) -> NDArray[np.bool_]:
+        """Which of the names remember radiated waves."""
+        return np.array([MEMORY in name for name in self.names])
 
     def share(self, shape: NDArray) -> NDArray[np.float64]:
         """Weights by name: of a coordinate its energy at that amplitude, of a state its square."""
@@ -185,7 +199,9 @@ def named_directions(system: Scaled, basis: NDArray, without: Sequence[int]) -> 
     keeps comes before all coordinates: where it is free, they follow it.
     """
     weights = np.sqrt(system.share(np.ones(len(basis))))
-    weights[len(system.mass) :] = FIRST * weights.max(initial=1.0)
+    largest = weights.max(initial=1.0)
+    weights[len(system.mass) :] = FIRST * largest
+    weights[system.memory] = LAST * largest
     span = np.linalg.qr(weights[:, None] * basis)[0]
     pivots: list[int] = []
     kept = cleared(span, without)
@@ -213,20 +229,25 @@ def other_modes(system: Scaled, zero: NDArray, rest: NDArray) -> list[Mode]:
     """Modes whose eigenvalue is not zero."""
     a = system.a
     values, vectors = np.linalg.eig(rest.T @ a @ rest)
-    conditions = np.linalg.norm(vectors, axis=0) * np.linalg.norm(np.linalg.pinv(vectors), axis=1)
+    lefts = np.linalg.pinv(vectors)
+    conditions = np.linalg.norm(vectors, axis=0) * np.linalg.norm(lefts, axis=1)
     # What rounding in A does to an eigenvalue (Golub & Van Loan, Matrix Computations, 7.2.2).
     errors = 10 * len(a) * np.finfo(float).eps * np.linalg.norm(a, 2) * conditions
     inner, coupling = zero.T @ a @ zero, zero.T @ a @ rest
+    further = system.memory[len(system.mass) :]
     modes = []
-    for value, vector, error in zip(values, vectors.T, errors, strict=True):
+    for value, vector, left, error in zip(values, vectors.T, lefts, errors, strict=True):
         if value.imag < 0:
             continue
         along_zero = np.linalg.solve(value * np.eye(len(inner)) - inner, coupling @ vector)
-        shape = normalised(system.shapes(rest @ vector + zero @ along_zero), len(system.mass))
+        state = rest @ vector + zero @ along_zero
+        taking_part = ((rest @ left) * state).real
+        shape = normalised(system.shapes(state), len(system.mass))
         real = value.real if abs(value.real) > error else 0.0
         eigenvalue = complex(real, value.imag)
         name = system.names[int(np.argmax(system.share(shape)))]
-        modes.append(Mode(kind(eigenvalue), eigenvalue, 1 + (value.imag > 0), name, shape))
+        share = float(np.clip(taking_part[len(a) - len(further) :][further].sum(), 0.0, 1.0))
+        modes.append(Mode(kind(eigenvalue), eigenvalue, 1 + (value.imag > 0), name, shape, share))
     return modes
 
 

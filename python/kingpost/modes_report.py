@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .eigenmodes import DECAY, OSCILLATION, UNSTABLE
+from .eigenmodes import DECAY, MEMORY, OSCILLATION, UNSTABLE
 from .report import table
 
 if TYPE_CHECKING:
@@ -15,15 +15,34 @@ if TYPE_CHECKING:
 # Amplitudes of a mode below this share of the largest are not printed, nor more than so many.
 SMALLEST_AMPLITUDE = 0.005
 MOST_AMPLITUDES = 4
+# Modes in which the memory of radiated waves has more than this share are the water's own.
+WATERS_SHARE = 2 / 3
 
 
-def text(found: xarray.Dataset) -> str:
-    """Modes of small motion as a table; of a sweep, a row for each value."""
+def text(found: xarray.Dataset, all_modes: bool = False) -> str:
+    """Modes of small motion as a table; of a sweep, a row for each value.
+
+    Modes of the water's memory, which come of fitting what the hull has radiated, are counted, and shown
+    with `all_modes`; of the others those states are left out of the shapes.
+    """
     lines = [found.attrs["title"], found.attrs["status"], ""]
     if not found.sizes["mode"]:
         return "\n".join([*lines, "no free coordinate, no modes"])
     (sweep,) = [dim for dim in found["kind"].dims if dim != "mode"] or [None]
-    lines += _modes_along(found, sweep) if sweep else _modes(found)
+    waters = (found["memory_share"] > WATERS_SHARE) & (found["kind"] != UNSTABLE)
+    waters = waters.all(sweep) if sweep else waters
+    shown_ones = found if all_modes else found.isel(mode=~waters.values)
+    shown_ones = (
+        shown_ones
+        if all_modes
+        else shown_ones.sel(coordinate=[name for name in found["coordinate"].values if MEMORY not in name])
+    )
+    lines += _modes_along(shown_ones, sweep) if sweep else _modes(shown_ones)
+    if not all_modes and waters.any():
+        lines += [
+            "",
+            f"and {int(waters.sum())} modes of the water's memory of radiated waves (--all shows them)",
+        ]
     lines += _unstable(found, sweep)
     if "warning" in found.attrs:
         lines += ["", f"warning: {found.attrs['warning']}"]
@@ -31,15 +50,21 @@ def text(found: xarray.Dataset) -> str:
 
 
 def _modes(found: xarray.Dataset) -> list[str]:
-    rows = [("mode", "named after", "kind", "frequency, Hz", "period, s", "damping ratio",
+    rows = [("mode", "named after", "kind", "natural frequency, Hz", "natural period, s", "damping ratio",
              "time constant, s", "shape")]  # fmt: skip
     for number in found["mode"].values:
         mode = found.sel(mode=number)
         rows.append((str(number), mode["named_after"].item(), mode["kind"].item(),
-                     *(shown(mode[name].item()) for name in
-                       ("frequency", "damped_period", "damping_ratio", "time_constant")),
+                     *(shown(value) for value in (mode["frequency"].item(), _natural_period_s(mode),
+                       mode["damping_ratio"].item(), mode["time_constant"].item())),
                      _shape(mode)))  # fmt: skip
     return table(rows, "><<>>>><")
+
+
+def _natural_period_s(mode: xarray.Dataset) -> float:
+    """Undamped, as the frequency is: 1 over it."""
+    frequency = mode["frequency"].item()
+    return 1 / frequency if frequency > 0 else np.nan
 
 
 def shown(value: float) -> str:

@@ -34,6 +34,7 @@ VARIABLES = {
     "damped_period": ("s", "time between maxima"),
     "damping_ratio": ("1", "damping as a share of the critical"),
     "time_constant": ("s", "time in which the amplitude falls, or if negative grows, e-fold"),
+    "memory_share": ("1", "what the memory of radiated waves takes part in the mode"),
 }
 
 
@@ -111,6 +112,9 @@ def modes(
             Of pairs of complex eigenvalues, stable or not; 0 for the frequencies of zero modes.
         ``time_constant``
             s; of what decays, negative for what grows.
+        ``memory_share``
+            What the states that remember radiated waves take part in it, from 0 to 1: near 1 it is a motion
+            of the water, in which the hull is only named.
         ``eigenvalue_real``, ``eigenvalue_imaginary``, ``multiplicity``
             The eigenvalues of A.
         ``shape``, ``shape_imaginary``
@@ -239,6 +243,7 @@ def _entry(mode: Mode | None, variable: str) -> str | float:
         "damped_period": 2 * np.pi / value.imag if pair else np.nan,
         "damping_ratio": (0.0 - value.real) / size if pair else np.nan,
         "time_constant": -1 / value.real if value.real else np.nan,
+        "memory_share": mode.memory_share,
     }[variable]
 
 

@@ -158,3 +158,27 @@ def test_a_force_on_any_body_that_hangs_together_with_it_carries_a_floating_body
     water = {"enabled": True, "body": "ship"}
     forces = resolved["forces"] | {"water": {"buoyancy": water}}
     assert model_report.falling(resolved | {"forces": forces}) == []
+
+
+def test_the_modes_of_a_ship_are_its_own_and_the_waters_on_demand(capsys):
+    """Source: the barge's natural motions are three rigid ones with stiffness, its drift and the load's two
+    swings; frequency times period is 1 by name; participation factors of all states add up to 1."""
+    assert main(["modes", "barge"]) == 0
+    text = capsys.readouterr().out
+    lines = text.splitlines()
+    start = next(i for i, line in enumerate(lines) if line.startswith("mode "))
+    rows = [line.split() for line in lines[start + 1 : lines.index("", start)]]
+    swinging = [row for row in rows if row[2] == "oscillation"]
+    assert {row[1] for row in swinging} == {
+        "ship.z",
+        "ship.roll",
+        "ship.pitch",
+        "pendant.first",
+        "pendant.second",
+    }
+    assert all(abs(float(row[3]) * float(row[4]) - 1) < 2e-4 for row in swinging)
+    assert "natural frequency, Hz  natural period, s" in lines[start]
+    assert "radiation" not in text
+    assert "modes of the water's memory of radiated waves (--all shows them)" in text
+    assert main(["modes", "barge", "--all"]) == 0
+    assert "radiation" in capsys.readouterr().out
