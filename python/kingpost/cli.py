@@ -55,6 +55,8 @@ def parser() -> argparse.ArgumentParser:
     run = commands.add_parser("run", help="simulate a scenario and print a summary")
     _add_scenario(run)
     run.add_argument("-o", "--output", metavar="FILE", help="results: .nc, .csv or .parquet")
+    run.add_argument("--seeds", type=int, metavar="N",
+                     help="N runs, of the seeds 1 to N; -o has * for them, as run_*.nc")  # fmt: skip
     run.set_defaults(command=_run)
 
     check = commands.add_parser("check", help="validate a scenario and print what the model is")
@@ -129,6 +131,8 @@ def _run(options: argparse.Namespace) -> int:
     from . import progress, report, results
 
     scenario = _scenario(options)
+    if options.seeds is not None:
+        return _run_seeds(scenario, options)
     output = results.check_output(options.output) if options.output is not None else None
     failure: RunError | KeyboardInterrupt | None = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
@@ -144,6 +148,21 @@ def _run(options: argparse.Namespace) -> int:
     if isinstance(failure, KeyboardInterrupt):
         return _fail(f"interrupted at {recorded['time'].values[-1]:g} s", INTERRUPTED)
     return _fail(failure, FAILED) if failure else DONE
+
+
+def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
+    from . import progress, seeds
+
+    if options.output is None:
+        raise KingpostError("--seeds: found no -o, allowed: -o with * for the seed, as run_*.nc")
+    with progress.bar(options.seeds, "runs") as update:
+        runs = list(seeds.run(scenario, options.seeds, options.output, update))
+    failed = [(path, status) for path, status in runs if status != "finished"]
+    print(f"written         {runs[0][0]} to {runs[-1][0]}: {len(runs)} runs, seeds 1 to {len(runs)}")
+    print(f"to go on        kingpost statistics {options.output}")
+    for path, status in failed:
+        _fail(f"{path}: {status}", FAILED)
+    return FAILED if failed else DONE
 
 
 def _check(options: argparse.Namespace) -> int:

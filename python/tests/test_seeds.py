@@ -1,0 +1,60 @@
+"""`kingpost run --seeds`: one scenario in many seas, each in a file of its own."""
+
+from __future__ import annotations
+
+import kingpost
+import pytest
+import xarray
+from kingpost import seeds
+from kingpost.cli import main
+
+SETTINGS = {"waves": True, "simulation.duration_s": 2.0}
+
+
+def test_each_file_is_the_run_of_its_seed(tmp_path, capsys) -> None:
+    """Source: the public contract of --seeds; a batch's runs have the bits that they have alone."""
+    arguments = [f"--set={name}={str(value).lower()}" for name, value in SETTINGS.items()]
+    assert main(["run", "barge", *arguments, "--seeds", "6", "-o", str(tmp_path / "run_*.nc")]) == 0
+    shown = capsys.readouterr().out
+    assert "6 runs, seeds 1 to 6" in shown
+    files = sorted(tmp_path.glob("run_*.nc"))
+    assert [path.name for path in files] == [f"run_{seed}.nc" for seed in range(1, 7)]
+    for seed in (1, 6):
+        found = xarray.load_dataset(files[seed - 1], engine="h5netcdf")
+        alone = kingpost.run("barge", {**SETTINGS, "simulation.seed": seed})
+        xarray.testing.assert_identical(found.drop_attrs(), alone.drop_attrs())
+        assert found.attrs["scenario"] == alone.attrs["scenario"]
+        assert (found.attrs["seed"], found.attrs["status"]) == (seed, "finished")
+    assert main(["statistics", *map(str, files), "--after_s", "1"]) == 0
+    assert "of 6 runs" in capsys.readouterr().out
+
+
+def test_runs_that_diverge_are_kept_until_then_and_fail(tmp_path, capsys) -> None:
+    """Source: exit code 1, what was computed is kept."""
+    settings = ["--set=simulation.rate_limit=0.03", "--set=simulation.duration_s=5", "--set=waves=on"]
+    assert main(["run", "barge", *settings, "--seeds", "2", "-o", str(tmp_path / "run_*.nc")]) == 1
+    assert "run_1.nc: " in capsys.readouterr().err
+    found = xarray.load_dataset(tmp_path / "run_1.nc", engine="h5netcdf")
+    assert 0 < found.time[-1] < 5
+    assert found.attrs["status"] != "finished"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--seeds", "3"], "--seeds: found no -o"),
+        (["--seeds", "3", "-o", "run.nc"], "run.nc: found no single * for the seed"),
+        (["--seeds", "0", "-o", "run_*.nc"], "--seeds: found 0"),
+        (["--seeds", "2", "-o", "run_*.txt"], "run_1.txt: unknown ending"),
+    ],
+)
+def test_what_is_wrong_is_said_before_a_run(arguments, message, tmp_path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["run", "barge", *arguments]) == 2
+    assert message in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_files_sort_by_seed() -> None:
+    names = [path.name for path in seeds.files("run_*.csv", 100)]
+    assert names == sorted(names)
