@@ -3,6 +3,7 @@
 mod common;
 
 use common::barge::{BEAM, DRAUGHT, LENGTH, scenario};
+use kingpost::forces::hull::SlowFilter;
 use kingpost::simulation::Simulation;
 use serde_json::json;
 
@@ -34,7 +35,8 @@ fn the_surface_is_the_wave_that_the_hull_feels() {
     for _ in 0..20 {
         simulation.step(25).expect("it runs");
         // What the filter of the slow frame holds over the step.
-        let [.., x, y, _heading] = simulation.state().d[..] else { panic!("a slow frame") };
+        let d = &simulation.state().d;
+        let [x, y] = SlowFilter::read(&d[d.len() - SlowFilter::<f64>::LEN..]).frame().position;
         let mut row = Vec::new();
         simulation.write_row(&mut row);
         let channel = simulation.channels().iter().find(|channel| channel.variable == "wave_elevation");

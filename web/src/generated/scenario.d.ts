@@ -1808,12 +1808,13 @@ export type Hydrodynamics = {
   wave_pressure?: boolean;
   /**
    * Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and sway
-   * force, yaw moment. The database's coefficients hold for the loading that they were computed for.
+   * force, yaw moment. The database's coefficients hold for the loading that they were computed for. Not beside
+   * `wave_pressure`.
    */
   wave_drift?: boolean;
   /**
-   * First-order wave loads are taken at the place and heading that pass a filter of first order with this cut-off,
-   * rad/s: well below the waves' frequencies, above those of the ship's drift.
+   * First-order wave loads are taken at the place and heading that pass a filter of fourth order with this cut-off, rad/s:
+   * well below the waves' frequencies, above those of the ship's drift, which it follows without lag.
    */
   slow_motion_cutoff_rad_s?: number;
   /**

@@ -150,6 +150,6 @@ impl<S: Scalar> Force<S> {
 
     /// Number of the values that it holds over a step.
     pub fn held_count(&self) -> usize {
-        self.hull().map_or(0, |_| hull::SLOW_FRAME_LEN)
+        self.hull().map_or(0, |_| hull::SlowFilter::<S>::LEN)
     }
 }

@@ -131,9 +131,15 @@ impl Scenario {
             Floating { hull, database, model: &model, at: &now, gravity }.check_capacity()?;
         }
         let mut simulation = simulation.clone();
-        if let Err(error) = simulation.settle() {
-            report.warnings.push(format!("no hydrostatics: {error}"));
-            return Ok(report);
+        match simulation.settle() {
+            Ok(found) => {
+                let instability = found.instability.map(|why| format!("the equilibrium is not stable: {why}"));
+                report.warnings.extend(instability);
+            }
+            Err(error) => {
+                report.warnings.push(format!("no hydrostatics: {error}"));
+                return Ok(report);
+            }
         }
         let at_rest = kinematics(&model, &simulation.state().q);
         for (hull, database) in hulls {

@@ -288,6 +288,9 @@ impl<S: Scalar> Plant<S> {
         let shares = self.shares();
         s.resize(shares.extras(), S::ZERO);
         let of_forces = s.len() - shares.forces;
+        for hull in self.forces.iter().filter_map(Force::hull) {
+            hull.first_states(&self.model, &self.links, &mut s[of_forces..]);
+        }
         for positioning in self.forces.iter().filter_map(Force::dynamic_positioning) {
             positioning.first_states(&self.model, &self.links, &mut s[of_forces..]);
         }

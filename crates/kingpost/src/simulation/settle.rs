@@ -1,6 +1,8 @@
 //! Where a model rests: free coordinates, rates zero, at which nothing accelerates.
 
 use super::{InputError, Simulation, now};
+use crate::dynamics::Kinematics;
+use crate::forces::Force;
 use crate::integrate::{Jacobian, System};
 use crate::ledger;
 use nalgebra::{DMatrix, DVector};
@@ -22,13 +24,42 @@ const SMALLEST_SHARE: f64 = 1e-9;
 /// A ship on dynamic positioning that is less than this off its target is there, m or rad.
 const ON_STATION: f64 = 1e-8;
 
+/// The least square of a rate of growth that counts, 1/s^2, and the least share of the largest entry of A.
+const GROWS: [f64; 2] = [1e-6, 1e-8];
+
+/// Beyond this lean a hull at rest has capsized, deg: ships are flooded long before.
+const MOST_LEAN_DEG: f64 = 60.0;
+
 /// How an equilibrium was found.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
     /// Newton's iterations.
     pub iterations: usize,
     /// Largest acceleration that is left, m/s^2 or rad/s^2.
     pub residual: f64,
+    /// Why nothing stays there, if it does not.
+    pub instability: Option<Instability>,
+}
+
+/// Why a model does not stay at an equilibrium, or should not.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum Instability {
+    /// A motion that grows, `e^(t / T)` without damping.
+    #[error("{coordinate} falls away from it, {time_s:.3} s for each factor of e")]
+    Growth {
+        /// The free coordinate that moves most in the fastest such motion.
+        coordinate: String,
+        /// T, s.
+        time_s: f64,
+    },
+    /// A hull that lies on its side or upside down: it would be flooded.
+    #[error("{hull} leans {lean_deg:.1} deg there: it has capsized")]
+    Capsized {
+        /// The body.
+        hull: String,
+        /// How far its mast leans from the vertical, deg.
+        lean_deg: f64,
+    },
 }
 
 /// Why none was found.
@@ -37,7 +68,7 @@ pub enum NoEquilibrium {
     /// Something keeps accelerating.
     #[error(
         "no equilibrium within {iterations} iterations: {coordinate} still accelerates at {residual:.3e} \
-         m/s^2 or rad/s^2, allowed: {allowed:e}"
+         m/s^2 or rad/s^2, more than {allowed:e}"
     )]
     NotFound {
         /// Iterations made.
@@ -118,7 +149,8 @@ impl Simulation {
                 self.check_thrusters(&still)?;
                 self.set_state(&self.state.q.clone(), &still, None)?;
                 self.keep_drive_states(&kept);
-                return Ok(Equilibrium { iterations, residual });
+                let instability = self.capsized().or_else(|| linear.growth(&self.moving_frame().j, &names));
+                return Ok(Equilibrium { iterations, residual, instability });
             }
             iterations += 1;
             let next =
@@ -148,6 +180,19 @@ impl Simulation {
         let overloaded = self.plant.overloaded(&self.state.q, still);
         overloaded
             .map_or(Ok(()), |(name, utilisation)| Err(NoEquilibrium::Thrusters { name: name.to_owned(), utilisation }))
+    }
+
+    /// The first hull that has capsized.
+    fn capsized(&mut self) -> Option<Instability> {
+        let Self { plant, state, .. } = self;
+        let mut at = Kinematics::new(&plant.model.tree);
+        at.update(&plant.model.tree, &state.q, &state.v);
+        plant.forces.iter().filter_map(Force::hull).find_map(|hull| {
+            let upwards = at.world[hull.frame.body].rotation.column(2)[2];
+            let lean_deg = libm::acos(upwards.clamp(-1.0, 1.0)).to_degrees();
+            let hull = plant.model.bodies[hull.frame.body].name.clone();
+            (lean_deg > MOST_LEAN_DEG).then_some(Instability::Capsized { hull, lean_deg })
+        })
     }
 
     fn keep_drive_states(&mut self, kept: &[f64]) {
@@ -225,6 +270,22 @@ impl Linear {
         self.stiffness.norm().max(AT_REST)
     }
 
+    /// The fastest motion tangent to the loops' J that grows: v' = A x with an eigenvalue 1 / T^2 of A.
+    fn growth(&self, j: &DMatrix<f64>, names: &[String]) -> Option<Instability> {
+        let tangents = tangents(j, names.len());
+        let a = tangents.transpose() * &self.stiffness * &tangents;
+        let size = a.amax();
+        let squares = a.clone().try_schur(f64::EPSILON, 0)?.complex_eigenvalues();
+        let fastest = squares.iter().map(|square| square.re).max_by(f64::total_cmp)?;
+        if fastest < GROWS[0].max(GROWS[1] * size) {
+            return None;
+        }
+        // One step of inverse iteration, beside the eigenvalue so that the matrix is not singular.
+        let beside = a - DMatrix::identity(tangents.ncols(), tangents.ncols()) * (fastest + 1e-6 * size);
+        let motion = tangents * beside.lu().solve(&DVector::from_element(squares.len(), 1.0))?;
+        Some(Instability::Growth { coordinate: names[motion.iamax()].clone(), time_s: 1.0 / fastest.sqrt() })
+    }
+
     fn largest_delta(&self) -> f64 {
         1.0 / (SMALLEST_SHARE * self.size())
     }
@@ -238,6 +299,17 @@ impl Linear {
         bordered.view_mut((n, 0), (constraints, n)).copy_from(j);
         bordered
     }
+}
+
+/// Columns that span what J lets pass, each of length one.
+fn tangents(j: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
+    if j.nrows() == 0 {
+        return DMatrix::identity(count, count);
+    }
+    let eigen = (j.transpose() * j).symmetric_eigen();
+    let largest = eigen.eigenvalues.amax();
+    let passed: Vec<_> = (0..count).filter(|&k| eigen.eigenvalues[k] <= 1e-12 * largest).collect();
+    eigen.eigenvectors.select_columns(&passed)
 }
 
 /// By how much the pseudo-time step grows where the accelerations have fallen by a factor, or

@@ -3,17 +3,21 @@
 //! The infinite-frequency added mass is no load: it stands in the inertia of the hull's body, so
 //! that ship and crane share one mass matrix.
 
+mod added_mass;
 mod by_heading;
 mod excitation;
 mod mesh_in_waves;
 mod place;
 mod radiation;
+mod slow_filter;
 
+pub use added_mass::MunkMoment;
 pub(crate) use by_heading::ByHeading;
 pub use excitation::{Excitation, Parts};
 pub use mesh_in_waves::MeshInWaves;
-pub use place::{HullFrame, HullMotion, SLOW_FRAME_LEN, SlowFrame};
+pub use place::{HullFrame, HullMotion, SlowFrame};
 pub use radiation::Radiation;
+pub use slow_filter::SlowFilter;
 
 use crate::dynamics::{LinkKinematics, Loads, Moment};
 use crate::model::Model;
@@ -103,6 +107,8 @@ pub struct Hull<S = f64> {
     pub calm: bool,
     /// Velocity of the water in the world, m/s.
     pub current: Vector3<S>,
+    /// What velocity Munk's moment takes.
+    pub munk_moment: MunkMoment,
     /// Where the filter of the slow frame cuts off, rad/s.
     pub cutoff_rad_s: f64,
     /// First of its numbers among what forces hold.
@@ -115,8 +121,8 @@ impl<S: Scalar> Hull<S> {
     /// Adds what the water does, and its work.
     pub fn apply(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let motion = self.frame.motion(at);
-        let mut wrench = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), self.specific_weight);
-        let slow = SlowFrame::read(&at.held[self.first_held..]);
+        let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), self.specific_weight);
+        let slow = self.slow_frame(at);
         let mut by_the_sea = [S::ZERO; 6];
         if let Some(radiation) = &self.radiation {
             by_the_sea = radiation.force(self.own_states(at));
@@ -125,18 +131,18 @@ impl<S: Scalar> Hull<S> {
             let (first, drift) = (excitation.force(at.clock.time_s, &slow), excitation.drift(at.clock.time_s, &slow));
             by_the_sea = core::array::from_fn(|mode| by_the_sea[mode] + first[mode] + drift[mode]);
         }
-        let mut by_the_sea = in_body(&by_the_sea, &motion, &slow);
+        let mut by_the_sea = self.about_centre(&by_the_sea, &motion, &slow) + self.in_flowing_water(at);
         if let Some(waves) = self.wave_pressure.as_mut().filter(|_| !self.calm) {
-            by_the_sea += waves.pressure(&motion.frame, self.specific_weight, at.clock.time_s);
+            let pressure = waves.pressure(&motion.frame, self.specific_weight, at.clock.time_s);
+            by_the_sea += self.frame.about_centre(&pressure);
         }
-        loads.power.outside += by_the_sea.dot(&motion.twist);
-        wrench += by_the_sea;
-        loads.wrenches.push((self.frame.body, self.frame.about_centre(&wrench)));
+        loads.power.outside += by_the_sea.dot(&at.links.body_twist(at.model, self.frame.body));
+        loads.wrenches.push((self.frame.body, self.frame.about_centre(&buoyancy) + by_the_sea));
     }
 
     /// The waves and forces at a moment.
     pub fn reading(&mut self, at: &Moment<'_, S>) -> HullReading<S> {
-        let slow = SlowFrame::read(&at.held[self.first_held..]);
+        let slow = self.slow_frame(at);
         let states = self.own_states(at);
         let (none, time_s) = ([S::ZERO; 6], at.clock.time_s);
         let mut excitation_force = self.excitation.as_mut().map_or(none, |waves| waves.force(time_s, &slow));
@@ -175,41 +181,69 @@ impl<S: Scalar> Hull<S> {
     pub fn state_rates(&self, at: &Moment<'_, S>, rates: &mut [S]) {
         let Some(radiation) = &self.radiation else { return };
         let motion = self.frame.motion(at);
-        let slow = SlowFrame::read(&at.held[self.first_held..]);
-        let to_slow = |v: Vector3<S>| slow.rotation().transpose_times(v);
-        let linear = to_slow(motion.frame.rotation * motion.twist.linear - self.current).0;
-        let angular = to_slow(motion.frame.rotation * motion.twist.angular).0;
-        let [x, y, z] = linear;
-        let [roll, pitch, yaw] = angular;
-        radiation.rates(
-            &[x, y, z, roll, pitch, yaw],
-            self.own_states(at),
-            &mut rates[self.first_state..][..self.state_count()],
-        );
+        let slow = self.slow_frame(at);
+        let velocity = self.velocity_through_water(&motion, &slow);
+        radiation.rates(&velocity, self.own_states(at), &mut rates[self.first_state..][..self.state_count()]);
+    }
+
+    /// Writes the extra states of a hull that has always moved through the water as it does in the plane; of heave, roll,
+    /// pitch and yaw the water has no memory yet.
+    pub fn first_states(&self, model: &Model<S>, links: &LinkKinematics<S>, states: &mut [S]) {
+        let Some(radiation) = &self.radiation else { return };
+        let motion = self.frame.motion_of(model, links);
+        let [x, y, ..] = self.velocity_through_water(&motion, &SlowFrame::of(&motion.frame));
+        let none = S::ZERO;
+        radiation.steady(&[x, y, none, none, none, none], &mut states[self.first_state..][..self.state_count()]);
+    }
+
+    /// Velocity and angular velocity of the reference point relative to the water, in the axes of the slow frame.
+    ///
+    /// Loads in those axes act at, and see the velocity of, a point that keeps its place from the centre of mass while the
+    /// hull tilts: where it would be on average. A lever that tilted with the hull would make of first-order loads a mean
+    /// moment of second order, which belongs to the drift.
+    fn velocity_through_water(&self, motion: &HullMotion<S>, slow: &SlowFrame<S>) -> [S; 6] {
+        let to_slow = |v: Vector3<S>| slow.rotation().transpose_times(motion.frame.rotation * v);
+        let HullMotion { twist, .. } = *motion;
+        let centre = twist.linear - twist.angular.cross(self.frame.origin);
+        let angular = to_slow(twist.angular);
+        let stream = slow.rotation().transpose_times(self.current);
+        let [x, y, z] = (to_slow(centre) - stream + angular.cross(self.frame.origin)).0;
+        let [roll, pitch, yaw] = angular.0;
+        [x, y, z, roll, pitch, yaw]
+    }
+
+    /// A force and moment in the axes of the slow frame as a wrench about the body's centre of mass, in its axes.
+    fn about_centre(&self, force: &[S; 6], motion: &HullMotion<S>, slow: &SlowFrame<S>) -> Wrench<S> {
+        let [x, y, z, roll, pitch, yaw] = *force;
+        let to_body = |v: Vector3<S>| motion.frame.rotation.transpose_times(slow.rotation() * v);
+        let (force, moment) = (Vector3([x, y, z]), Vector3([roll, pitch, yaw]));
+        Wrench { moment: to_body(moment + self.frame.origin.cross(force)), force: to_body(force) }
     }
 
     /// What it holds where a run begins.
     pub fn first_held(&self, model: &Model<S>, links: &LinkKinematics<S>, held: &mut [S]) {
-        SlowFrame::of(&self.frame.frame(model, links)).write(&mut held[self.first_held..]);
+        let place = SlowFrame::of(&self.frame.frame(model, links));
+        SlowFilter::at_rest(&place).write(self.own_held(held));
     }
 
     /// After a step: what it holds over the next.
     pub fn hold(&self, model: &Model<S>, links: &LinkKinematics<S>, step_s: f64, held: &mut [S]) {
-        let held = &mut held[self.first_held..];
+        let held = self.own_held(held);
         let now = SlowFrame::of(&self.frame.frame(model, links));
-        SlowFrame::read(held).stepped(&now, self.cutoff_rad_s, step_s).write(held);
+        SlowFilter::read(held).stepped(&now, self.cutoff_rad_s, step_s).write(held);
+    }
+
+    fn own_held<'a>(&self, held: &'a mut [S]) -> &'a mut [S] {
+        &mut held[self.first_held..][..SlowFilter::<S>::LEN]
+    }
+
+    fn slow_frame(&self, at: &Moment<'_, S>) -> SlowFrame<S> {
+        SlowFilter::read(&at.held[self.first_held..]).frame()
     }
 
     fn own_states<'a>(&self, at: &Moment<'a, S>) -> &'a [S] {
         &at.states[self.first_state..][..self.state_count()]
     }
-}
-
-/// A force and moment in the axes of the slow frame as a wrench in the hull's.
-fn in_body<S: Scalar>(force: &[S; 6], motion: &HullMotion<S>, slow: &SlowFrame<S>) -> Wrench<S> {
-    let [x, y, z, roll, pitch, yaw] = *force;
-    let to_body = |v: [S; 3]| motion.frame.rotation.transpose_times(slow.rotation() * Vector3(v));
-    Wrench { moment: to_body([roll, pitch, yaw]), force: to_body([x, y, z]) }
 }
 
 /// A wrench in the hull's axes as a force and moment in those of the slow frame.

@@ -61,8 +61,7 @@ impl<S: Scalar> HullFrame<S> {
 /// The frame that first-order loads are seen from: level, where the hull is and heads on average.
 ///
 /// Waves at the hull's own place would drag it along by their phase, which is an effect of second
-/// order. Position and heading pass a filter of first order, `x_slow' = omega_c (x - x_slow)`,
-/// stepped exactly for a place that is constant over a step, and held in between.
+/// order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowFrame<S = f64> {
     /// x and y in the world, m.
@@ -71,31 +70,10 @@ pub struct SlowFrame<S = f64> {
     pub heading: S,
 }
 
-/// Numbers of a [`SlowFrame`] among what forces hold.
-pub const SLOW_FRAME_LEN: usize = 3;
-
 impl<S: Scalar> SlowFrame<S> {
     /// Where a hull is and heads.
     pub fn of(frame: &Frame<S>) -> Self {
         Self { position: [frame.position[0], frame.position[1]], heading: heading(&frame.rotation) }
-    }
-
-    /// From what a force holds.
-    pub fn read(held: &[S]) -> Self {
-        Self { position: [held[0], held[1]], heading: held[2] }
-    }
-
-    /// Into what a force holds.
-    pub fn write(&self, held: &mut [S]) {
-        held[..SLOW_FRAME_LEN].copy_from_slice(&[self.position[0], self.position[1], self.heading]);
-    }
-
-    /// After a step of `step_s` to the place `now`, by a filter that cuts off at `cutoff_rad_s`.
-    pub fn stepped(&self, now: &Self, cutoff_rad_s: f64, step_s: f64) -> Self {
-        let share = S::constant(-libm::expm1(-cutoff_rad_s * step_s));
-        let along = |k: usize| self.position[k] + share * (now.position[k] - self.position[k]);
-        let (sin, cos) = (now.heading - self.heading).sin_cos();
-        Self { position: [along(0), along(1)], heading: self.heading + share * sin.atan2(cos) }
     }
 
     /// A turn about the vertical, from the slow frame's axes to the world's.

@@ -102,4 +102,19 @@ impl Radiation {
             *rate = S::constant(pole.pole) * *z + velocity[pole.mode];
         }
     }
+
+    /// Writes the states that a velocity (m/s) and angular velocity (rad/s) which have always been leave: z = -nu / p. Their
+    /// force is 0, as K is at zero frequency.
+    pub fn steady<S: Scalar>(&self, velocity: &[S; 6], states: &mut [S]) {
+        let (pairs, singles) = states.split_at_mut(2 * self.complex.len());
+        for (pole, z) in self.complex.iter().zip(pairs.chunks_exact_mut(2)) {
+            let [re, im] = pole.pole;
+            let size_squared = re * re + im * im;
+            z[0] = S::constant(-re / size_squared) * velocity[pole.mode];
+            z[1] = S::constant(im / size_squared) * velocity[pole.mode];
+        }
+        for (pole, z) in self.real.iter().zip(singles) {
+            *z = S::constant(-1.0 / pole.pole) * velocity[pole.mode];
+        }
+    }
 }

@@ -18,10 +18,14 @@ pub fn settle(scenario: &Scenario, setup: &mut Setup) -> Result<(), FieldError> 
         return Ok(());
     }
     let mut simulation = Simulation::new(setup.clone());
-    let (_, biases) = simulation.settle_with_biases().map_err(|error| {
+    let refused = |why: String| {
         let allowed = "true, for a model that comes to rest near where its bodies are put; else false";
-        FieldError::new(FIELD, format!("true, and {error}"), allowed)
-    })?;
+        FieldError::new(FIELD, format!("true, and {why}"), allowed)
+    };
+    let (found, biases) = simulation.settle_with_biases().map_err(|error| refused(error.to_string()))?;
+    if let Some(instability) = found.instability {
+        return Err(refused(format!("an equilibrium that is not stable: {instability}")));
+    }
     setup.q.copy_from_slice(&simulation.state().q);
     positioning(&mut setup.forces).zip(biases).for_each(|(positioning, bias)| positioning.bias = bias);
     Ok(())

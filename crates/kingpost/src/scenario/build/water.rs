@@ -4,7 +4,9 @@ use super::super::schema::{self, Force as ForceSchema, Hydrostatics as Hydrostat
 use super::damping::{current, from_centre};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, gravity_of, known, waves};
-use crate::forces::hull::{Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, Parts, Radiation};
+use crate::forces::hull::{
+    Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, MunkMoment, Parts, Radiation,
+};
 use crate::forces::{Force, Hull};
 use crate::model::{JointKind, Model};
 use crate::scalar::Scalar;
@@ -41,10 +43,11 @@ pub fn build<S: Gathered>(
             wave_pressure: wave_pressure(given, &field("wave_pressure"), &hydrostatics, excitation.as_ref())?,
             hydrostatics,
             radiation: radiation(given, &field("radiation"), database)?,
-            excitation,
             calm: false,
             current: sea.current,
+            munk_moment: munk_moment(scenario.first(), given, excitation.is_some()),
             cutoff_rad_s: given.slow_motion_cutoff_rad_s.get(),
+            excitation,
             first_held,
             first_state,
         };
@@ -58,6 +61,19 @@ pub fn build<S: Gathered>(
 
 fn hydrodynamics_of(force: &ForceSchema) -> Option<&schema::Hydrodynamics> {
     if let ForceSchema::Hydrodynamics(water) = force { Some(water) } else { None }
+}
+
+/// Munk's moment comes once: from the table of coefficients where one acts on the body, else from the added mass.
+fn munk_moment(scenario: &Scenario, given: &schema::Hydrodynamics, in_waves: bool) -> MunkMoment {
+    let by_coefficients = scenario.forces.values().any(|force| match force {
+        ForceSchema::CurrentLoad(load) => load.enabled && load.body == given.body,
+        _ => false,
+    });
+    match (by_coefficients, in_waves) {
+        (true, _) => MunkMoment::InCoefficients,
+        (false, true) => MunkMoment::Slow,
+        (false, false) => MunkMoment::Whole,
+    }
 }
 
 /// A hull floats: its body's joint leaves it to the water.
@@ -183,6 +199,10 @@ impl<'a, S: Gathered> Sea<'a, S> {
             let found =
                 "true, with a database whose excitation is not told apart into Froude-Krylov force and diffraction";
             return Err(FieldError::new(field("wave_pressure"), found, "false"));
+        }
+        if given.wave_pressure && given.wave_drift {
+            let found = "true, with wave_pressure, whose mean over the mesh is a part of the same drift";
+            return Err(FieldError::new(field("wave_drift"), found, "one of the two"));
         }
         let waves = waves::build(&self.scenario, &self.water)?;
         if waves.is_empty() || !given.excitation {

@@ -38,11 +38,12 @@ pub struct Hydrodynamics {
     #[serde(default)]
     pub wave_pressure: bool,
     /// Whether the mean and slowly varying drift forces of the waves act on it, by Newman's approximation: surge and sway
-    /// force, yaw moment. The database's coefficients hold for the loading that they were computed for.
+    /// force, yaw moment. The database's coefficients hold for the loading that they were computed for. Not beside
+    /// `wave_pressure`.
     #[serde(default)]
     pub wave_drift: bool,
-    /// First-order wave loads are taken at the place and heading that pass a filter of first order with this cut-off,
-    /// rad/s: well below the waves' frequencies, above those of the ship's drift.
+    /// First-order wave loads are taken at the place and heading that pass a filter of fourth order with this cut-off, rad/s:
+    /// well below the waves' frequencies, above those of the ship's drift, which it follows without lag.
     #[serde(default = "slow_motion_cutoff")]
     pub slow_motion_cutoff_rad_s: Positive,
 }
