@@ -11,6 +11,7 @@ import math
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import NoReturn
 
 from . import __version__
@@ -128,11 +129,12 @@ def _scenario(options: argparse.Namespace) -> Scenario:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from . import progress, report, results
+    from . import afloat_report, progress, report, results
 
     scenario = _scenario(options)
     if options.seeds is not None:
         return _run_seeds(scenario, options)
+    existed = options.output is not None and Path(options.output).exists()
     output = results.check_output(options.output) if options.output is not None else None
     failure: RunError | KeyboardInterrupt | None = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
@@ -143,8 +145,11 @@ def _run(options: argparse.Namespace) -> int:
                 raise
             failure, recorded = error, error.results
     print(report.summary(recorded, scenario))
+    if afloat := afloat_report.text(recorded, scenario):
+        print(f"\n{afloat}\n")
     if output:
-        print(f"written         {results.write(recorded, output)}")
+        over = ", in the place of an older file" if existed else ""
+        print(f"written         {results.write(recorded, output)}{over}")
     if isinstance(failure, KeyboardInterrupt):
         return _fail(f"interrupted at {recorded['time'].values[-1]:g} s", INTERRUPTED)
     return _fail(failure, FAILED) if failure else DONE

@@ -142,6 +142,7 @@ def largest(values: np.ndarray) -> float:
 def _joints(results: xarray.Dataset, scenario: Scenario) -> list[str]:
     """Each joint coordinate: where it ends, the largest values, and the force or torque it carries."""
     rows = [("joint", "position", "largest", "", "rate", "largest", "", "largest force", "")]
+    in_degrees = 180 / np.pi
     most_force = float(np.abs(results["joint_reaction"].values).max())
     slides = {joint["name"] for joint in scenario.model["joints"] if joint["kind"] == "prismatic"}
     for name in results["coordinate"].values:
@@ -149,10 +150,12 @@ def _joints(results: xarray.Dataset, scenario: Scenario) -> list[str]:
             results[variable].sel(coordinate=name)
             for variable in ("joint_position", "joint_velocity", "joint_force")
         )
+        turns = _unit(position, slides_along(str(name), slides)) == "rad"
+        scale, unit, places = (in_degrees, "deg", 4) if turns else (1.0, "m", 6)
         rows.append((
             str(name),
-            *(fixed(value, 6) for value in (position.values[-1], largest(position.values))),
-            _unit(position, slides_along(str(name), slides)),
+            *(fixed(scale * value, places) for value in (position.values[-1], largest(position.values))),
+            unit,
             *(fixed(value, 6) for value in (rate.values[-1], largest(rate.values))),
             _unit(rate, slides_along(str(name), slides)),
             significant(largest(force.values), most_force),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import re
 import signal
@@ -30,7 +31,8 @@ def test_run_prints_the_digits_of_three_independent_codes(capsys):
     joints = shown.out[shown.out.index("joint ") : shown.out.index("reaction, largest")]
     for joint in ("slew", "luff"):
         position, _, rate, _ = numbers(joints, joint)[:4]
-        assert position == pytest.approx(TRUTH[joint][0], abs=TRUTH[joint][1])
+        # Printed in degrees, with four places.
+        assert math.radians(position) == pytest.approx(TRUTH[joint][0], abs=max(TRUTH[joint][1], 1e-6))
         assert rate == pytest.approx(TRUTH[f"{joint} rate"][0], abs=TRUTH[f"{joint} rate"][1])
 
 

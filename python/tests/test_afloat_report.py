@@ -1,0 +1,97 @@
+"""What `kingpost run` prints of a ship afloat, and where it warns that linear theory was left."""
+
+from __future__ import annotations
+
+import kingpost
+import numpy as np
+import pytest
+from kingpost import afloat_report
+from kingpost.cli import main
+
+MOORED = """\
+version: 1
+title: a moored barge
+simulation: {step_s: 0.05, duration_s: 90, record_every_s: 0.25, begin_at_equilibrium: true}
+sea:
+  ramp_s: 10
+  waves: {swell: {regular: {height_m: 0.4, period_s: 6, direction_deg: 180}}}
+bodies:
+  hull:
+    mass_t: 410
+    centre_of_mass_m: [0, 0, 2.5]
+    inertia: {radii_of_gyration: {radii_m: [3.2, 6, 6.5]}}
+    joint: {floating: {initial: {position_m: [0, 0, 0.5]}}}
+forces:
+  gravity: {gravity: {}}
+  water: {hydrodynamics: {body: hull, database: barge.hydro.json, origin_m: [0, 0, 2]}}
+  bow: {spring_line: {first: {body: hull, position_m: [10, 0, 5]}, second: {body: world, position_m: [40, 0, 3]}, unstretched_length_m: 29.9, axial_stiffness_kN: 600}}
+  stern: {spring_line: {first: {body: hull, position_m: [-10, 0, 5]}, second: {body: world, position_m: [-40, 0, 3]}, unstretched_length_m: 29.9, axial_stiffness_kN: 600}}
+"""  # noqa: E501
+
+
+@pytest.fixture(scope="module")
+def moored(tmp_path_factory: pytest.TempPathFactory) -> kingpost.Scenario:
+    folder = tmp_path_factory.mktemp("moored")
+    database = kingpost.gallery.folder() / "hydro" / "barge.hydro.json"
+    (folder / "barge.hydro.json").write_text(database.read_text())
+    (folder / "moored.yaml").write_text(MOORED)
+    return kingpost.load(folder / "moored.yaml")
+
+
+def test_a_moored_ship_in_waves_is_told_of_in_numbers(moored) -> None:
+    """Source: the results; of a regular wave of height H four deviations are sqrt(2) H."""
+    results = kingpost.run(moored)
+    shown = afloat_report.text(results, moored)
+    rows = {line.split()[0]: line.split()[1:] for line in shown.splitlines() if line}
+    assert float(rows["water"][0]) == pytest.approx(np.sqrt(2) * 0.4, rel=0.02)
+    tension = results.line_tension.sel(line="bow").values / 1000
+    assert [float(word) for word in rows["bow"]] == pytest.approx(
+        [tension[-1], tension.mean(), tension.max(), tension.min()], abs=0.006
+    )
+    height = results.position.sel(body="hull", axis="z").values
+    assert float(rows["hull"][1]) == pytest.approx(height.max() - height[0], abs=6e-5)
+    assert "warning" not in shown
+
+
+@pytest.mark.parametrize(
+    ("changed", "values", "words"),
+    [
+        ("roll", np.deg2rad([0.0, -21.0, 3.0]), "heeled to -21.00 deg, at 1 s"),
+        ("pitch", np.deg2rad([0.0, 5.0, 25.0]), "trimmed to 25.00 deg, at 2 s"),
+    ],
+)
+def test_large_angles_are_warned_of(moored, changed, values, words) -> None:
+    results = kingpost.run(moored, {"simulation.duration_s": 2, "simulation.record_every_s": 1})
+    results[changed].loc[{"body": "hull"}] = values
+    assert any(words in line for line in afloat_report.warnings(results, moored))
+    by_mesh = moored.with_overrides({"forces.water.hydrodynamics.hydrostatics": "mesh"})
+    assert afloat_report.warnings(results, by_mesh) == []
+
+
+def test_a_deck_under_water_is_warned_of_from_when_and_by_how_much(moored) -> None:
+    """Source: the box's deck is 3 m over its water plane: sunk by 4 m upright it is 1 m under."""
+    results = kingpost.run(moored, {"simulation.duration_s": 2, "simulation.record_every_s": 1})
+    results["position"].loc[{"body": "hull", "axis": "z"}] = [0.5, -1.0, -3.5]
+    results["roll"].loc[{"body": "hull"}] = results["pitch"].loc[{"body": "hull"}] = 0.0
+    sank, deck = afloat_report.warnings(results, moored)
+    assert "hull: it sank by 4.00 m, at 2 s" in sank
+    assert "deck went 1.00 m under still water, first at 2 s" in deck
+
+
+def test_a_load_that_capsizes_the_ship_is_warned_of(tmp_path, capsys) -> None:
+    """Source: 500 t over the side of a ship with a GM of 1.4 m."""
+    settings = ["--set=bodies.load.mass_t=500", "--set=simulation.duration_s=40"]
+    file = str(tmp_path / "run.csv")
+    assert main(["run", "offshore_vessel", *settings, "-o", file]) == 0
+    shown = capsys.readouterr().out
+    assert "warning: hull: it heeled to " in shown
+    assert "in the place of an older file" not in shown
+    assert main(["run", "offshore_vessel", "--set=simulation.duration_s=1", "-o", file]) == 0
+    shown = capsys.readouterr().out
+    assert "warning" not in shown
+    assert f"written         {file}, in the place of an older file" in shown
+
+
+def test_a_run_on_land_has_nothing_of_it() -> None:
+    scenario = kingpost.load("chain", {"simulation.duration_s": 0.1})
+    assert afloat_report.text(kingpost.run(scenario), scenario) == ""
