@@ -85,8 +85,14 @@ def rao(
     else:
         simulation = Simulation(as_scenario(scenario_or_simulation, overrides, parameters))
     directions = np.deg2rad(DIRECTIONS_DEG) if directions_rad is None else np.atleast_1d(directions_rad)
+    directions = np.asarray(directions, float)
+    if (np.abs(directions) > 2 * np.pi + 1e-9).any():
+        worst = float(directions[np.argmax(np.abs(directions))])
+        raise KingpostError(
+            f"directions_rad: found {worst:g} ({np.degrees(worst):g} deg), allowed: radians within one turn"
+        )
     frequencies = [] if frequencies_rad_s is None else np.atleast_1d(frequencies_rad_s)
-    found = simulation.wave_response(np.asarray(directions, float), np.asarray(frequencies, float))
+    found = simulation.wave_response(directions, np.asarray(frequencies, float))
     return _dataset(simulation.scenario, found, points)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
+import re
 from collections.abc import Iterable, Sequence
 from importlib.metadata import version
 from itertools import product
@@ -51,7 +52,7 @@ def dataset(
     xarray.Dataset
         Dimension ``time`` (s), before it ``run`` where there are many, and those of the channels;
         every variable carries ``units``,
-        ``long_name`` and ``frame``.
+        ``long_name``, as short as an axis of a plot wants it, ``description`` and ``frame``.
     """
     import xarray
 
@@ -64,7 +65,8 @@ def dataset(
         values = rows[..., start : start + length].reshape(shape)
         about = {
             "units": channel["unit"],
-            "long_name": channel["long_name"],
+            "long_name": short_name(channel["long_name"]),
+            "description": channel["long_name"],
             "frame": channel["frame"],
         }
         if channel["variable"] == "time":
@@ -75,6 +77,17 @@ def dataset(
             dims = ("time", *labels) if rows.ndim == 2 else ("run", "time", *labels)
             variables[channel["variable"]] = (dims, values, about)
     return xarray.Dataset(variables, coordinates, attributes(scenario, status))
+
+
+def short_name(description: str) -> str:
+    """The first words of a description, for the axes of plots.
+
+    >>> short_name("tension of a line at its first end, or its fairlead")
+    'tension of a line'
+    >>> short_name("angular velocity: roll, pitch and yaw rate")
+    'angular velocity'
+    """
+    return re.split("[,;:]| at its | where the hull ", description, maxsplit=1)[0]
 
 
 def frame(results: xarray.Dataset) -> pandas.DataFrame:

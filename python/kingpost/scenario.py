@@ -83,7 +83,8 @@ class Scenario:
     @cached_property
     def hydrostatics(self) -> dict[str, Any]:
         """How the hulls float at rest in still water with the crane as a run begins: ``hulls``, one for each
-        force `hydrodynamics`, and ``warnings``.
+        force `hydrodynamics`, and ``warnings``. A value, without brackets; of a `Simulation`, whose crane
+        moves, it is a method: ``simulation.hydrostatics()``.
 
         Of each hull, with units in the names (docs/afloat.md): displacement, draught, heel to
         starboard and trim by the bow, KB, BM, KM, KG, GM with hanging loads where they hang from

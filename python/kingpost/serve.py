@@ -41,7 +41,7 @@ TYPES = {
 def command(scenario: str | None, port: int | None, host: str | None, check: bool) -> int:
     """Serve the app until Ctrl-C; with `check`, fetch it once over HTTP and end."""
     files, chosen = scenarios(scenario)
-    server = open_server(app_folder(), files, host or LOOPBACK, port, databases(scenario))
+    server = open_server(app_folder(), files, host or LOOPBACK, port, databases(scenario), chosen)
     query = f"?scenario={quote(chosen)}" if chosen else ""
     address = f"http://{reachable(host)}:{server.server_port}/{query}"
     with server:
@@ -85,19 +85,31 @@ def scenarios(given: str | None) -> tuple[dict[str, str], str | None]:
 def databases(given: str | None) -> dict[str, str]:
     """Texts of the hydrodynamic databases, by the names that scenarios give them.
 
-    Those of the gallery, and what the given scenario names.
+    Those of the gallery, and what the given scenario names; one name stands for one file.
     """
     hydro = sorted((gallery.folder() / "hydro").glob("*.json"))
     texts = {f"hydro/{path.name}": gallery.read_text(path) for path in hydro}
-    return texts if given is None else texts | load(given).files
+    if given is None:
+        return texts
+    own = load(given).files
+    for name in own.keys() & texts.keys():
+        if own[name] != texts[name]:
+            raise KingpostError(
+                f"{given}: {name}: found another file than the gallery's, allowed: another name"
+            )
+    return texts | own
 
 
-def index(files: dict[str, str], databases: dict[str, str]) -> list[dict[str, str]]:
-    """What `scenarios/index.json` says: name, title and file of each scenario, `paper` first."""
+def index(
+    files: dict[str, str], databases: dict[str, str], chosen: str | None = None
+) -> list[dict[str, str | bool]]:
+    """What `scenarios/index.json` says: name, title and file of each scenario, `paper` first, and which of
+    them the bare address opens, where one was chosen."""
     ordered = sorted(files.items(), key=lambda item: (item[0] != "paper.yaml", item[0]))
     read = ((file, json.loads(_engine.read(text, file, "[]", databases))) for file, text in ordered)
     return [
         {"name": Path(file).stem, "title": resolved.get("title") or Path(file).stem, "file": file}
+        | ({"opens": True} if Path(file).stem == chosen else {})
         for file, resolved in read
     ]
 
@@ -179,10 +191,12 @@ def open_server(
     host: str,
     port: int | None,
     databases: dict[str, str] | None = None,
+    chosen: str | None = None,
 ) -> Server:
     """Listen on `port`; without one on the first free port from 8000.
 
-    Serves the folder, and under `scenarios/` the scenarios and the databases that they name.
+    Serves the folder, and under `scenarios/` the scenarios and the databases that they name; the page opens
+    the chosen scenario.
 
     Raises
     ------
@@ -191,7 +205,7 @@ def open_server(
     """
     databases = databases or {}
     pages = {f"/scenarios/{file}": text.encode() for file, text in (files | databases).items()}
-    pages["/scenarios/index.json"] = json.dumps(index(files, databases)).encode()
+    pages["/scenarios/index.json"] = json.dumps(index(files, databases, chosen)).encode()
     kind = Server6 if ":" in host else Server
     ports = range(FIRST_PORT, FIRST_PORT + PORTS_TRIED) if port is None else [port]
     for candidate in ports:

@@ -257,7 +257,7 @@ class Simulation:
         return json.loads(self._engine.wave_response_json(json.dumps(waves)))
 
     def hydrostatics(self) -> dict[str, Any]:
-        """As `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed coordinates stay,
+        """As the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed coordinates stay,
         the rest comes to rest in still water. The simulation itself does not move.
 
         >>> simulation = Simulation(load("barge"))

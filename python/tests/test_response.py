@@ -151,3 +151,12 @@ def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) ->
 def test_what_has_no_response_is_named(arguments: list[str], message: str, capsys) -> None:
     assert main(["rao", *arguments]) == 2
     assert message in capsys.readouterr().err
+
+
+def test_directions_beyond_one_turn_are_refused(capsys) -> None:
+    """Source: degrees where radians are meant are the likeliest mistake."""
+    with pytest.raises(kingpost.KingpostError, match=r"directions_rad: found 180 .* allowed: radians within"):
+        kingpost.rao("barge", directions_rad=[180])
+    assert main(["rao", "barge", "--directions_deg", "180", "999"]) == 2
+    assert "--directions_deg: found 999, allowed: from -360 to 360" in capsys.readouterr().err
+    assert main(["rao", "barge", "--directions_deg", "nan"]) == 2

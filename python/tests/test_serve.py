@@ -106,6 +106,26 @@ def test_a_given_scenario_brings_the_database_beside_it(app, tmp_path):
     assert "own.hydro.json" not in titles
 
 
+def test_the_bare_address_opens_the_given_scenario(app, small):
+    """Source: the app opens what the index says, else the paper's ship."""
+    files, chosen = serve.scenarios(str(small))
+    server = serve.open_server(app, files, serve.LOOPBACK, 0, serve.databases(str(small)), chosen)
+    server.server_close()
+    entries = json.loads(server.pages["/scenarios/index.json"])
+    assert [entry["name"] for entry in entries if entry.get("opens")] == ["small"]
+
+
+def test_a_database_with_the_name_of_another_of_the_gallery_is_refused(app, tmp_path):
+    """Source: one address stands for one file; the gallery's barge would get another hull."""
+    own = tmp_path / "hydro"
+    own.mkdir()
+    other = (kingpost.gallery.folder() / "hydro" / "offshore_vessel.hydro.json").read_text()
+    (own / "barge.hydro.json").write_text(other)
+    (tmp_path / "afloat.yaml").write_text(AFLOAT.replace("own.hydro.json", "hydro/barge.hydro.json"))
+    with pytest.raises(kingpost.KingpostError, match=r"hydro/barge\.hydro\.json: found another file than"):
+        serve.databases(str(tmp_path / "afloat.yaml"))
+
+
 @pytest.mark.parametrize("path", ["assets/", "no/such/file", "../conftest.py", "scenarios/none.yaml"])
 def test_nothing_else_is_served(address, path):
     """Source: folders are not listed, and files outside of the app are not reachable."""

@@ -42,7 +42,7 @@ async function openFirst(): Promise<void> {
   try {
     const gallery = await Gallery.load(document.baseURI);
     const scenarios = new Scenarios(session, gallery);
-    const asked = new URLSearchParams(location.search).get("scenario");
+    const asked = new URLSearchParams(location.search).get("scenario") ?? gallery.opening ?? null;
     if (asked === null || !(await scenarios.openNamed(asked))) {
       const why = session.fault;
       await scenarios.openNamed(OPENING_SCENARIO);

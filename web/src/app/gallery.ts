@@ -4,6 +4,8 @@ export interface GalleryEntry {
   name: string;
   title: string;
   file: string;
+  /** Whether the page opens with it. */
+  opens?: boolean;
 }
 
 /** Address of the gallery's folder beside a page, with the slash at its end. */
@@ -21,6 +23,11 @@ export class Gallery {
   static async load(base: string): Promise<Gallery> {
     const text = await fetchText(new URL("scenarios/index.json", base));
     return new Gallery(base, JSON.parse(text) as GalleryEntry[]);
+  }
+
+  /** The scenario that the server was started with. */
+  get opening(): string | undefined {
+    return this.entries.find(({ opens }) => opens)?.name;
   }
 
   async read(name: string): Promise<{ text: string; file: string }> {
