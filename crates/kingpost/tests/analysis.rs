@@ -6,7 +6,7 @@ mod common;
 use common::{assert_linearised, every_joint, everything};
 use kingpost::analysis::{Linearizer, gradient};
 use kingpost::scenario::{Scenario, read};
-use kingpost::simulation::{NoEquilibrium, Simulation};
+use kingpost::simulation::{Instability, NoEquilibrium, Simulation};
 use serde_json::{Value, json};
 
 fn scenario(text: &str) -> Scenario {
@@ -68,6 +68,21 @@ fn a_lever_is_an_input_of_the_linearised_system() {
     let linear = Linearizer::new(&scenario).expect("it builds").at(&simulation(&scenario));
     assert_eq!(linear.inputs, ["hand"]);
     assert!((linear.b[(1, 0)] - 8.0 / 4.0).abs() < 1e-14 && linear.b[(0, 0)] == 0.0);
+}
+
+/// On its head it rests, and falls with `e^(t / T)`, T = sqrt(J / m g l), to what differences find of A; hanging it stays.
+#[test]
+fn an_equilibrium_that_is_not_stable_is_told_with_its_rate_of_growth() {
+    let settled = |angle: f64| simulation(&scenario(&pendulum(angle))).settle().expect("it rests").instability;
+    assert_eq!(settled(0.0), None);
+    let Some(Instability::Growth { coordinate, time_s }) = settled(core::f64::consts::PI) else { panic!("it is not") };
+    assert!(
+        coordinate == "swing" && (time_s - libm::sqrt(4.0 / (3.0 * 9.80665))).abs() < 1e-9,
+        "{coordinate} {time_s}"
+    );
+    let upside_down = pendulum(core::f64::consts::PI) + "simulation: {begin_at_equilibrium: true}\n";
+    let error = read(&upside_down, "test.yaml", &[]).expect_err("it would fall").to_string();
+    assert!(error.contains("an equilibrium that is not stable: swing falls away from it, 0.369 s"), "{error}");
 }
 
 #[test]

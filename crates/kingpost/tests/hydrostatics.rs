@@ -2,12 +2,14 @@
 
 mod common;
 
-use common::barge::{BEAM, DENSITY, DEPTH, LENGTH, scenario};
+use common::barge::{BEAM, DENSITY, DEPTH, LENGTH, TEXT, files, scenario};
 use kingpost::Simulation;
 use kingpost::hydrostatics::{HullAfloat, HydrostaticReport, RightingArmPoint, Side};
+use kingpost::scenario::read_with;
 use serde_json::{Value, json};
 
 const MAST: &str = "bodies.mast.joint.prismatic.position_m";
+const ORIENTATION: &str = "bodies.hull.joint.floating.initial.orientation_rad";
 const HYDROSTATICS: &str = "forces.water.hydrodynamics.hydrostatics";
 /// Masses of hull, mast and load, kg, and heights of their centres over the keel, m.
 const WEIGHTS: [(f64, f64); 3] = [(380e3, 2.0), (20e3, 7.0), (10e3, 7.5)];
@@ -216,6 +218,17 @@ fn a_hull_that_lies_on_the_water_or_capsizes_is_warned_of() {
     let high = report(&[(MAST, json!([0.0, 0.0, 60.0]))]);
     let gm = high.hulls[0].metacentric_height_m[0];
     assert!(gm < 0.0 && high.warnings.iter().any(|words| words.ends_with("it is not stable")), "{gm} {high:?}");
+    assert!(high.warnings.iter().any(|words| words.starts_with("the equilibrium is not stable: ")), "{high:?}");
+    let over = report(&[(ORIENTATION, json!([3.0, 0.0, 0.0]))]);
+    assert!(over.warnings.iter().any(|words| words.contains("deg there: it has capsized")), "{over:?}");
+}
+
+#[test]
+fn a_run_does_not_begin_with_a_hull_that_has_capsized() {
+    let begin = [("simulation.begin_at_equilibrium", json!(true)), (ORIENTATION, json!([3.0, 0.0, 0.0]))];
+    let begin = begin.map(|(name, value)| (name.to_owned(), value));
+    let error = read_with(TEXT, "barge.yaml", &begin, &files()).expect_err("it lies upside down").to_string();
+    assert!(error.contains("simulation.begin_at_equilibrium") && error.contains("it has capsized"), "{error}");
 }
 
 #[test]

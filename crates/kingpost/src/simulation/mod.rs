@@ -8,7 +8,7 @@ mod setup;
 mod surface;
 
 pub use errors::{InputError, RunError};
-pub use settle::{Equilibrium, NoEquilibrium};
+pub use settle::{Equilibrium, Instability, NoEquilibrium};
 pub use setup::{Input, SchemeName, Settings, Setup};
 
 use crate::dynamics::moving_frame::MovingFrame;
