@@ -257,8 +257,8 @@ class Simulation:
         return json.loads(self._engine.wave_response_json(json.dumps(waves)))
 
     def hydrostatics(self) -> dict[str, Any]:
-        """As the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed coordinates stay,
-        the rest comes to rest in still water. The simulation itself does not move.
+        """As the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed
+        coordinates stay, the rest comes to rest in still water. The simulation itself does not move.
 
         >>> simulation = Simulation(load("barge"))
         >>> simulation.hydrostatics()["hulls"][0]["body"]
