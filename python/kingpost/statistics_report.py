@@ -161,8 +161,9 @@ def _unit(series: xarray.DataArray, slides: set[str]) -> str:
     """The unit of one column, of a variable with those of forces and moments, or of turning and sliding."""
     units = str(series.attrs.get("units", ""))
     if ", " in units:
-        of_force, of_moment = units.split(", ")
-        return of_moment if str(series.coords["component"].item()).startswith("moment") else of_force
+        along, about = units.split(", ")
+        labels = [str(series.coords[dim].item()) for dim in ("component", "planar") if dim in series.coords]
+        return about if any(label.startswith(("moment", "yaw")) for label in labels) else along
     if " or " in units and "coordinate" in series.coords:
         turning, sliding = units.split(" or ")
         return sliding if slides_along(str(series.coords["coordinate"].item()), slides) else turning

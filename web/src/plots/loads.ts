@@ -10,7 +10,7 @@ const ON_HULLS: Record<string, string> = {
   radiation_force: "Radiation",
 };
 
-/** The loads that a model has channels for: what joints, loops, cylinders and lines carry, what water and wind do, kN and kN m. */
+/** The loads that a model has channels for: what joints, loops, cylinders and lines carry, what thrusters, water and wind do, kN and kN m. */
 export function loadsOf(model: ModelInfo, channels: Channel[]): PlotKind[] {
   const labels = (variable: string) => channels.find((channel) => channel.variable === variable)?.labels[0] ?? [];
   const floating = new Set(model.joints.filter((joint) => joint.kind === "floating").map((joint) => joint.name));
@@ -23,6 +23,13 @@ export function loadsOf(model: ModelInfo, channels: Channel[]): PlotKind[] {
     ...Object.entries(ON_HULLS).flatMap(([variable, what]) =>
       labels(variable).flatMap((name) => wrench((part) => `${what} ${part} on ${bodyOf(name)}`, `${name}.${variable}`)),
     ),
+    ...labels("station_force").map((name) =>
+      load(`${name}: force of the thrusters`, "kN", [
+        { key: "roll", label: "Surge", column: `${name}.station_force.surge` },
+        { key: "pitch", label: "Sway", column: `${name}.station_force.sway` },
+      ]),
+    ),
+    ...labels("thruster_thrust").map((name) => load(`${name}: thrust`, "kN", [{ key: "plain", label: "Thrust", column: `${name}.thruster_thrust` }])),
     ...labels("flow_force").flatMap((name) => wrench((part) => `${name}: ${part}`, `${name}.flow_force`)),
   ];
 }
