@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { openedWith, ScenarioFiles } from "../src/engine/files";
+import { openedWith, scenarioAmong, ScenarioFiles } from "../src/engine/files";
 
 const FOLDER = "https://ships.example/app/scenarios/";
 
@@ -48,4 +48,13 @@ it("takes the files that were opened with a scenario, whatever folder it names t
   const opened = { "ship.hydro.json": "ship", "other.hydro.json": "other" };
   expect(openedWith(["hydro/ship.hydro.json", "hydro/barge.hydro.json"], opened)).toEqual({ "hydro/ship.hydro.json": "ship" });
   expect(openedWith(["other.hydro.json"], opened)).toEqual({ "other.hydro.json": "other" });
+});
+
+it("tells a scenario from the databases, tables and other programs' files that are opened with it", () => {
+  const scenario = "version: 1\nbodies:\n  hull: {}\n";
+  expect(scenarioAmong({ "a.hydro.json": "{}", "waves.csv": "time_s,elevation_m", "ship.yaml": scenario })).toBe("ship.yaml");
+  expect(scenarioAmong({ "orcaflex.yml": "VesselTypes:\n  - Name: ship", "ship.yaml": scenario })).toBe("ship.yaml");
+  expect(scenarioAmong({ "ship.json": '{"version": 1, "bodies": {}}', "other.json": "{}" })).toBe("ship.json");
+  expect(scenarioAmong({ "wrong.toml": "[project]" })).toBe("wrong.toml");
+  expect(scenarioAmong({ "a.hydro.json": "{}" })).toBeUndefined();
 });

@@ -21,10 +21,10 @@ export function faultOfControl(fault: Fault, parameters: readonly ParameterInfo[
   return { kind: "input", message: `${label}: ${found}${unit} is not ${allowed}${/\d$/.test(allowed) ? unit : ""}.` };
 }
 
-/** What to say of a hydrodynamic database that was opened by itself. */
+/** What to say of a hydrodynamic database, or a table, that was opened by itself. */
 export function faultOfDatabase(name: string): Fault {
   return {
     kind: "database",
-    message: `${name} is a hydrodynamic database: open it together with the scenario that names it, both files at once.`,
+    message: `${name} is a ${name.endsWith(".csv") ? "table" : "hydrodynamic database"}: open it together with the scenario that names it, both files at once.`,
   };
 }

@@ -4,6 +4,17 @@ export type FetchText = (url: string) => Promise<string | null>;
 /** Texts of files by their names. */
 export type Texts = Record<string, string>;
 
+/** How names of hydrodynamic databases and of tables end, which are no scenarios. */
+const NO_SCENARIOS = [".hydro.json", ".csv"];
+/** What every scenario has, in YAML or JSON. */
+const BODIES = /(^|[{,\s])"?bodies"?\s*:/m;
+
+/** Which of some files is the scenario that names the others; undefined where none can be. */
+export function scenarioAmong(texts: Texts): string | undefined {
+  const names = Object.keys(texts).filter((name) => !NO_SCENARIOS.some((ending) => name.endsWith(ending)));
+  return names.find((name) => BODIES.test(texts[name])) ?? names[0];
+}
+
 /** Of the files that a scenario names those that a person opened with it, whatever folder it names them in. */
 export function openedWith(names: readonly string[], opened: Texts): Texts {
   const found = names.map((name) => [name, opened[name.slice(name.lastIndexOf("/") + 1)]] as const);

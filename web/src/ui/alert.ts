@@ -35,8 +35,9 @@ function lines(fault: Fault): HTMLElement[] {
 
 /** What to do here about what the engine cannot know of. */
 function advice({ field, found }: Fault): string[] {
-  const isMissingFile = field?.endsWith(".database") && found?.startsWith("no file ");
-  return isMissingFile ? ["Open the scenario and its database together: choose both files, or drop both here."] : [];
+  if (!found?.startsWith("no file ")) return [];
+  const what = field?.endsWith(".database") ? "its database" : "the file that it names";
+  return [`Open the scenario and ${what} together: choose both files, or drop both here.`];
 }
 
 /** The parts of a fault that are there, one by one: a long message is hard to take apart on a phone. */

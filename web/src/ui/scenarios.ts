@@ -3,11 +3,10 @@ import type { Gallery } from "../app/gallery";
 import type { Fault } from "../engine/engine";
 import { openingOverrides } from "../app/opening";
 import type { Session } from "../app/session";
+import { scenarioAmong } from "../engine/files";
 import { byId, make } from "./dom";
 
 const FILE_OPTION = "a file of yours";
-/** How names of hydrodynamic databases end. */
-const DATABASE = ".hydro.json";
 
 /** Choosing a scenario: from the gallery, from a file, or dropped on the page. */
 export class Scenarios {
@@ -50,16 +49,16 @@ export class Scenarios {
     if (await this.openNamed(name)) history.replaceState(null, "", `?scenario=${encodeURIComponent(name)}`);
   }
 
-  /** A scenario, and with it the databases that it names. */
+  /** A scenario, and with it the files that it names. */
   private async openFiles(files: File[]): Promise<void> {
     if (files.length === 0) return;
-    const file = files.find(({ name }) => !name.endsWith(DATABASE));
+    const texts = Object.fromEntries(await Promise.all(files.map(async (file) => [file.name, await file.text()] as const)));
+    const file = scenarioAmong(texts);
     if (!file) return this.session.report(faultOfDatabase(files[0].name));
-    const others = files.filter((other) => other !== file).map(async (other) => [other.name, await other.text()]);
-    const source = { text: await file.text(), file: file.name, opened: Object.fromEntries(await Promise.all(others)) };
-    if (await this.session.open(source, {})) {
+    const { [file]: text, ...opened } = texts;
+    if (await this.session.open({ text, file, opened }, {})) {
       this.shown = FILE_OPTION;
-      this.fill(file.name);
+      this.fill(file);
     }
   }
 
