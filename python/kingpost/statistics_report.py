@@ -246,8 +246,10 @@ def _extreme(side: str, scale: float, sign: int, values: np.ndarray, record_s: f
 
 
 def _number(value: float) -> str:
-    """Four digits, without an exponent where none is needed."""
+    """Four digits or more, without an exponent where none is needed."""
     if not np.isfinite(value):
         return "-"
     size = abs(value)
+    if 1e4 <= size < 1e7:
+        return f"{value:.0f}"
     return f"{value:.4g}" if size >= 1e4 or 0 < size < 1e-3 else fixed(value, 4 if size < 10 else 2)

@@ -103,6 +103,18 @@ export default {
     await close();
   },
 
+  async "warns while a ship heels beyond what the loads of the water are for"(host) {
+    const { page, close } = await openApp(host);
+    await openFile(page, "steep.yaml", BARGE.replace("orientation_deg: [4, -2, 0]", "orientation_deg: [24, 0, 0]"), DATABASE);
+    await opened(page, "A barge in a regular wave");
+    assert.equal(await page.getByTestId("floating-beyond").isVisible(), true);
+    await stepTo(page, 1.2);
+    const { row } = await sample(page);
+    assert.ok(Math.abs(row["hull.roll"]) < Math.PI / 9);
+    assert.equal(await page.getByTestId("floating-beyond").isVisible(), false);
+    await close();
+  },
+
   async "draws still water level, and none where the scenario has none"(host) {
     const { page, close } = await openApp(host);
     assert.equal(await page.getByTestId("floating").isVisible(), false);
