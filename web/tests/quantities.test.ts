@@ -75,6 +75,8 @@ describe("what the figures can show", () => {
       labelled("line_tension", "bow"),
       labelled("excitation_force", "water"),
       labelled("flow_force", "gale"),
+      { ...channel("station_force", ["dp"], "N, N m"), dims: ["station", "planar"] },
+      { ...channel("thruster_thrust", ["dp.bow"], "N"), dims: ["thruster"] },
     ];
     const hull = { name: "water", body: "ship", origin_m: [0, 0, 1.5] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, mesh: null };
     const { rates } = kindsOf({ ...model([SHIP, SLEW]), hulls: [hull] }, channels);
@@ -83,10 +85,15 @@ describe("what the figures can show", () => {
       ["bow: tension", "kN"],
       ["Wave force on ship", "kN"],
       ["Wave moment on ship", "kN m"],
+      ["dp: force of the thrusters", "kN"],
+      ["dp.bow: thrust", "kN"],
       ["gale: force", "kN"],
       ["gale: moment", "kN m"],
     ]);
     const [, hook, bow, wave] = rates;
+    expect(rates.slice(-4, -2).flatMap(({ quantities }) => quantities.map(({ column }) => column))).toEqual(
+      ["dp.station_force.surge", "dp.station_force.sway", "dp.bow.thruster_thrust"],
+    );
     expect(hook.quantities[0].lengthOf).toEqual(["x", "y", "z"].map((axis) => `pendant.joint_reaction.force_${axis}`));
     expect(bow.quantities.map(({ column }) => column)).toEqual(["bow.line_tension", "bow.line_end_tension"]);
     expect(wave.quantities[2].column).toBe("water.excitation_force.force_z");

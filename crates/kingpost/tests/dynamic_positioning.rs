@@ -414,6 +414,15 @@ fn what_cannot_hold_a_ship_is_refused() {
         &format!("{field}.gains.natural_periods.yaw.integral_time_s: found 7, allowed: more than"),
     );
     refused(GAINS, WEAK, ", wave_filter: {notch_periods_s: [8, 0]}", "wave_filter.notch_periods_s.1: found 0");
+    // A low pass of 40 s delays at 100 s by more than the damping has to spare; one of 10 s does not.
+    let filter = ", wave_filter: {notch_periods_s: [8], cutoff_period_s: 40}";
+    refused(
+        GAINS,
+        WEAK,
+        filter,
+        &format!("{field}.gains.natural_periods.surge.period_s: found 100 s, with which the delays"),
+    );
+    read(&ship("", &positioning(GAINS, WEAK, &filter.replace("40", "10")), ""), "test.yaml", &[]).unwrap();
     let text = ship("", &positioning(GAINS, WEAK, ""), "").replace("body: ship", "body: shipp");
     let error = read(&text, "test.yaml", &[]).unwrap_err().to_string();
     assert!(error.contains("dynamic_positioning.body: found shipp, allowed: one of ship"), "{error}");

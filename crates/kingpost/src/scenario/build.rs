@@ -11,6 +11,7 @@ mod flow;
 mod lines;
 mod loops;
 mod positioning;
+mod positioning_loop;
 pub mod reading;
 mod water;
 mod wave_motion;

@@ -3,6 +3,7 @@
 use super::super::schema::{self, Force as ForceSchema, PositioningGains, Scenario, ThrustPriority};
 use super::FieldError;
 use super::damping::{from_centre, rigid};
+use super::positioning_loop::Loop;
 use super::reading::{Gathered, Reading};
 use crate::forces::dynamic_positioning::{
     Allocation, DynamicPositioning, Gains, Planar, Target, Thruster, ThrusterKind, WaveFilter,
@@ -36,6 +37,7 @@ pub fn build<S: Gathered>(
              along the ship",
         )
     })?;
+    check_loops(given, &field)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     let [x, y, heading] = all.numbers(|given| [given.target.x_m, given.target.y_m, given.target.heading_rad]);
     Ok(Some(Force::DynamicPositioning(Box::new(DynamicPositioning {
@@ -155,6 +157,32 @@ fn check_gains(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
                 format!("more than period_s / (4 pi damping_ratio), {least}: else even a ship alone is unstable");
             let field = format!("{field}.gains.natural_periods.{name}.integral_time_s");
             return Err(FieldError::new(field, tuning.integral_time(), allowed));
+        }
+    }
+    Ok(())
+}
+
+/// The delays of filter and thrusters must leave a free ship of the stated mass stable.
+fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
+    let PositioningGains::NaturalPeriods(periods) = &given.gains else { return Ok(()) };
+    let gains = numbers(&given.gains);
+    let running = given.thrusters.values().filter(|thruster| thruster.enabled());
+    let slowest = running.map(|thruster| thruster.numbers()[2]).fold(0.0, f64::max);
+    for (k, (name, tuning)) in ["surge", "sway", "yaw"].into_iter().zip(tunings(periods)).enumerate() {
+        let of = Loop {
+            inertia: tuning.inertia,
+            gains: gains.map(|gains| gains[k]),
+            filter: given.wave_filter.as_ref(),
+            time_constant_s: slowest,
+        };
+        if let Some(root) = of.growing() {
+            let found = format!(
+                "{} s, with which the delays of wave filter and thrusters make an oscillation of {:.1} s grow",
+                tuning.period_s,
+                TAU / root.im.abs()
+            );
+            let allowed = "a longer natural period, or filter periods and thrusters' time constants that are shorter";
+            return Err(FieldError::new(format!("{field}.gains.natural_periods.{name}.period_s"), found, allowed));
         }
     }
     Ok(())

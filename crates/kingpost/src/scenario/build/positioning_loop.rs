@@ -1,0 +1,80 @@
+//! Whether a controller with its filter and thrusters holds the ship that its gains are made for.
+
+use super::super::schema;
+use core::f64::consts::TAU;
+use nalgebra::{Complex, DMatrix};
+
+/// One of surge, sway and yaw.
+pub(super) struct Loop<'a> {
+    /// m, K_p, K_d, K_i.
+    pub(super) inertia: f64,
+    pub(super) gains: [f64; 3],
+    pub(super) filter: Option<&'a schema::WaveFilter>,
+    /// Of the slowest thruster, s.
+    pub(super) time_constant_s: f64,
+}
+
+impl Loop<'_> {
+    /// The root that grows fastest of a free ship, m x'' = T, under the controller; `None` where none grows.
+    pub(super) fn growing(&self) -> Option<Complex<f64>> {
+        let roots = self.rates().complex_eigenvalues();
+        let fastest = roots.iter().copied().max_by(|a, b| a.re.total_cmp(&b.re))?;
+        (fastest.re > ROUNDING * fastest.im.abs().max(1.0 / self.time_constant_s)).then_some(fastest)
+    }
+
+    /// The matrix of the rates of x, v, thrust, integral (both over m), and the filter's states, all without units but s.
+    fn rates(&self) -> DMatrix<f64> {
+        let sections = self.filter.map(sections).unwrap_or_default();
+        let n = 4 + 2 * sections.len();
+        let [stiffness, damping, integral] = self.gains.map(|gain| gain / self.inertia);
+        let mut a = DMatrix::zeros(n, n);
+        (a[(0, 1)], a[(1, 2)], a[(3, 0)]) = (1.0, 1.0, -integral);
+        // What enters the next section, by the states.
+        let mut signal = DMatrix::zeros(1, n);
+        (signal[(0, 0)], signal[(0, 1)]) = (-stiffness, -damping);
+        for (k, section) in sections.iter().enumerate() {
+            let first = 4 + 2 * k;
+            a[(first, first + 1)] = section.frequency;
+            let mut row = signal.clone();
+            row[(0, first)] -= 1.0;
+            row[(0, first + 1)] -= 2.0 * section.damping_ratio;
+            a.row_mut(first + 1).copy_from(&(row * section.frequency).row(0));
+            match section.notch {
+                Some(share) => signal[(0, first + 1)] -= share,
+                None => {
+                    signal.fill(0.0);
+                    signal[(0, first)] = 1.0;
+                }
+            }
+        }
+        signal[(0, 3)] += 1.0;
+        signal[(0, 2)] -= 1.0;
+        a.row_mut(2).copy_from(&(signal / self.time_constant_s).row(0));
+        a
+    }
+}
+
+/// A root that grows by less than this share of the fastest rate is rounding: a controller without integral has one at 0.
+const ROUNDING: f64 = 1e-6;
+
+/// A section as [`WaveFilter`](crate::forces::dynamic_positioning::WaveFilter) has it.
+struct Section {
+    frequency: f64,
+    damping_ratio: f64,
+    notch: Option<f64>,
+}
+
+fn sections(filter: &schema::WaveFilter) -> Vec<Section> {
+    let notch = Some(2.0 * (1.0 - filter.notch_damping_ratio.get()));
+    let notches = filter.notch_periods_s.iter().map(|period| Section {
+        frequency: TAU / period.get(),
+        damping_ratio: 1.0,
+        notch,
+    });
+    let low_pass = filter.cutoff_period_s.map(|period| Section {
+        frequency: TAU / period.get(),
+        damping_ratio: filter.cutoff_damping_ratio.get(),
+        notch: None,
+    });
+    notches.chain(low_pass).collect()
+}
