@@ -80,7 +80,8 @@ def test_a_deck_under_water_is_warned_of_from_when_and_by_how_much(moored) -> No
 
 def test_a_load_that_capsizes_the_ship_is_warned_of(tmp_path, capsys) -> None:
     """Source: 500 t over the side of a ship with a GM of 1.4 m."""
-    settings = ["--set=bodies.load.mass_t=500", "--set=simulation.duration_s=40"]
+    settings = ["bodies.load.mass_t=500", "simulation.duration_s=40", "simulation.begin_at_equilibrium=false"]
+    settings = [f"--set={setting}" for setting in settings]
     file = str(tmp_path / "run.csv")
     assert main(["run", "offshore_vessel", *settings, "-o", file]) == 0
     shown = capsys.readouterr().out
