@@ -231,8 +231,7 @@ fn at_sea(text: &str, pairs: &[(&str, serde_json::Value)]) -> Simulation {
 /// At rest a ship is where it is to be, and its thrusters give what the current takes; it stays.
 #[test]
 fn an_equilibrium_is_on_station_with_the_mean_load_in_the_integrals() {
-    // The memory of the water begins with none of the current's flow past the hull, and would push while it learns of it.
-    let mut ship = at_sea(&station(AT_REST), &[("forces.water.hydrodynamics.radiation", json!(false))]);
+    let mut ship = at_sea(&station(AT_REST), &[]);
     let error = values(&mut ship, "station_error");
     assert!(error.iter().all(|error| error.abs() < 1e-8), "{error:?}");
     let (sin, cos) = libm::sincos(PI / 9.0);
