@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import hull_files, surface
-from kingpost.hydro.command import parse_frequencies, parse_shape
+from kingpost.hydro.command import parse_frequencies, parse_shape, summary
+from kingpost.hydro.database import Water
 from kingpost.hydro.hull_files import HullFile
 from kingpost.hydro.meshes import HULL_TRIANGLES, parametric, whole
 from kingpost.hydro.panels import lid
@@ -153,6 +154,24 @@ def test_a_gdf_file_is_read_with_its_symmetry_and_without_a_deck(tmp_path):
     assert meshes.particulars.volume_m3 == pytest.approx(400)
     assert meshes.reflections == (0, 1)
     assert meshes.hull is None
+
+
+def test_a_hull_without_a_mesh_in_its_database_is_told_of_loudly(tmp_path):
+    """Source: the public contract: at most 2000 triangles, and a hull that is closed."""
+    path = tmp_path / "box.gdf"
+    path.write_text(GDF)
+    open_above = HullFile(path).meshes(200)
+    barge = barge_surface()
+    small = HullFile(written(tmp_path, barge)).meshes(200)
+    fine = barge.refined(barge.area**0.5 / 25)
+    large = HullFile(written(tmp_path, fine)).meshes(200)
+    assert len(fine.triangles) > 2000 >= len(barge.triangles)
+    assert small.hull is not None
+    assert large.hull is None
+    assert "warning" not in summary(small, Water())
+    words = f"warning: no hull mesh goes into the database, for the mesh has {len(fine.triangles)} triangles"
+    assert words in summary(large, Water())
+    assert "for the mesh ends at the water line" in summary(open_above, Water())
 
 
 def test_a_gdf_file_cut_short_is_refused(tmp_path):

@@ -77,6 +77,8 @@ def build(
         # Refused before the long work where such a hull would not stay upright.
         stiffness_matrix(database_hull(hull), water, loading)
         notes = (*notes, loading.note)
+    if hull.hull is None:
+        notes = (*notes, f"no hull mesh: {hull.why_no_hull}")
     found = solve(hull, water, frequencies_rad_s, directions, lid_wanted, update)
     database = Database(
         title=title,

@@ -228,4 +228,10 @@ def summary(hull: HullMeshes, water: Water) -> str:
         ("BM", f"{heights[0]:.4g} m transverse, {heights[1]:.4g} m longitudinal"),
         ("panels", f"{hull.panel_count} of about {hull.panel_size_m:.3g} m; planes of symmetry: {planes}"),
     ]
-    return "\n".join(f"{name:<20}{value}" for name, value in rows)
+    lines = [f"{name:<20}{value}" for name, value in rows]
+    if hull.hull is None:
+        lines.append(
+            f"warning: no hull mesh goes into the database, for {hull.why_no_hull}; without it there are no "
+            "righting arms, no hydrostatics or wave pressure of the mesh, and no hull in the app's picture"
+        )
+    return "\n".join(lines)

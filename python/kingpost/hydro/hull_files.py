@@ -56,9 +56,9 @@ class HullFile:
             part = part.mirrored(axis).below(0.0, axis).mirrored(axis)
         # Triangles of this side have about the area that was asked for.
         fine = part.refined(2 * (wetted.area / panels) ** 0.5)
-        small = closed and len(surface.triangles) <= LARGEST_HULL
-        mesh = Mesh(surface.vertices, surface.triangles) if small else None
-        return HullMeshes(self.path.name, reflections, of_triangles(fine), found, mesh)
+        why_not = _too_large(len(surface.triangles)) if closed else "the mesh ends at the water line"
+        mesh = None if why_not else Mesh(surface.vertices, surface.triangles)
+        return HullMeshes(self.path.name, reflections, of_triangles(fine), found, mesh, why_not)
 
     def _placed(self) -> Surface:
         surface = read(self.path)
@@ -99,6 +99,12 @@ class HullFile:
                 f"a draught less than its depth of {highest - lowest:.4g} m, set with --draught_m", file,
             )  # fmt: skip
         return True
+
+
+def _too_large(triangles: int) -> str:
+    if triangles <= LARGEST_HULL:
+        return ""
+    return f"the mesh has {triangles} triangles, more than {LARGEST_HULL}: decimate it for one"
 
 
 def read(path: Path) -> Surface:

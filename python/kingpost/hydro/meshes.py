@@ -37,7 +37,10 @@ class HullMeshes:
     particulars
         Of the whole wetted hull.
     hull
-        The closed hull with its deck, or `None` where the mesh ends at the water line.
+        The closed hull with its deck, or `None` where the mesh ends at the water line or has too many
+        triangles.
+    why_no_hull
+        Where there is none, why; else empty.
     """
 
     source: str
@@ -45,6 +48,7 @@ class HullMeshes:
     panels: Panels
     particulars: Particulars
     hull: Mesh | None
+    why_no_hull: str = ""
 
     @property
     def panel_count(self) -> int:
