@@ -150,6 +150,19 @@ fn wind_and_current_are_linearised_exactly() {
     assert_linearised(&ship(motion, &(sea + &wind("") + &loads + "}, " + &current)));
 }
 
+/// Without a spring nothing accelerates by where the ship is; with one it rests.
+#[test]
+fn a_free_ship_in_wind_has_no_equilibrium_and_is_told_what_to_do() {
+    let loads = wind("") + &wind_load("").replace("}}}}", "}}");
+    let error = simulation(&ship("position_m: [0, 0, 0]", &(loads.clone() + "}}"))).settle().expect_err("it drifts");
+    let words = error.to_string();
+    assert!(words.contains("nothing holds ship where it is against what pushes it sideways: moor it"), "{words}");
+    let line = "line: {spring_line: {first: {body: ship}, second: {body: world, position_m: [-300, 0, 0]}, \
+                unstretched_length_m: 100, axial_stiffness_N: 1e6}}";
+    let moored = simulation(&ship("position_m: [0, 0, 0]", &(loads + "}, " + line + "}"))).settle();
+    assert!(!moored.map_or_else(|error| error.to_string(), |_| String::new()).contains("nothing holds"));
+}
+
 /// A load whose coefficient in one row is 0.1.
 fn pushed_along(load: &str, column: &str, row: usize) -> String {
     let begin = load.find(&format!("{column}: [")).expect("a column") + column.len() + 3;

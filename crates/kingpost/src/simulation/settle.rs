@@ -5,6 +5,7 @@ use crate::dynamics::Kinematics;
 use crate::forces::Force;
 use crate::integrate::{Jacobian, System};
 use crate::ledger;
+use crate::model::JointKind;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
@@ -20,6 +21,8 @@ const MOST_HALVINGS: i32 = 12;
 const LEAST_GROWTH: f64 = 2.0;
 /// The smallest share of the largest entry of A that is kept against drift along zero modes.
 const SMALLEST_SHARE: f64 = 1e-9;
+/// A body is pushed along the water that accelerates there by more than this share of the largest acceleration.
+const SMALLEST_PUSH: f64 = 1e-3;
 
 /// A ship on dynamic positioning that is less than this off its target is there, m or rad.
 const ON_STATION: f64 = 1e-8;
@@ -68,7 +71,8 @@ pub enum NoEquilibrium {
     /// Something keeps accelerating.
     #[error(
         "no equilibrium within {iterations} iterations: {coordinate} still accelerates at {residual:.3e} \
-         m/s^2 or rad/s^2, more than {allowed:e}"
+         m/s^2 or rad/s^2, more than {allowed:e}{}",
+         adrift.as_ref().map(in_words).unwrap_or_default()
     )]
     NotFound {
         /// Iterations made.
@@ -79,6 +83,8 @@ pub enum NoEquilibrium {
         residual: f64,
         /// What counts as none.
         allowed: f64,
+        /// The floating body that something pushes along the water and nothing holds there, if there is one.
+        adrift: Option<String>,
     },
     /// Thrusters that have not what holds their ship.
     #[error(
@@ -93,6 +99,13 @@ pub enum NoEquilibrium {
     /// A state that the simulation refuses.
     #[error(transparent)]
     State(#[from] InputError),
+}
+
+/// What to do for a body adrift.
+fn in_words(body: &String) -> String {
+    format!(
+        "; nothing holds {body} where it is against what pushes it sideways: moor it, by spring_line or          catenary_line, or turn off the wind, the current or what else pushes it"
+    )
 }
 
 impl Simulation {
@@ -164,7 +177,8 @@ impl Simulation {
             if !moved {
                 let worst = linear.acceleration.iamax();
                 let (coordinate, residual) = (names[worst].clone(), linear.acceleration[worst].abs());
-                return Err(NoEquilibrium::NotFound { iterations, coordinate, residual, allowed: AT_REST });
+                let adrift = self.adrift(&linear, &free);
+                return Err(NoEquilibrium::NotFound { iterations, coordinate, residual, allowed: AT_REST, adrift });
             }
         }
     }
@@ -212,6 +226,21 @@ impl Simulation {
             acceleration: DVector::from_iterator(free.len(), free.iter().map(|i| v_dot[*i])),
             stiffness: DMatrix::from_fn(free.len(), free.len(), entry),
         }
+    }
+
+    /// The floating body that accelerates along the water's plane while no acceleration depends on where in it it is.
+    fn adrift(&self, linear: &Linear, free: &[usize]) -> Option<String> {
+        let model = &self.plant.model;
+        let pushed = |body: &usize| {
+            let node = &model.tree.nodes[*body];
+            let place = |i: usize| free.iter().position(|velocity| *velocity == node.velocities + i);
+            let [Some(x), Some(y)] = [0, 1].map(place) else { return false };
+            let held = [x, y].iter().any(|i| linear.stiffness.column(*i).amax() > SMALLEST_SHARE * linear.size());
+            let across = [x, y].map(|i| linear.acceleration[i].abs());
+            !held && across[0].max(across[1]) > SMALLEST_PUSH * linear.acceleration.amax()
+        };
+        let floats = |body: &usize| matches!(model.joints[*body].kind, JointKind::Floating(_));
+        (0..model.joints.len()).filter(floats).find(pushed).map(|body| model.bodies[body].name.clone())
     }
 
     /// How the equilibrium that the simulation stands at moves by accelerations, without waves and
