@@ -37,6 +37,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         _cylinders({name: law["cylinder"] for name, law in drives.items() if "cylinder" in law}),
         _prescribed(resolved),
         _laws("forces", resolved.get("forces", {})),
+        _sea(described["sea"]),
         *hydrostatics_report.sections(scenario),
         [f"warning: gravity acts and nothing carries {name}: it falls" for name in falling(resolved)],
         [
@@ -55,6 +56,18 @@ def _bodies(described: dict[str, Any]) -> list[str]:
         how = f"{joint['kind']} {joint['name']}" if joint else ""
         rows.append((body["name"], f"{body['mass_kg']:g} kg", body.get("parent") or WORLD, how))
     return table(rows, "<><<")
+
+
+def _sea(sea: dict[str, Any] | None) -> list[str]:
+    """What is cut off the spectra of the sea, if anything."""
+    lines = []
+    for cut in sea["cut_spectra"] if sea else []:
+        whole, kept = cut["significant_height_m"], 1 - cut["energy_cut_off"]
+        lines.append(
+            f"{cut['name']}: {100 * cut['energy_cut_off']:.2g} % of the spectrum's energy is cut off: "
+            f"Hs {whole * kept**0.5:.4g} m of {whole:.4g} m"
+        )
+    return lines
 
 
 def _loops(loops: list[dict[str, Any]]) -> list[str]:

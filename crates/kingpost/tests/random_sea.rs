@@ -159,7 +159,33 @@ fn frequencies_are_in_order_within_the_band_and_never_equal() {
     let waves = WaveSystem { band: Some(band), ..system() }.components(1, 0, &Water::default()).unwrap();
     assert!(waves.windows(2).all(|pair| pair[0].angular_frequency_rad_s < pair[1].angular_frequency_rad_s));
     assert!(waves[0].angular_frequency_rad_s >= 0.5 && waves[199].angular_frequency_rad_s <= 2.0);
-    assert!((significant_height_of_components_m(&waves) / 2.5 - 1.0).abs() < 1e-7);
+    let kept = 4.0 * system().spectrum.moment(0, band).sqrt();
+    assert!((significant_height_of_components_m(&waves) / kept - 1.0).abs() < 1e-7);
+}
+
+/// `Int S dw = Hs^2 / 16 e^(-(5/4) (w_p / w)^4)` from 0 to w of Pierson and Moskowitz' spectrum: what is cut off is not made
+/// up for by the rest, and at an end at which nothing is cut off the sea is as it was.
+#[test]
+fn a_cut_takes_the_energy_of_the_spectrum_there_and_leaves_the_rest() {
+    let spectrum = Spectrum::PiersonMoskowitz(PiersonMoskowitz::new(2.5, 8.0).unwrap());
+    let below = |w: f64| (-1.25 * (TAU / 8.0 / w).powi(4)).exp();
+    let all = Band { lowest_rad_s: 0.0, highest_rad_s: f64::INFINITY };
+    let of = |band: Option<Band>| {
+        let system = WaveSystem { spectrum: spectrum.clone(), band, ..system() };
+        let waves = system.components(1, 0, &Water::default()).unwrap();
+        (system.energy_cut_off(), (significant_height_of_components_m(&waves) / 2.5).powi(2), waves)
+    };
+    let cases = [
+        (all, 0.0),
+        (Band { highest_rad_s: 1.5, ..all }, 1.0 - below(1.5)),
+        (Band { lowest_rad_s: 0.7, ..all }, below(0.7)),
+        (Band { lowest_rad_s: 0.7, highest_rad_s: 1.5 }, below(0.7) + 1.0 - below(1.5)),
+    ];
+    for (band, cut) in cases {
+        let (told, kept, _) = of(Some(band));
+        assert!((told - cut).abs() < 1e-7 && (kept - (1.0 - cut)).abs() < 1e-6, "{band:?}: {told} {kept} {cut}");
+    }
+    assert_eq!(of(Some(all)).2, of(None).2);
 }
 
 fn measured(elevations_m: Vec<f64>, band: Option<Band>) -> ElevationRecord {

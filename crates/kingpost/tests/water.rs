@@ -336,6 +336,30 @@ fn runs_in_one_sea_side_by_side_are_those_alone_to_the_bit() {
     }
 }
 
+/// The spectrum of the barge's wind sea at gamma = 1: `e^(-(5/4) (w_p / w)^4)` of its energy is below w.
+#[test]
+fn a_cut_of_a_spectrum_is_described_and_one_of_nothing_is_refused() {
+    let jonswap = "sea.waves.wind_sea.jonswap";
+    let read = |cuts: &[(&str, f64)]| {
+        let mut pairs = vec![(format!("{jonswap}.enabled"), ON)];
+        pairs.extend(cuts.iter().map(|(end, w)| (format!("{jonswap}.realisation.{end}"), json!(w))));
+        kingpost::scenario::read_with(barge::TEXT, "barge.yaml", &pairs, &barge::files())
+    };
+    let whole = read(&[]).and_then(|whole| whole.describe()).expect("it builds");
+    assert_eq!(whole.sea.expect("a sea").cut_spectra, []);
+    let cut = read(&[("highest_rad_s", 1.5)]).and_then(|cut| cut.describe()).expect("it builds");
+    let [spectrum] = &cut.sea.expect("a sea").cut_spectra[..] else { panic!("one is cut") };
+    let share = 1.0 - (-1.25 * (core::f64::consts::TAU / 6.0 / 1.5).powi(4)).exp();
+    assert_eq!(spectrum.name, "wind_sea");
+    assert!((spectrum.energy_cut_off - share).abs() < 1e-6, "{spectrum:?} {share}");
+    assert!((spectrum.significant_height_m - 2.0).abs() < 1e-6, "{spectrum:?}");
+    let none = read(&[("lowest_rad_s", 2.0), ("highest_rad_s", 1.5)]).expect_err("an empty band").to_string();
+    let expected = "realisation.highest_rad_s: found 1.5, allowed: a number above lowest_rad_s, which is 2";
+    assert!(none.contains(&format!("{jonswap}.{expected}")), "{none}");
+    let negative = read(&[("lowest_rad_s", -1.0)]).expect_err("a frequency").to_string();
+    assert!(negative.contains(&format!("{jonswap}.realisation.lowest_rad_s: found -1")), "{negative}");
+}
+
 #[test]
 fn what_a_database_lacks_is_told_at_its_field() {
     let error = |overrides: &[(&str, Value)]| {

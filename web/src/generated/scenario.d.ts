@@ -1508,6 +1508,39 @@ export type Jonswap = {
   realisation?: WaveRealisation;
 };
 /**
+ * How the realisation is made.
+ */
+export type WaveRealisation = {
+  /**
+   * Number of components.
+   */
+  components?: number;
+  /**
+   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   */
+  amplitudes?: "deterministic" | "random";
+  /**
+   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   */
+  spreading_exponent?: number | null;
+  /**
+   * Waves of less than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   */
+  lowest_rad_s?: number | null;
+  /**
+   * The same as `lowest_rad_s`, in the unit of this name.
+   */
+  lowest_deg_s?: number | null;
+  /**
+   * Waves of more than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   */
+  highest_rad_s?: number | null;
+  /**
+   * The same as `highest_rad_s`, in the unit of this name.
+   */
+  highest_deg_s?: number | null;
+};
+/**
  * A sea by significant height and peak period: the Pierson-Moskowitz spectrum, or Torsethaugen's.
  */
 export type PiersonMoskowitz = {
@@ -1534,6 +1567,39 @@ export type PiersonMoskowitz = {
   realisation?: WaveRealisation1;
 };
 /**
+ * How the realisation is made.
+ */
+export type WaveRealisation1 = {
+  /**
+   * Number of components.
+   */
+  components?: number;
+  /**
+   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   */
+  amplitudes?: "deterministic" | "random";
+  /**
+   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   */
+  spreading_exponent?: number | null;
+  /**
+   * Waves of less than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   */
+  lowest_rad_s?: number | null;
+  /**
+   * The same as `lowest_rad_s`, in the unit of this name.
+   */
+  lowest_deg_s?: number | null;
+  /**
+   * Waves of more than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   */
+  highest_rad_s?: number | null;
+  /**
+   * The same as `highest_rad_s`, in the unit of this name.
+   */
+  highest_deg_s?: number | null;
+};
+/**
  * A sea of two parts, each with a spectrum of three parameters.
  */
 export type OchiHubble = {
@@ -1552,6 +1618,39 @@ export type OchiHubble = {
    */
   direction_deg?: number;
   realisation?: WaveRealisation2;
+};
+/**
+ * How the realisation is made.
+ */
+export type WaveRealisation2 = {
+  /**
+   * Number of components.
+   */
+  components?: number;
+  /**
+   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   */
+  amplitudes?: "deterministic" | "random";
+  /**
+   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   */
+  spreading_exponent?: number | null;
+  /**
+   * Waves of less than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   */
+  lowest_rad_s?: number | null;
+  /**
+   * The same as `lowest_rad_s`, in the unit of this name.
+   */
+  lowest_deg_s?: number | null;
+  /**
+   * Waves of more than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   */
+  highest_rad_s?: number | null;
+  /**
+   * The same as `highest_rad_s`, in the unit of this name.
+   */
+  highest_deg_s?: number | null;
 };
 /**
  * A sea whose spectrum is given as a table.
@@ -1575,6 +1674,39 @@ export type SpectrumTable = {
    */
   direction_deg?: number;
   realisation?: WaveRealisation3;
+};
+/**
+ * How the realisation is made.
+ */
+export type WaveRealisation3 = {
+  /**
+   * Number of components.
+   */
+  components?: number;
+  /**
+   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
+   */
+  amplitudes?: "deterministic" | "random";
+  /**
+   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
+   */
+  spreading_exponent?: number | null;
+  /**
+   * Waves of less than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   */
+  lowest_rad_s?: number | null;
+  /**
+   * The same as `lowest_rad_s`, in the unit of this name.
+   */
+  lowest_deg_s?: number | null;
+  /**
+   * Waves of more than this frequency are cut off, rad/s, their energy with them; without it, none are.
+   */
+  highest_rad_s?: number | null;
+  /**
+   * The same as `highest_rad_s`, in the unit of this name.
+   */
+  highest_deg_s?: number | null;
 };
 /**
  * Waves that were measured at one point, in a direction that one point cannot tell. The sea repeats after the record's
@@ -3083,40 +3215,6 @@ export interface Sea {
       };
 }
 /**
- * How the realisation is made.
- */
-export interface WaveRealisation {
-  /**
-   * Number of components.
-   */
-  components?: number;
-  /**
-   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
-   */
-  amplitudes?: "deterministic" | "random";
-  /**
-   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
-   */
-  spreading_exponent?: number | null;
-}
-/**
- * How the realisation is made.
- */
-export interface WaveRealisation1 {
-  /**
-   * Number of components.
-   */
-  components?: number;
-  /**
-   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
-   */
-  amplitudes?: "deterministic" | "random";
-  /**
-   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
-   */
-  spreading_exponent?: number | null;
-}
-/**
  * Swell.
  */
 export interface OchiHubblePart {
@@ -3149,40 +3247,6 @@ export interface OchiHubblePart1 {
    * Shape lambda, from 0.5 to 20: with 1 the part is a Pierson-Moskowitz spectrum, with more it is narrower.
    */
   shape: number;
-}
-/**
- * How the realisation is made.
- */
-export interface WaveRealisation2 {
-  /**
-   * Number of components.
-   */
-  components?: number;
-  /**
-   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
-   */
-  amplitudes?: "deterministic" | "random";
-  /**
-   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
-   */
-  spreading_exponent?: number | null;
-}
-/**
- * How the realisation is made.
- */
-export interface WaveRealisation3 {
-  /**
-   * Number of components.
-   */
-  components?: number;
-  /**
-   * Whether amplitudes are random too, as in a record of the sea, or those of the spectrum.
-   */
-  amplitudes?: "deterministic" | "random";
-  /**
-   * s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
-   */
-  spreading_exponent?: number | null;
 }
 /**
  * U(z) = U (z / z_reference)^exponent; of a current U(z) = U ((h + z) / h)^exponent, with h the water's depth.

@@ -15,7 +15,7 @@ mod positioning_loop;
 pub mod reading;
 mod water;
 mod wave_motion;
-mod waves;
+pub(super) mod waves;
 
 pub use super::error::FieldError;
 use super::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenario};

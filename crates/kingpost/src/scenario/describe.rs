@@ -2,7 +2,7 @@
 
 mod afloat;
 
-pub use afloat::{HullDescription, MeshDescription, SeaDescription};
+pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
 
 use super::build::flexible::{owner, shape};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};

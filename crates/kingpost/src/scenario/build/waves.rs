@@ -1,8 +1,9 @@
 //! The waves of the sea, drawn from its spectra.
 
-use super::super::schema::{self, Scenario, WaveAmplitudes, WaveRealisation, Waves};
+use super::super::schema::{self, Positive, Scenario, WaveAmplitudes, WaveRealisation, Waves};
 use super::FieldError;
 use super::reading::{Gathered, Reading};
+use super::water::{gravity, water_of};
 use crate::sea::waves::{
     Amplitudes, Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Spreading,
     Torsethaugen, Water, WaveComponent, WaveError, WaveSystem,
@@ -36,19 +37,43 @@ fn realise(scenario: &Scenario, water: &Water) -> Result<Vec<WaveComponent>, Fie
     let (mut components, seed) = (Vec::new(), scenario.simulation.seed);
     let systems = scenario.sea.iter().flat_map(|sea| &sea.waves);
     for (number, (name, waves)) in (0..).zip(systems) {
-        let kind = waves.kind();
-        let in_place = |error: WaveError| {
-            FieldError::new(format!("sea.waves.{name}.{kind}.{}", error.field), error.found, error.allowed)
+        let field = |field: &str| match waves {
+            Waves::Regular(_) | Waves::Record(_) => format!("sea.waves.{name}.{}.{field}", waves.kind()),
+            _ if OF_REALISATION.iter().any(|part| field.starts_with(part)) => {
+                format!("sea.waves.{name}.{}.realisation.{field}", waves.kind())
+            }
+            _ => format!("sea.waves.{name}.{}.{field}", waves.kind()),
         };
+        let in_place = |error: WaveError| FieldError::new(field(&error.field), error.found, error.allowed);
         let found = match waves {
             _ if !waves.enabled() => Ok(Vec::new()),
             Waves::Regular(wave) => regular(wave, water),
             Waves::Record(given) => record(scenario, given, water),
-            _ => of_spectrum(waves, (seed, number), water),
+            _ => of_spectrum(waves, water).and_then(|system| match system {
+                Some(system) => system.components(seed, number, water),
+                None => Ok(Vec::new()),
+            }),
         };
         components.extend(found.map_err(in_place)?);
     }
     Ok(components)
+}
+
+/// Fields of the realisation, among those of a spectrum's waves.
+const OF_REALISATION: [&str; 4] = ["components", "spreading_exponent", "lowest_rad_s", "highest_rad_s"];
+
+/// What a scenario cuts off its spectra: by the name of the waves, the significant height of the whole spectrum, m, and
+/// the share of its energy that is cut off.
+pub fn cut_off(scenario: &Scenario) -> Vec<(String, f64, f64)> {
+    let Some(sea) = &scenario.sea else { return Vec::new() };
+    let Ok(water) = gravity(scenario).and_then(|gravity| water_of(sea, gravity)) else { return Vec::new() };
+    let systems = sea.waves.iter().filter(|(_, waves)| waves.enabled());
+    let cut = systems.filter_map(|(name, waves)| {
+        let system = of_spectrum(waves, &water).ok()??;
+        system.band?;
+        Some((name.to_string(), system.spectrum.significant_height_m(), system.energy_cut_off()))
+    });
+    cut.collect()
 }
 
 fn regular(wave: &schema::RegularWave, water: &Water) -> Result<Vec<WaveComponent>, WaveError> {
@@ -62,16 +87,15 @@ fn record(
     water: &Water,
 ) -> Result<Vec<WaveComponent>, WaveError> {
     let Some(table) = scenario.files.record(&given.file) else { return Ok(Vec::new()) };
-    let band = Band {
-        lowest_rad_s: given.lowest_rad_s.map_or(0.0, |lowest| lowest.get()),
-        highest_rad_s: given.highest_rad_s.map_or(f64::INFINITY, |highest| highest.get()),
-    };
+    let all = Band { lowest_rad_s: 0.0, highest_rad_s: f64::INFINITY };
+    let band = band(given.lowest_rad_s, given.highest_rad_s).unwrap_or(all);
     table.components(given.position_m, given.direction_rad, band, water)
 }
 
-fn of_spectrum(waves: &Waves, (seed, number): (u64, u64), water: &Water) -> Result<Vec<WaveComponent>, WaveError> {
+/// The random sea of a spectrum; waves of another kind are none.
+fn of_spectrum(waves: &Waves, water: &Water) -> Result<Option<WaveSystem>, WaveError> {
     let (spectrum, direction_rad, realisation) = match waves {
-        Waves::Regular(_) | Waves::Record(_) => return Ok(Vec::new()),
+        Waves::Regular(_) | Waves::Record(_) => return Ok(None),
         Waves::Jonswap(sea) => {
             let (height, period) = (sea.significant_height_m.get(), sea.peak_period_s.get());
             let spectrum = Jonswap::new(height, period, sea.gamma.get())?;
@@ -92,7 +116,7 @@ fn of_spectrum(waves: &Waves, (seed, number): (u64, u64), water: &Water) -> Resu
         }
         Waves::Spectrum(sea) => (Spectrum::Table(SpectrumTable::new(&sea.rows)?), sea.direction_rad, &sea.realisation),
     };
-    drawn(spectrum, direction_rad, realisation)?.components(seed, number, water)
+    drawn(spectrum, direction_rad, realisation).map(Some)
 }
 
 fn ochi_hubble_part(part: &schema::OchiHubblePart) -> OchiHubblePart {
@@ -112,5 +136,14 @@ fn drawn(spectrum: Spectrum, direction_rad: f64, given: &WaveRealisation) -> Res
         WaveAmplitudes::Deterministic => Amplitudes::Deterministic,
         WaveAmplitudes::Random => Amplitudes::Random,
     };
-    Ok(WaveSystem { spectrum, spreading, direction_rad, components: given.components, amplitudes, band: None })
+    let band = band(given.lowest_rad_s, given.highest_rad_s);
+    Ok(WaveSystem { spectrum, spreading, direction_rad, components: given.components, amplitudes, band })
+}
+
+/// The frequencies that are kept, where anything is cut off.
+fn band(lowest: Option<Positive>, highest: Option<Positive>) -> Option<Band> {
+    (lowest.is_some() || highest.is_some()).then(|| Band {
+        lowest_rad_s: lowest.map_or(0.0, |lowest| lowest.get()),
+        highest_rad_s: highest.map_or(f64::INFINITY, |highest| highest.get()),
+    })
 }

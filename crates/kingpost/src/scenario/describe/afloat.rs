@@ -1,6 +1,7 @@
 //! The sea and the hulls in it, to draw.
 
 use crate::forces::{Force, Hull};
+use crate::scenario::build::waves::cut_off;
 use crate::scenario::schema::{self, Scenario};
 use crate::sea::database::HullAtRest;
 use crate::simulation::Setup;
@@ -15,6 +16,19 @@ pub struct SeaDescription {
     pub depth_m: Option<f64>,
     /// Number of regular waves that the hulls feel; 0 for water that is level.
     pub wave_components: usize,
+    /// Wave systems of whose spectra something is cut off.
+    pub cut_spectra: Vec<CutSpectrum>,
+}
+
+/// A spectrum of which not all is in the sea.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CutSpectrum {
+    /// Name of the wave system.
+    pub name: String,
+    /// Significant wave height of the whole spectrum, m.
+    pub significant_height_m: f64,
+    /// Share of its energy that is cut off.
+    pub energy_cut_off: f64,
 }
 
 /// A hull in the water, to draw.
@@ -57,7 +71,14 @@ pub fn sea(scenario: &Scenario, setup: &Setup) -> Option<SeaDescription> {
         density_kg_m3: sea.density_kg_m3.get(),
         depth_m: sea.depth_m.map(|depth| depth.get()),
         wave_components: felt.max().unwrap_or(0),
+        cut_spectra: cut_spectra(scenario),
     })
+}
+
+fn cut_spectra(scenario: &Scenario) -> Vec<CutSpectrum> {
+    let described =
+        |(name, significant_height_m, energy_cut_off)| CutSpectrum { name, significant_height_m, energy_cut_off };
+    cut_off(scenario).into_iter().map(described).collect()
 }
 
 /// The hulls, in the order of results.

@@ -183,11 +183,23 @@ pub struct WaveRealisation {
     /// s of the spreading cos^(2 s) of half the angle from the mean direction; without it, the crests are long.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub spreading_exponent: Option<Positive>,
+    /// Waves of less than this frequency are cut off, rad/s, their energy with them; without it, none are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lowest_rad_s: Option<Positive>,
+    /// Waves of more than this frequency are cut off, rad/s, their energy with them; without it, none are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub highest_rad_s: Option<Positive>,
 }
 
 impl Default for WaveRealisation {
     fn default() -> Self {
-        Self { components: 200, amplitudes: WaveAmplitudes::Deterministic, spreading_exponent: None }
+        Self {
+            components: 200,
+            amplitudes: WaveAmplitudes::Deterministic,
+            spreading_exponent: None,
+            lowest_rad_s: None,
+            highest_rad_s: None,
+        }
     }
 }
 

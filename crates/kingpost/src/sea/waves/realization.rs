@@ -34,7 +34,8 @@ pub struct WaveSystem {
     pub components: usize,
     /// How their amplitudes are drawn.
     pub amplitudes: Amplitudes,
-    /// Frequencies that are kept; none for [`Spectrum::usual_band`].
+    /// Frequencies that are kept, with what the spectrum holds there and no more; 0 and infinity for an end at which
+    /// nothing is cut off, none for both.
     pub band: Option<Band>,
 }
 
@@ -54,11 +55,11 @@ impl WaveSystem {
     /// The waves of the system, in order of frequency; the same seed and number of the system in its
     /// sea give the same waves, bit for bit.
     ///
-    /// The band is cut into as many bins as there are waves, each with the same integral of
+    /// The waves lie in [`Spectrum::usual_band`], or at the given ends of it. That is cut into as many bins as there are waves, each with the same integral of
     /// (1/2) S(w) / m0 + (1/2) / (width of the band): half of the waves go where the energy is and half
     /// are spread evenly, so that the tail is resolved too. Each bin gives one wave of the energy in
-    /// the bin, scaled so that all together have that of the whole spectrum, at a frequency that is
-    /// drawn evenly from the bin. As the frequencies have no common divisor the sea does not repeat.
+    /// the bin, scaled so that all together have that of the whole spectrum, or of what the given band leaves of it, at a
+    /// frequency that is drawn evenly from the bin. As the frequencies have no common divisor the sea does not repeat.
     /// Each wave runs in one direction, drawn from the spreading, and has a phase from 0 to 2 pi.
     ///
     /// # Errors
@@ -84,8 +85,23 @@ impl WaveSystem {
         Ok((0..count).zip(&bins).map(of_bin).collect())
     }
 
+    /// Share of the spectrum's energy that the given band cuts off.
+    pub fn energy_cut_off(&self) -> f64 {
+        let whole = self.spectrum.moment(0, self.spectrum.whole_band());
+        1.0 - self.spectrum.moment(0, self.within(self.spectrum.whole_band())) / whole
+    }
+
+    /// A band of the spectrum with the ends that were given in place of its own.
+    fn within(&self, band: Band) -> Band {
+        let Some(given) = self.band else { return band };
+        Band {
+            lowest_rad_s: if given.lowest_rad_s > 0.0 { given.lowest_rad_s } else { band.lowest_rad_s },
+            highest_rad_s: if given.highest_rad_s < f64::INFINITY { given.highest_rad_s } else { band.highest_rad_s },
+        }
+    }
+
     fn checked_band(&self) -> Result<Band, WaveError> {
-        let band = self.band.unwrap_or_else(|| self.spectrum.usual_band());
+        let band = self.within(self.spectrum.usual_band());
         if self.components == 0 || self.components > MOST_COMPONENTS {
             let allowed = format!("a number from 1 to {MOST_COMPONENTS}");
             return Err(WaveError::new("components", self.components, allowed));
@@ -100,7 +116,7 @@ impl WaveSystem {
         Ok(band)
     }
 
-    /// Bins of equal blended mass, with the energy of the whole spectrum.
+    /// Bins of equal blended mass, with the energy of the whole spectrum within the given ends.
     fn bins(&self, band: Band) -> Result<Vec<Bin>, WaveError> {
         let ladder = Ladder::new(&self.spectrum, band);
         let kept = ladder.kept();
@@ -108,7 +124,7 @@ impl WaveSystem {
             let found = format!("no energy from {} to {} rad/s", band.lowest_rad_s, band.highest_rad_s);
             return Err(WaveError::new("lowest_rad_s, highest_rad_s", found, "a band in which S(w) is above 0"));
         }
-        let whole = self.spectrum.moment(0, self.spectrum.whole_band());
+        let whole = self.spectrum.moment(0, self.within(self.spectrum.whole_band()));
         let ends = (0..=self.components).map(|i| ladder.at_mass(i as f64 / self.components as f64));
         let ends: Vec<(f64, f64)> = ends.collect();
         let bin = |ends: &[(f64, f64)]| Bin {
