@@ -318,6 +318,7 @@ fn positioning_is_linearised_exactly() {
         let free = plant.model.free_coordinates();
         let extras = plant.state_names().len();
         assert_eq!(linear.states.len(), 2 * free.len() + extras);
+        assert_eq!(linear.accelerations().len(), free.len());
         let ledger = at.s.len() - extras;
         let mut rates = |column: usize, by: f64| {
             let (mut xi, mut v, mut s) = (vec![0.0; n], at.v.to_vec(), at.s.to_vec());

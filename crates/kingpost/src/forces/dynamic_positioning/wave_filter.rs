@@ -86,11 +86,11 @@ impl<S: Scalar> WaveFilter<S> {
         }
     }
 
-    /// Names of its states.
+    /// Names of its states: a and b of each section.
     pub fn state_names(&self) -> impl Iterator<Item = String> + '_ {
         let of_section = |section: usize| {
             let signals = ["surge", "sway", "yaw"].into_iter();
-            signals.flat_map(move |signal| ["value", "rate"].map(|part| format!("filter_{section}.{signal}.{part}")))
+            signals.flat_map(move |signal| ["a", "b"].map(|part| format!("filter_{section}.{signal}.{part}")))
         };
         (1..=self.sections.len()).flat_map(of_section)
     }
