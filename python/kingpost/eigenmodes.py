@@ -29,6 +29,8 @@ MEMORY = ".radiation."
 """In the names of the states that remember radiated waves."""
 LAST = 1e-6
 """Their weight in naming zero modes: they follow where a hull is."""
+BALANCINGS = 20
+"""Sweeps over the units of further states."""
 ALIKE = 1e-9
 """Shares that differ by less are equal, and the first is taken."""
 
@@ -101,6 +103,7 @@ class Scaled:
     names: list[str]
     mass: NDArray[np.float64]
     from_scaled: NDArray[np.float64]
+    further: NDArray[np.float64]
     a: NDArray[np.float64]
     smallest: float
 
@@ -115,12 +118,18 @@ class Scaled:
         # Where nothing is stiff, 1 rad/s is as good as any other.
         square = max(np.linalg.norm(stiffness, 2) if stiffness.size else 0.0, 1.0)
         frequency = np.sqrt(square)
-        further = np.eye(len(a) - 2 * n)
-        to_scaled = block_diagonal(inward * frequency, inward, further)
-        from_scaled = block_diagonal(outward / frequency, outward, further)
-        smallest = max(SMALLEST_SHARE * square, SMALLEST_SQUARE) / frequency
         names = linear.coordinates + linear.states[2 * n :]
-        return cls(names, mass, from_scaled, to_scaled @ a @ from_scaled, smallest)
+        plain = np.eye(len(a) - 2 * n)
+        energies = (
+            block_diagonal(inward * frequency, inward, plain)
+            @ a
+            @ block_diagonal(outward / frequency, outward, plain)
+        )
+        further = balanced(energies, [MEMORY not in name for name in names[n:]])
+        to_scaled = block_diagonal(inward * frequency, inward, np.diag(1 / further))
+        from_scaled = block_diagonal(outward / frequency, outward, np.diag(further))
+        smallest = max(SMALLEST_SHARE * square, SMALLEST_SQUARE) / frequency
+        return cls(names, mass, from_scaled, further, to_scaled @ a @ from_scaled, smallest)
 
     def shapes(self, scaled: NDArray, rates: bool = False) -> NDArray:
         """Amplitudes by coordinate and further state of scaled states in columns; or their rates."""
@@ -134,10 +143,28 @@ class Scaled:
         return np.array([MEMORY in name for name in self.names])
 
     def share(self, shape: NDArray) -> NDArray[np.float64]:
-        """Weights by name: of a coordinate its energy at that amplitude, of a state its square."""
-        weights = np.ones(len(shape))
-        weights[: len(self.mass)] = np.diag(self.mass)
+        """Weights by name: of a coordinate its energy at that amplitude, of a state its scaled square."""
+        weights = np.concatenate([np.diag(self.mass), self.further**-2.0])
         return weights[:, None] * np.abs(shape) ** 2 if shape.ndim > 1 else weights * np.abs(shape) ** 2
+
+
+def balanced(a: NDArray, counts: Sequence[bool]) -> NDArray[np.float64]:
+    """Units of the last states of A in which those that count have rows as large as their columns.
+
+    Thrusts in N would drown what is in m (Osborne, *J. ACM* 7(4), 1960), powers of 2 as in LAPACK's gebal.
+    """
+    units, first = np.ones(len(counts)), len(a) - len(counts)
+    a = np.abs(a)
+    np.fill_diagonal(a, 0.0)
+    for _ in range(BALANCINGS):
+        for k in np.flatnonzero(counts):
+            row, column = a[first + k].sum(), a[:, first + k].sum()
+            if row and column:
+                factor = 2.0 ** np.round(0.5 * np.log2(row / column))
+                units[k] *= factor
+                a[first + k] /= factor
+                a[:, first + k] *= factor
+    return units
 
 
 def null_space(matrix: NDArray) -> NDArray[np.float64]:

@@ -182,3 +182,20 @@ def test_the_modes_of_a_ship_are_its_own_and_the_waters_on_demand(capsys):
     assert "modes of the water's memory of radiated waves (--all shows them)" in text
     assert main(["modes", "barge", "--all"]) == 0
     assert "radiation" in capsys.readouterr().out
+
+
+def test_a_ship_on_dynamic_positioning_has_damped_modes_of_surge_sway_and_yaw():
+    """Source: the eigenvalues of A, between 40 and 100 s; forces in N beside motions in m cost no digits."""
+    scenario = kingpost.load("offshore_vessel_on_dp", waves=False)
+    found = kingpost.modes(scenario)
+    simulation = kingpost.Simulation(scenario)
+    simulation.settle()
+    values = np.linalg.eigvals(simulation.linearize().A.values)
+    slow = [value for value in values if value.imag > 0 and 40 < 2 * np.pi / abs(value) < 100]
+    assert len(slow) == 3
+    eigenvalues = found["eigenvalue_real"].values + 1j * found["eigenvalue_imaginary"].values
+    for value in slow:
+        assert np.abs(eigenvalues - value).min() < 1e-4 * abs(value)
+        assert -value.real > 0.4 * abs(value)
+    named = {str(name) for name in found["named_after"].values}
+    assert {"hull.x", "hull.y", "hull.yaw"} <= named
