@@ -68,7 +68,12 @@ def repetitions(engine: Engine, operation: str) -> int:
     """Repetitions in a batch: fewer the larger the model."""
     if operation.startswith("batch_"):
         return BATCH_STEPS
-    return max(1, REPETITIONS[operation] * PAPER_VELOCITIES // engine.case.v.size)
+    return _fewer(engine, REPETITIONS[operation])
+
+
+def _fewer(engine: Engine, count: int) -> int:
+    """A count for the paper's model, for a larger one."""
+    return max(1, count * PAPER_VELOCITIES // (engine.case.v.size * engine.case.weight))
 
 
 def times(engines: Sequence[Engine], effort: Effort) -> dict[tuple[str, str, str], list[float]]:
@@ -92,7 +97,7 @@ def instructions(engine: Engine, operation: str) -> float | None:
     """Instructions of one operation: callgrind's difference between two repetition counts."""
     if not engine.countable or operation.startswith("batch_") or shutil.which("valgrind") is None:
         return None
-    few, many = (max(1, count * PAPER_VELOCITIES // engine.case.v.size) for count in COUNTED)
+    few, many = (_fewer(engine, count) for count in COUNTED)
     first, second = (_collected(engine, operation, count) for count in (few, many))
     return None if first is None or second is None else (second - first) / (many - few)
 

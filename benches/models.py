@@ -29,7 +29,10 @@ CHAIN_LINKS = (2, 4, 8, 16, 32, 64)
 AFLOAT: dict[str, dict[str, Any]] = {
     "linear": {"hydrostatics": "linear"},
     "mesh": {"hydrostatics": "mesh"},
+    "pressure": {"hydrostatics": "mesh", "forces.water.hydrodynamics.wave_pressure": True},
 }
+# repetitions are fewer by this factor
+HEAVY = {"pressure": 80}
 AFLOAT_STEP_S = 0.05
 SEED = 141
 STEP_S = 0.001
@@ -40,7 +43,8 @@ class Case:
     """One model at one state: the resolved scenario, its tree, and q and v in Kingpost's layout.
 
     ``files`` are what the scenario reads from others, ``snapshot`` is Kingpost's own form of the state, for
-    the WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree.
+    the WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree. By ``weight``
+    a case is repeated less often than its number of velocities says.
     """
 
     name: str
@@ -50,6 +54,7 @@ class Case:
     v: tree.Array
     tree: tree.Tree | None = None
     links: int = 0
+    weight: int = 1
     files: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -77,7 +82,9 @@ def afloat(kind: str) -> Case:
     )
     simulation = kingpost.Simulation(scenario)
     start = {"snapshot": simulation.snapshot(), "q": simulation.state.q, "v": simulation.state.v}
-    return Case(afloat_name(kind), scenario.json, **start, files=scenario.files)
+    return Case(
+        afloat_name(kind), scenario.json, **start, weight=HEAVY.get(kind, 1), files=scenario.files
+    )
 
 
 def afloat_name(kind: str) -> str:
