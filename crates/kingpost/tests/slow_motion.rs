@@ -225,6 +225,25 @@ fn with_drift_a_free_ship_in_a_head_sea_is_driven_astern_by_it() {
     assert!(drift[0] < -1000.0 && (mass * x / drift[0] - 1.0).abs() < 0.06, "{} {}", mass * x, drift[0]);
 }
 
+/// A ship that has yawed off its slow heading in a head sea: its pitch moment stays one, where a fifth of it would roll the ship
+/// 12 times as much as it pitches, by the 60 times smaller second moment of the water plane. The surge force does push across.
+#[test]
+fn a_head_sea_does_not_roll_a_ship_as_it_yaws() {
+    let mut ship = simulation(&[
+        regular(8.0, PI),
+        ("forces.water.hydrodynamics.slow_motion_cutoff_rad_s", json!(1e-12)),
+        ("bodies.hull.joint.floating.initial.angular_velocity_rad_s", json!([0.0, 0.0, 0.005])),
+    ]);
+    let mut largest = [0.0_f64; 2];
+    for _ in 0..800 {
+        ship.step(1).expect("it runs");
+        let turns = ["roll", "pitch"].map(|angle| values(&mut ship, angle)[0]);
+        largest.iter_mut().zip(turns).for_each(|(most, turn)| *most = most.max(turn.abs()));
+    }
+    assert!(values(&mut ship, "yaw")[0] > 0.15);
+    assert!(largest[1] > 0.02 && largest[0] < 0.1 * largest[1], "{largest:?}");
+}
+
 #[test]
 fn drift_and_the_waves_pressure_do_not_act_together() {
     let both = [

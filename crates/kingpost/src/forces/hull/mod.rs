@@ -23,7 +23,7 @@ use crate::dynamics::{LinkKinematics, Loads, Moment};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::sea::hull::{FloatingPosition, HullMesh, LinearHydrostatics, WettedHull};
-use crate::spatial::{Vector3, Wrench};
+use crate::spatial::{Frame, Matrix3, Vector3, Wrench};
 
 /// How buoyancy is computed.
 #[derive(Clone, Debug)]
@@ -196,28 +196,30 @@ impl<S: Scalar> Hull<S> {
         radiation.steady(&[x, y, none, none, none, none], &mut states[self.first_state..][..self.state_count()]);
     }
 
-    /// Velocity and angular velocity of the reference point relative to the water, in the axes of the slow frame.
+    /// Velocity and angular velocity of the reference point relative to the water: linear and yaw in the axes of the slow
+    /// frame, roll and pitch about level axes of the hull's own heading.
     ///
-    /// Loads in those axes act at, and see the velocity of, a point that keeps its place from the centre of mass while the
-    /// hull tilts: where it would be on average. A lever that tilted with the hull would make of first-order loads a mean
-    /// moment of second order, which belongs to the drift.
+    /// What these axes leave out is of second order, and chosen so that first-order loads make no motion of their own of it.
+    /// Forces in axes that yawed with the waves would have a mean, which belongs to the drift; so would a lever that tilted
+    /// with the hull. But moments of roll and pitch belong to the hull: in axes that did not yaw with it a slender ship's
+    /// pitch moment, many times that of roll, would turn to roll it at the difference of the frequencies of waves and yaw.
     fn velocity_through_water(&self, motion: &HullMotion<S>, slow: &SlowFrame<S>) -> [S; 6] {
-        let to_slow = |v: Vector3<S>| slow.rotation().transpose_times(motion.frame.rotation * v);
-        let HullMotion { twist, .. } = *motion;
-        let centre = twist.linear - twist.angular.cross(self.frame.origin);
-        let angular = to_slow(twist.angular);
-        let stream = slow.rotation().transpose_times(self.current);
-        let [x, y, z] = (to_slow(centre) - stream + angular.cross(self.frame.origin)).0;
+        let HullMotion { frame, twist } = motion;
+        let to_slow = |v: Vector3<S>| slow.rotation().transpose_times(v);
+        let angular = level(frame).transpose_times(frame.rotation * twist.angular);
+        let centre = frame.rotation * (twist.linear - twist.angular.cross(self.frame.origin));
+        let [x, y, z] = (to_slow(centre - self.current) + angular.cross(self.frame.origin)).0;
         let [roll, pitch, yaw] = angular.0;
         [x, y, z, roll, pitch, yaw]
     }
 
-    /// A force and moment in the axes of the slow frame as a wrench about the body's centre of mass, in its axes.
+    /// A force and moment along those axes as a wrench about the body's centre of mass, in its axes.
     fn about_centre(&self, force: &[S; 6], motion: &HullMotion<S>, slow: &SlowFrame<S>) -> Wrench<S> {
         let [x, y, z, roll, pitch, yaw] = *force;
-        let to_body = |v: Vector3<S>| motion.frame.rotation.transpose_times(slow.rotation() * v);
         let (force, moment) = (Vector3([x, y, z]), Vector3([roll, pitch, yaw]));
-        Wrench { moment: to_body(moment + self.frame.origin.cross(force)), force: to_body(force) }
+        let to_body = |v: Vector3<S>| motion.frame.rotation.transpose_times(v);
+        let moment = level(&motion.frame) * (moment + self.frame.origin.cross(force));
+        Wrench { moment: to_body(moment), force: to_body(slow.rotation() * force) }
     }
 
     /// What it holds where a run begins.
@@ -246,9 +248,15 @@ impl<S: Scalar> Hull<S> {
     }
 }
 
-/// A wrench in the hull's axes as a force and moment in those of the slow frame.
+/// From level axes of a hull's own heading to the world's.
+fn level<S: Scalar>(frame: &Frame<S>) -> Matrix3<S> {
+    SlowFrame::of(frame).rotation()
+}
+
+/// A wrench in the hull's axes as a force in those of the slow frame and a moment in level ones of its own heading.
 fn in_slow<S: Scalar>(wrench: &Wrench<S>, motion: &HullMotion<S>, slow: &SlowFrame<S>) -> [S; 6] {
-    let to_slow = |v: Vector3<S>| slow.rotation().transpose_times(motion.frame.rotation * v).0;
-    let ([x, y, z], [roll, pitch, yaw]) = (to_slow(wrench.force), to_slow(wrench.moment));
+    let to_world = |v: Vector3<S>| motion.frame.rotation * v;
+    let [x, y, z] = slow.rotation().transpose_times(to_world(wrench.force)).0;
+    let [roll, pitch, yaw] = level(&motion.frame).transpose_times(to_world(wrench.moment)).0;
     [x, y, z, roll, pitch, yaw]
 }
