@@ -9,6 +9,7 @@ from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import database_file
 from kingpost.hydro.database import (
     Database,
+    DriftLoading,
     Hull,
     Mesh,
     Provenance,
@@ -45,6 +46,22 @@ def sample(n: int = 3, m: int = 4, **changes: object) -> Database:
         "radiation": Radiation((mode,) * 6, 0.01),
     }  # fmt: skip
     return Database(**(values | changes))
+
+
+def test_keeps_the_loading_of_the_drift_and_reads_files_without_one(tmp_path):
+    loading = DriftLoading(4.1e5, 2.5, np.array([3.23, 5.95, 6.45]), 0.05)
+    path = database_file.write(sample(mean_drift_loading=loading), tmp_path / "a.hydro.json")
+    read = database_file.read(path).mean_drift_loading
+    assert (read.mass_kg, read.keel_to_gravity_m, read.roll_damping_ratio) == (4.1e5, 2.5, 0.05)
+    assert read.radii_of_gyration_m.tolist() == [3.23, 5.95, 6.45]
+    tree = json.loads(path.read_text())
+    tree["mean_drift_loading"]["radii_of_gyration_m"][1] = 0
+    path.write_text(json.dumps(tree))
+    with pytest.raises(HydrodynamicsError, match=r"mean_drift_loading\.radii_of_gyration_m: found 0"):
+        database_file.read(path)
+    before = database_file.write(sample(), tmp_path / "b.hydro.json")
+    assert "mean_drift_loading" not in json.loads(before.read_text())
+    assert database_file.read(before).mean_drift_loading is None
 
 
 def test_reads_what_it_wrote_to_seven_digits(tmp_path):

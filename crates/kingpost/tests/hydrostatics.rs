@@ -5,7 +5,7 @@ mod common;
 use common::barge::{BEAM, DENSITY, DEPTH, LENGTH, TEXT, files, scenario};
 use kingpost::Simulation;
 use kingpost::hydrostatics::{HullAfloat, HydrostaticReport, RightingArmPoint, Side};
-use kingpost::scenario::read_with;
+use kingpost::scenario::{Files, read_with};
 use serde_json::{Value, json};
 
 const MAST: &str = "bodies.mast.joint.prismatic.position_m";
@@ -238,6 +238,55 @@ fn a_hull_that_cannot_float_is_an_error_and_what_does_not_rest_is_a_warning() {
     assert!(error.starts_with("forces.water.hydrodynamics: the hull cannot float: 1230.000 t displace"), "{error}");
     let dry = scenario(&[(HYDROSTATICS, json!("none"))]).hydrostatic_report().expect("no error");
     assert!(dry.hulls.is_empty() && dry.warnings[0].starts_with("no hydrostatics"), "{dry:?}");
+}
+
+/// Sums over the parts: of the hull its given radii, of the mast a box, of the load a ball, each with m d^2.
+#[test]
+fn another_loading_than_that_of_the_drift_is_warned_of() {
+    let kg = keel_to_gravity();
+    let [x, y, z] = [3.5, 6.0, 6.0].map(|radius: f64| WEIGHTS[0].0 * radius * radius);
+    let (mast, ball) = (WEIGHTS[1].0, WEIGHTS[2].0);
+    let up: f64 = WEIGHTS.iter().map(|(mass, height)| mass * (height - kg) * (height - kg)).sum();
+    let (wide, high) = (mast * 17.0 / 12.0, mast * 2.0 / 12.0);
+    let of_ball = 0.4 * ball * 0.25;
+    let radii =
+        [x + wide + of_ball + up, y + wide + of_ball + up, z + high + of_ball].map(|moment| (moment / total()).sqrt());
+    let warned = |mass_kg: f64, kg: f64, radii: [f64; 3], drifts: bool| {
+        let mut data: Value = serde_json::from_str(&common::barge::database()).expect("JSON");
+        let none = vec![vec![[0.0; 3]; 12]; 40];
+        data["mean_drift"] = json!(none);
+        data["mean_drift_loading"] = json!({"mass_kg": mass_kg, "keel_to_gravity_m": kg, "radii_of_gyration_m": radii,
+                                            "roll_damping_ratio": 0.05});
+        let files = Files::new([("barge.hydro.json".to_owned(), data.to_string())]);
+        let pairs = [(MAST, json!([0.0, 0.0, 7.0])), ("forces.water.hydrodynamics.wave_drift", json!(drifts))];
+        let pairs = pairs.map(|(name, value)| (name.to_owned(), value));
+        let scenario = read_with(common::barge::TEXT, "barge.yaml", &pairs, &files).expect("it is sound");
+        let warnings = scenario.hydrostatic_report().expect("it floats").warnings;
+        warnings.into_iter().filter(|words| words.contains("another loading")).collect::<Vec<_>>()
+    };
+    for share in [0.955, 1.0, 1.045] {
+        assert_eq!(warned(share * total(), share * kg, radii.map(|radius| share * radius), true), Vec::<String>::new());
+    }
+    let off = radii.map(|radius| 1.06 * radius);
+    let all = warned(0.9 * total(), 1.06 * kg, off, true);
+    assert_eq!(all.len(), 5, "{all:?}");
+    assert!(all[0].starts_with("hull: mass 410.0000 t, the database's mean drift is of 369.0000 t"), "{all:?}");
+    assert_eq!(warned(0.9 * total(), 1.06 * kg, off, false), Vec::<String>::new());
+}
+
+/// 12 directions hold 6 harmonics: about half a length of 10 m waves of k = 0.6 / m, 10.5 m and 2.6 s.
+#[test]
+fn waves_too_short_for_the_directions_of_the_data_are_warned_of() {
+    let warned = |period: f64| {
+        let swell = "sea.waves.swell.regular";
+        let (on, length) = (format!("{swell}.enabled"), format!("{swell}.period_s"));
+        let words = report(&[(on.as_str(), json!(true)), (length.as_str(), json!(period))]).warnings;
+        words.into_iter().find(|words| words.contains("12 wave directions"))
+    };
+    let shortest = libm::sqrt(core::f64::consts::TAU * core::f64::consts::TAU / (9.80665 * 0.6));
+    assert_eq!(warned(1.01 * shortest), None);
+    let short = warned(0.99 * shortest).expect("a warning");
+    assert!(short.contains("resolve waves of 10.5 m and more about its 20.0 m: 100.0 % of"), "{short}");
 }
 
 /// A tag line keeps the load from swinging; a line that lifts the hull is told of.

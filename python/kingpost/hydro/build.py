@@ -13,7 +13,7 @@ from ..errors import HydrodynamicsError
 from . import checks
 from .airy import wave_number
 from .database import Database, Hull, Provenance, Water, Waterplane
-from .drift import Loading, drift, stiffness_matrix
+from .drift import Loading, drift, stiffness_matrix, stored
 from .solve import PANELS_PER_WAVE, SHALLOWEST_LID, solve
 
 if TYPE_CHECKING:
@@ -103,7 +103,9 @@ def build(
     checks.check(database)
     if loading is None:
         return database
-    return replace(database, mean_drift=drift(database, found.far_field, loading, hull.reflections))
+    found_drift = drift(database, found.far_field, loading, hull.reflections)
+    kept = stored(loading, database.hull, water)
+    return replace(database, mean_drift=found_drift, mean_drift_loading=kept)
 
 
 def _check_depth(hull: HullMeshes, water: Water) -> None:

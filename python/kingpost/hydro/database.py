@@ -71,6 +71,17 @@ class Hull:
 
 
 @dataclass(frozen=True)
+class DriftLoading:
+    """The loading that a mean drift was computed for: mass, KG, radii of gyration in roll, pitch and yaw
+    about the centre of gravity, and what was added to the roll damping, of the critical."""
+
+    mass_kg: float
+    keel_to_gravity_m: float
+    radii_of_gyration_m: NDArray[np.float64]
+    roll_damping_ratio: float
+
+
+@dataclass(frozen=True)
 class RadiationMode:
     """Poles, rad/s, each with imaginary part >= 0, and residues (pole, force) of the memory of one motion.
 
@@ -111,6 +122,8 @@ class Database:
         squared; N/m2 and N/m.
     radiation
         The fitted memory, or `None`.
+    mean_drift_loading
+        What the mean drift was computed for, or `None` where nothing says it.
     """
 
     title: str
@@ -126,6 +139,7 @@ class Database:
     diffraction: NDArray[np.complex128]
     mean_drift: NDArray[np.float64] | None = None
     radiation: Radiation | None = None
+    mean_drift_loading: DriftLoading | None = None
 
     @property
     def excitation(self) -> NDArray[np.complex128]:

@@ -14,7 +14,17 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import HydrodynamicsError
-from .database import Database, Hull, Mesh, Provenance, Radiation, RadiationMode, Water, Waterplane
+from .database import (
+    Database,
+    DriftLoading,
+    Hull,
+    Mesh,
+    Provenance,
+    Radiation,
+    RadiationMode,
+    Water,
+    Waterplane,
+)
 from .fields import Fields
 
 if TYPE_CHECKING:
@@ -106,7 +116,7 @@ def check_output(path: str | Path) -> Path:
 _HULL = ("draught_m", "length_m", "beam_m", "volume_m3", "centre_of_buoyancy_m", "waterplane", "mesh")
 _TOP = ("format", "version", "title", "provenance", "water", "hull", "frequencies_rad_s",
         "wave_directions_rad", "added_mass", "radiation_damping", "added_mass_infinite", "froude_krylov",
-        "diffraction", "mean_drift", "radiation")  # fmt: skip
+        "diffraction", "mean_drift", "mean_drift_loading", "radiation")  # fmt: skip
 
 
 def from_tree(tree: dict[str, Any], file: str | None = None) -> Database:
@@ -115,7 +125,8 @@ def from_tree(tree: dict[str, Any], file: str | None = None) -> Database:
         if name in tree:
             # Another version has other fields: say that rather than which.
             Fields(tree, "", file).constant(name, value)
-    top = Fields.of(tree, "", file, _TOP)
+    # Files of before have no loading.
+    top = Fields.of({"mean_drift_loading": None, **tree}, "", file, _TOP)
     frequencies = top.numbers("frequencies_rad_s", None)
     if len(frequencies) == 0 or frequencies[0] <= 0 or (np.diff(frequencies) <= 0).any():
         raise top.wrong("frequencies_rad_s", "a list that is not", "one or more, increasing, greater than 0")
@@ -138,6 +149,7 @@ def from_tree(tree: dict[str, Any], file: str | None = None) -> Database:
         diffraction=_complex(top, "diffraction", n, m),
         mean_drift=None if top.values["mean_drift"] is None else top.numbers("mean_drift", n, m, 3),
         radiation=None if top.values["radiation"] is None else _radiation(top),
+        mean_drift_loading=None if top.values["mean_drift_loading"] is None else _drift_loading(top),
     )
 
 
@@ -183,6 +195,16 @@ def _complex(top: Fields, name: str, n: int, m: int) -> NDArray[np.complex128]:
     return at.numbers("real", n, m, 6) + 1j * at.numbers("imaginary", n, m, 6)
 
 
+def _drift_loading(top: Fields) -> DriftLoading:
+    names = ("mass_kg", "keel_to_gravity_m", "radii_of_gyration_m", "roll_damping_ratio")
+    at = top.fields("mean_drift_loading", names)
+    radii = at.numbers("radii_of_gyration_m", 3)
+    if not (radii > 0).all():
+        raise at.wrong("radii_of_gyration_m", f"{radii.min():g}", "numbers greater than 0")
+    mass, height = (at.number(name, positive=True) for name in ("mass_kg", "keel_to_gravity_m"))
+    return DriftLoading(mass, height, radii, at.number("roll_damping_ratio"))
+
+
 def _radiation(top: Fields) -> Radiation:
     at = top.fields("radiation", ("modes", "fit_error"))
     modes = at.values["modes"]
@@ -224,6 +246,9 @@ def to_tree(database: Database) -> dict[str, Any]:
         "froude_krylov": _parts(here.froude_krylov), "diffraction": _parts(here.diffraction),
         "mean_drift": here.mean_drift,
     }  # fmt: skip
+    loading = here.mean_drift_loading
+    if loading is not None:
+        tree["mean_drift_loading"] = vars(loading)
     return {**_plain(tree), "radiation": _radiation_tree(here.radiation)}
 
 

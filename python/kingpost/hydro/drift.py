@@ -16,6 +16,7 @@ import numpy as np
 
 from ..errors import HydrodynamicsError
 from .airy import group_ratio, wave_number
+from .database import DriftLoading
 from .symmetry import whole_circle
 
 if TYPE_CHECKING:
@@ -65,6 +66,13 @@ class Loading:
             f"radii of gyration {', '.join(f'{radius:g}' for radius in radii)} m, roll damped by "
             f"{self.roll_damping_ratio:g} of the critical beside its waves"
         )
+
+
+def stored(loading: Loading, hull: Hull, water: Water) -> DriftLoading:
+    """As the database keeps it."""
+    radii = np.array([loading.roll_gyration_m, loading.pitch_gyration_m, loading.yaw_gyration_m])
+    mass = water.density_kg_m3 * hull.volume_m3
+    return DriftLoading(mass, loading.kg_m, radii, loading.roll_damping_ratio)
 
 
 def mass_matrix(hull: Hull, water: Water, loading: Loading) -> NDArray[np.float64]:

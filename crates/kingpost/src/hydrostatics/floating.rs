@@ -88,7 +88,7 @@ impl Floating<'_> {
     }
 
     /// The data's frame in the world.
-    fn frame(&self) -> Frame {
+    pub(super) fn frame(&self) -> Frame {
         self.at.world[self.hull.frame.body].times(&Frame::translation(self.hull.frame.origin))
     }
 
@@ -96,7 +96,7 @@ impl Floating<'_> {
         FloatingPosition::of(&self.frame())
     }
 
-    fn carried_weight(&self) -> Weight {
+    pub(super) fn carried_weight(&self) -> Weight {
         weight(self.model, self.at, &carried(self.model, self.hull.frame.body))
     }
 

@@ -14,6 +14,7 @@
 mod floating;
 mod hanging;
 mod righting;
+mod wave_data;
 
 pub use hanging::HangingLoad;
 pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
@@ -144,7 +145,11 @@ impl Scenario {
         let at_rest = kinematics(&model, &simulation.state().q);
         for (hull, database) in hulls {
             let floating = Floating { hull, database, model: &model, at: &at_rest, gravity };
-            let (afloat, warnings) = floating.describe(&restraints);
+            let (afloat, mut warnings) = floating.describe(&restraints);
+            if let Some(afloat) = afloat.as_ref().filter(|_| self.drifts(&hull.name)) {
+                warnings.extend(floating.drift_warnings(afloat.keel_to_gravity_m));
+            }
+            warnings.extend(floating.direction_warnings());
             report.hulls.extend(afloat);
             report.warnings.extend(warnings);
         }
@@ -152,9 +157,17 @@ impl Scenario {
     }
 
     fn database_of(&self, force: &str) -> Option<&Database> {
+        self.files.database(&self.hydrodynamics(force)?.database).map(|database| &**database)
+    }
+
+    /// Whether the mean drift of its database acts on a hull.
+    fn drifts(&self, force: &str) -> bool {
+        self.hydrodynamics(force).is_some_and(|given| given.wave_drift)
+    }
+
+    fn hydrodynamics(&self, force: &str) -> Option<&schema::Hydrodynamics> {
         let (_, force) = self.forces.iter().find(|(name, _)| name.as_str() == force)?;
-        let schema::Force::Hydrodynamics(given) = force else { return None };
-        self.files.database(&given.database).map(|database| &**database)
+        if let schema::Force::Hydrodynamics(given) = force { Some(given) } else { None }
     }
 }
 

@@ -63,9 +63,26 @@ pub struct Database {
     /// N m/m^2.
     #[serde(default)]
     pub mean_drift: Option<Vec<Vec<[f64; 3]>>>,
+    /// The loading that the mean drift was computed for, where the data say it.
+    #[serde(default)]
+    pub mean_drift_loading: Option<DriftLoading>,
     /// The fitted state-space model of radiation.
     #[serde(default)]
     pub radiation: Option<RadiationModel>,
+}
+
+/// A hull's loading: it decides how the hull moves in waves, and so how it drifts.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DriftLoading {
+    /// kg.
+    pub mass_kg: f64,
+    /// KG, m.
+    pub keel_to_gravity_m: f64,
+    /// In roll, pitch and yaw, about the centre of gravity, m.
+    pub radii_of_gyration_m: [f64; 3],
+    /// Of the critical roll damping, added for viscosity.
+    pub roll_damping_ratio: f64,
 }
 
 /// Water.

@@ -18,6 +18,7 @@ pub(super) fn check(database: &Database) -> Checked {
     unless(database.format == "kingpost-hydrodynamics", "format", &database.format, "kingpost-hydrodynamics")?;
     unless(database.version == 1, "version", database.version, "1")?;
     check_water_and_hull(database)?;
+    check_drift_loading(database)?;
     check_grids(database)?;
     check_matrices(database)?;
     check_excitation("froude_krylov", database, &database.froude_krylov)?;
@@ -40,6 +41,22 @@ fn check_water_and_hull(database: &Database) -> Checked {
     positive("hull.beam_m", hull.beam_m)?;
     positive("hull.volume_m3", hull.volume_m3)?;
     positive("hull.waterplane.area_m2", hull.waterplane.area_m2)
+}
+
+fn check_drift_loading(database: &Database) -> Checked {
+    let Some(loading) = &database.mean_drift_loading else { return Ok(()) };
+    let [roll, pitch, yaw] = loading.radii_of_gyration_m;
+    let numbers = [
+        ("mass_kg", loading.mass_kg),
+        ("keel_to_gravity_m", loading.keel_to_gravity_m),
+        ("radii_of_gyration_m.0", roll),
+        ("radii_of_gyration_m.1", pitch),
+        ("radii_of_gyration_m.2", yaw),
+    ];
+    let positive = |(field, x): (&str, f64)| {
+        unless(x.is_finite() && x > 0.0, &format!("mean_drift_loading.{field}"), x, "a number greater than 0")
+    };
+    numbers.into_iter().try_for_each(positive)
 }
 
 fn check_grids(database: &Database) -> Checked {

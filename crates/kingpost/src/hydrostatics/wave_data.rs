@@ -1,0 +1,83 @@
+//! Where the waves' loads stand on data of another loading, or of too few directions.
+
+use super::floating::Floating;
+use super::hanging::carried;
+use crate::spatial::{Frame, SpatialInertia};
+
+/// A loading that differs from that of the data's mean drift by more than this share is warned of.
+const LARGEST_CHANGE: f64 = 0.05;
+/// Share of the waves' energy that may be too short for the data's directions.
+const MOST_UNRESOLVED: f64 = 0.1;
+
+impl Floating<'_> {
+    /// Of a hull that drifts: mass, KG and radii of gyration of the ship with what it carries, as it stands, against those
+    /// that the mean drift was computed for.
+    pub(super) fn drift_warnings(&self, keel_to_gravity_m: f64) -> Vec<String> {
+        let Some(of_data) = &self.database.mean_drift_loading else { return Vec::new() };
+        let ([roll, pitch, yaw], data) = (self.radii_of_gyration(), of_data.radii_of_gyration_m);
+        let quantities = [
+            ("mass", "t", self.carried_weight().mass / 1000.0, of_data.mass_kg / 1000.0),
+            ("KG", "m", keel_to_gravity_m, of_data.keel_to_gravity_m),
+            ("radius of gyration in roll", "m", roll, data[0]),
+            ("radius of gyration in pitch", "m", pitch, data[1]),
+            ("radius of gyration in yaw", "m", yaw, data[2]),
+        ];
+        let apart =
+            quantities.into_iter().filter(|(_, _, here, data)| (here - data).abs() > LARGEST_CHANGE * data.abs());
+        let body = &self.model.bodies[self.hull.frame.body].name;
+        let warning = |(what, unit, here, data): (&str, &str, f64, f64)| {
+            format!(
+                "{body}: {what} {here:.4} {unit}, the database's mean drift is of {data:.4} {unit}: wave_drift is that of \
+                 another loading (warned of beyond {:.0} %)",
+                100.0 * LARGEST_CHANGE
+            )
+        };
+        apart.map(warning).collect()
+    }
+
+    /// About the centre of gravity of all, along the hull's axes, m.
+    fn radii_of_gyration(&self) -> [f64; 3] {
+        let weight = self.carried_weight();
+        let centre = Frame { rotation: self.frame().rotation, position: weight.centre }.inverse();
+        let moments = |body: usize, inertia: &SpatialInertia| {
+            let angular = inertia.to_parent(&centre.times(&self.at.world[body])).angular;
+            [angular.xx, angular.yy, angular.zz]
+        };
+        let bodies = carried(self.model, self.hull.frame.body);
+        let mut sums = [0.0; 3];
+        for &body in &bodies {
+            let of_body = moments(body, &self.model.tree.nodes[body].inertia);
+            sums = core::array::from_fn(|k| sums[k] + of_body[k]);
+        }
+        // The share of the water is no part of the loading.
+        for (body, added) in self.model.added_inertias.iter().filter(|(body, _)| bodies.contains(body)) {
+            let of_water = moments(*body, added);
+            sums = core::array::from_fn(|k| sums[k] - of_water[k]);
+        }
+        sums.map(|moment| libm::sqrt(moment / weight.mass))
+    }
+
+    /// Between N directions of the circle a load is a sum of N / 2 harmonics; about a ship of half length R a wave of number k
+    /// has about k R of them.
+    pub(super) fn direction_warnings(&self) -> Vec<String> {
+        let Some(excitation) = &self.hull.excitation else { return Vec::new() };
+        let (count, length) = (self.database.wave_directions_rad.len(), self.database.hull.length_m);
+        let shortest_m = core::f64::consts::TAU * length / count as f64;
+        let energy = |counts: &dyn Fn(f64) -> bool| -> f64 {
+            let waves = excitation.field().components().filter(|wave| counts(wave.wave_number_per_m));
+            waves.map(|wave| wave.amplitude_m * wave.amplitude_m).sum()
+        };
+        let share = energy(&|k| k * length > count as f64) / energy(&|_| true);
+        if share.is_nan() || share <= MOST_UNRESOLVED {
+            return Vec::new();
+        }
+        let body = &self.model.bodies[self.hull.frame.body].name;
+        vec![format!(
+            "{body}: {count} wave directions of its database resolve waves of {shortest_m:.1} m and more about its {length:.1} m: \
+             {:.1} % of the waves' energy is shorter, whose loads are rough at headings between the directions (warned of \
+             beyond {:.0} %)",
+            100.0 * share,
+            100.0 * MOST_UNRESOLVED
+        )]
+    }
+}
