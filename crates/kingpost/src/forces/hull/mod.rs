@@ -71,7 +71,7 @@ impl<S: Scalar> Hydrostatics<S> {
 }
 
 /// The sea at a hull at one moment. Forces (N) and moments (N m) are about the hull's reference
-/// point, in the axes of the slow frame.
+/// point, in the axes of the slow frame; those of roll and pitch about level axes of its own heading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HullReading<S = f64> {
     /// Of the incident waves at the slow frame's place, m.
