@@ -145,6 +145,10 @@ def _joints(results: xarray.Dataset, scenario: Scenario) -> list[str]:
     in_degrees = 180 / np.pi
     most_force = float(np.abs(results["joint_reaction"].values).max())
     slides = {joint["name"] for joint in scenario.model["joints"] if joint["kind"] == "prismatic"}
+    # The third axis of a spherical joint, by the same name, turns.
+    slides |= {
+        f"{joint['name']}.z" for joint in scenario.model["joints"] if joint["kind"] == "moved_by_waves"
+    }
     for name in results["coordinate"].values:
         position, rate, force = (
             results[variable].sel(coordinate=name)

@@ -80,6 +80,16 @@ def test_it_moves_as_the_ship_that_floats(folder: Path) -> None:
     assert np.std((free - free.mean()) - (moved - moved.mean())) < 0.03 * np.std(free)
 
 
+def test_its_heave_is_told_in_metres(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    swell = "waves: {swell: {regular: {height_m: 2, period_s: 9, direction_deg: 150}}}"
+    (folder / "swell.yaml").write_text(MOVED.replace("waves: {}", swell).replace("600", "10"))
+    assert main(["run", str(folder / "swell.yaml")]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    units = {line.split()[0]: line.split()[3] for line in lines if line.startswith("hull.")}
+    lengths, turns = {"hull.x": "m", "hull.y": "m", "hull.z": "m"}, ("yaw", "pitch", "roll")
+    assert units == lengths | {f"hull.{turn}": "deg" for turn in turns}
+
+
 def test_a_table_says_where_its_waves_go_and_of_which_body(folder: Path) -> None:
     text = (folder / "ship.csv").read_text()
     assert text.startswith("# Offshore vessel with a pedestal crane: displacement RAOs")
