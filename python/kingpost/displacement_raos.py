@@ -48,8 +48,8 @@ def displacement_raos(found: xarray.Dataset, body: str | None = None) -> pandas.
     >>> from kingpost import rao
     >>> found = rao("barge", directions_rad=[np.pi], frequencies_rad_s=[0.4])
     >>> table = displacement_raos(found)
-    >>> table["direction_to_deg"][0], round(table["heave_up_m_per_m"][0], 1)
-    (180.0, 1.0)
+    >>> round(table["direction_to_deg"].item()), round(table["heave_up_m_per_m"].item(), 1)
+    (180, 1.0)
     """
     floating = [name for name in floating_bodies(found) if name in found["point"].values]
     if body is None and floating:
