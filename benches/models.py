@@ -43,8 +43,8 @@ class Case:
     """One model at one state: the resolved scenario, its tree, and q and v in Kingpost's layout.
 
     ``files`` are what the scenario reads from others, ``snapshot`` is Kingpost's own form of the state, for
-    the WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree. By ``weight``
-    a case is repeated less often than its number of velocities says.
+    the WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree. By
+    ``weight`` a case is repeated less often than its number of velocities says.
     """
 
     name: str
@@ -82,9 +82,7 @@ def afloat(kind: str) -> Case:
     )
     simulation = kingpost.Simulation(scenario)
     start = {"snapshot": simulation.snapshot(), "q": simulation.state.q, "v": simulation.state.v}
-    return Case(
-        afloat_name(kind), scenario.json, **start, weight=HEAVY.get(kind, 1), files=scenario.files
-    )
+    return Case(afloat_name(kind), scenario.json, **start, weight=HEAVY.get(kind, 1), files=scenario.files)
 
 
 def afloat_name(kind: str) -> str:

@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kingpost::forces::dynamic_positioning::{Allocation, Thruster, ThrusterKind, WaveFilter};
 use kingpost::spatial::Vector3;
-use nalgebra::{Complex, DMatrix, DVector, Normed};
+use nalgebra::{Complex, DMatrix, DVector};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 
