@@ -2,11 +2,11 @@
 
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
+use crate::sea::waves::ramp;
 use core::f64::consts::TAU;
 
 /// The six coordinates of a body that moves as the waves say, `q(t) = r(t) Re sum X a e^(-i w t)` with exact rates and
-/// accelerations; r is the ramp of the waves, `s^3 (10 - 15 s + 6 s^2)` with s = t / T up to T, whose two derivatives are 0
-/// at both ends.
+/// accelerations; r is the [`ramp`] of the waves up to T.
 #[derive(Clone, Debug)]
 pub struct WaveMotion<S = f64> {
     /// Index of the first in v.
@@ -43,7 +43,7 @@ impl<S: Scalar> WaveMotion<S> {
 
     /// The motions at a time.
     pub fn at(&self, time_s: f64) -> SixMotions<S> {
-        let [ramp, ramp_rate, ramp_acceleration] = self.ramp(time_s).map(S::constant);
+        let [ramp, ramp_rate, ramp_acceleration] = ramp(time_s, self.ramp_s).map(S::constant);
         let steady = self.steady(time_s);
         let two = S::constant(2.0);
         SixMotions {
@@ -68,15 +68,5 @@ impl<S: Scalar> WaveMotion<S> {
             }
         }
         sums
-    }
-
-    fn ramp(&self, time_s: f64) -> [f64; 3] {
-        if time_s >= self.ramp_s {
-            return [1.0, 0.0, 0.0];
-        }
-        let (s, length) = ((time_s / self.ramp_s).max(0.0), self.ramp_s);
-        let left = 1.0 - s;
-        let rate = 30.0 * s * s * left * left / length;
-        [s * s * s * (10.0 - s * (15.0 - 6.0 * s)), rate, 60.0 * s * left * (1.0 - 2.0 * s) / (length * length)]
     }
 }

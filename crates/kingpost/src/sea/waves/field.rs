@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::components::WaveComponent;
+use super::ramp::ramp;
 use super::water::Water;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -102,14 +103,10 @@ impl<S: Scalar> WaveField<S> {
         &self.water
     }
 
-    /// What the amplitudes are multiplied by at this time: 0 before 0, 1 after the ramp, and
-    /// s^3 (10 - 15 s + 6 s^2) with s = t / ramp between, whose first two derivatives are 0 at both ends.
+    /// What the amplitudes are multiplied by at this time: [`ramp`].
     pub fn ramp(&self, time_s: f64) -> f64 {
-        if time_s >= self.ramp_s {
-            return 1.0;
-        }
-        let s = (time_s / self.ramp_s).max(0.0);
-        s * s * s * (10.0 - s * (15.0 - 6.0 * s))
+        let [share, ..] = ramp(time_s, self.ramp_s);
+        share
     }
 
     /// Elevation of the surface, m, at a point (x, y), world, m.

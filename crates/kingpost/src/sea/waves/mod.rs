@@ -10,6 +10,7 @@ mod dispersion;
 mod error;
 mod field;
 mod noise;
+mod ramp;
 mod realization;
 mod record;
 mod spectrum;
@@ -22,6 +23,7 @@ pub use dispersion::{group_velocity_m_s, wave_number};
 pub use error::WaveError;
 pub use field::{WaveField, WaveKinematics};
 pub use noise::Noise;
+pub use ramp::ramp;
 pub use realization::{Amplitudes, WaveSystem};
 pub use record::{ElevationRecord, ElevationTable, MOST_SAMPLES};
 pub use spectrum::{
