@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .errors import KingpostError
+from .seeds import SEED
 
 if TYPE_CHECKING:
     import xarray
 
-SEED = "simulation.seed"
 WORDS = ("title", "description")
 """Of a scenario, what does not change a run."""
 
