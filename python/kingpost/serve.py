@@ -12,6 +12,7 @@ import threading
 from functools import partial
 from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote, unquote, urlsplit
@@ -20,22 +21,12 @@ from urllib.request import urlopen
 from . import _engine, gallery
 from .errors import KingpostError
 from .scenario import load
+from .served import TYPES, Body, Compressor, accepts_gzip, content_type
 
 LOOPBACK = "127.0.0.1"
 FIRST_PORT = 8000
 PORTS_TRIED = 100
 EVERYWHERE = ("0.0.0.0", "::", "")
-TYPES = {
-    ".html": "text/html; charset=utf-8",
-    ".js": "text/javascript; charset=utf-8",
-    ".css": "text/css; charset=utf-8",
-    ".json": "application/json",
-    ".yaml": "application/yaml; charset=utf-8",
-    ".yml": "application/yaml; charset=utf-8",
-    ".svg": "image/svg+xml",
-    ".wasm": "application/wasm",
-    ".webmanifest": "application/manifest+json",
-}
 
 
 def command(scenario: str | None, port: int | None, host: str | None, check: bool) -> int:
@@ -114,15 +105,6 @@ def index(
     ]
 
 
-def content_type(path: str) -> str:
-    """MIME type of a path by its ending.
-
-    >>> content_type("engine/kingpost_bg.wasm")
-    'application/wasm'
-    """
-    return TYPES.get(Path(path).suffix.lower(), "text/plain; charset=utf-8")
-
-
 class Handler(SimpleHTTPRequestHandler):
     """Serves the app's folder, and the scenarios from memory under `scenarios/`."""
 
@@ -131,28 +113,34 @@ class Handler(SimpleHTTPRequestHandler):
 
     server: Server
 
-    def do_GET(self) -> None:
-        """Answer with a scenario or a file of the app."""
-        if not self._page(body=True):
-            super().do_GET()
+    def send_head(self) -> BytesIO | None:
+        """The head of the answer with a scenario or a file of the app, and its body.
 
-    def do_HEAD(self) -> None:
-        """The head of what `do_GET` answers."""
-        if not self._page(body=False):
-            super().do_HEAD()
-
-    def _page(self, body: bool) -> bool:
-        path = unquote(urlsplit(self.path).path)
-        page = self.server.pages.get(path)
-        if page is None:
-            return False
-        self.send_response(HTTPStatus.OK)
-        self.send_header("Content-Type", content_type(path))
-        self.send_header("Content-Length", str(len(page)))
+        Nothing is sent again that the browser says it has.
+        """
+        body = self._body(unquote(urlsplit(self.path).path))
+        if body is None:
+            return super().send_head()
+        known = body.tag in self.headers.get("If-None-Match", "")
+        self.send_response(HTTPStatus.NOT_MODIFIED if known else HTTPStatus.OK)
+        for name, value in (body.validators() if known else body.headers()).items():
+            self.send_header(name, value)
         self.end_headers()
-        if body:
-            self.wfile.write(page)
-        return True
+        return None if known else BytesIO(body.content)
+
+    def _body(self, path: str) -> Body | None:
+        """The scenario at this path of the address, else the file; None where there is neither."""
+        gzipped = accepts_gzip(self.headers.get("Accept-Encoding"))
+        page = self.server.pages.get(path)
+        if page is not None:
+            return self.server.compressor.body(page, content_type(path), gzipped)
+        place = Path(self.translate_path(self.path))
+        if path.endswith("/"):
+            place /= "index.html"
+        try:
+            return self.server.compressor.body(place.read_bytes(), self.guess_type(str(place)), gzipped)
+        except OSError:
+            return None
 
     def end_headers(self) -> None:
         """Let no browser keep an older build."""
@@ -176,6 +164,7 @@ class Server(ThreadingHTTPServer):
     def __init__(self, address: tuple[str, int], folder: Path, pages: dict[str, bytes]) -> None:
         self.folder = folder
         self.pages = pages
+        self.compressor = Compressor()
         super().__init__(address, partial(Handler, directory=str(folder)))
 
 

@@ -6,6 +6,7 @@ wait for a web build; the browser tests drive the real one.
 
 from __future__ import annotations
 
+import gzip
 import json
 import signal
 import socket
@@ -13,8 +14,12 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
+from contextlib import closing
+from dataclasses import dataclass
+from http.client import HTTPConnection, HTTPMessage
 from pathlib import Path
 from urllib.error import HTTPError
+from urllib.parse import urlsplit
 from urllib.request import Request, urlopen
 
 import kingpost
@@ -22,6 +27,7 @@ import pytest
 from kingpost import serve
 from kingpost.cli import main
 
+ENGINE = b"\0asm\1\0\0\0" + bytes(1000)
 AFLOAT = """version: 1
 title: Afloat
 bodies:
@@ -40,8 +46,8 @@ def app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with the kinds of file that a built app has, in the place of one."""
     folder = tmp_path / "app"
     (folder / "assets").mkdir(parents=True)
-    (folder / "index.html").write_text("<!doctype html><title>Kingpost</title>")
-    (folder / "assets" / "engine.wasm").write_bytes(b"\0asm\1\0\0\0")
+    (folder / "index.html").write_text("<!doctype html><title>Kingpost</title>" + "<p>A ship." * 9)
+    (folder / "assets" / "engine.wasm").write_bytes(ENGINE)
     (folder / "assets" / "main.js").write_text("export {};")
     monkeypatch.setattr(serve, "app_folder", lambda: folder)
     return folder
@@ -53,7 +59,8 @@ def address(app: Path, small: Path) -> Iterator[str]:
     files, _ = serve.scenarios(str(small))
     databases = serve.databases(str(small))
     server = serve.open_server(app, files, serve.LOOPBACK, 0, databases)
-    thread = threading.Thread(target=server.serve_forever)
+    # It looks for the end as often as this, s.
+    thread = threading.Thread(target=server.serve_forever, args=(0.01,))
     thread.start()
     yield f"http://127.0.0.1:{server.server_port}/"
     server.shutdown()
@@ -124,6 +131,91 @@ def test_a_database_with_the_name_of_another_of_the_gallery_is_refused(app, tmp_
     (tmp_path / "afloat.yaml").write_text(AFLOAT.replace("own.hydro.json", "hydro/barge.hydro.json"))
     with pytest.raises(kingpost.KingpostError, match=r"hydro/barge\.hydro\.json: found another file than"):
         serve.databases(str(tmp_path / "afloat.yaml"))
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came over the line, nothing unpacked."""
+
+    status: int
+    headers: HTTPMessage
+    body: bytes
+
+
+def fetch(address: str, path: str, accept: str | None = None, known: str | None = None) -> Answer:
+    """Ask with these `Accept-Encoding` and `If-None-Match`, or without."""
+    headers = {"Accept-Encoding": accept, "If-None-Match": known}
+    with closing(HTTPConnection(urlsplit(address).netloc, timeout=20)) as connection:
+        # Else the library adds a header of its own.
+        connection.putrequest("GET", f"/{path}", skip_accept_encoding=True)
+        for name, value in headers.items():
+            if value is not None:
+                connection.putheader(name, value)
+        connection.endheaders()
+        answer = connection.getresponse()
+        return Answer(answer.status, answer.headers, answer.read())
+
+
+@pytest.mark.parametrize("path", ["", "assets/engine.wasm", "scenarios/index.json", "scenarios/paper.yaml",
+                                  "scenarios/hydro/offshore_vessel.hydro.json"])  # fmt: skip
+def test_a_browser_that_takes_gzip_gets_the_same_bytes_in_fewer(address, path):
+    """Source: RFC 9110: the length is that of what is sent, and caches are told what it depends on."""
+    plain, small = fetch(address, path), fetch(address, path, accept="gzip, deflate, br")
+    assert gzip.decompress(small.body) == plain.body
+    assert (plain.headers["Content-Encoding"], small.headers["Content-Encoding"]) == (None, "gzip")
+    assert [plain.headers["Content-Length"], small.headers["Content-Length"]] == [
+        str(len(plain.body)), str(len(small.body))
+    ]  # fmt: skip
+    assert plain.headers["Vary"] == small.headers["Vary"] == "Accept-Encoding"
+    assert plain.headers["Content-Type"] == small.headers["Content-Type"]
+    assert len(small.body) < len(plain.body)
+
+
+def test_a_vessels_database_is_a_third_of_its_size_on_the_way(address):
+    """Source: measured: 86 kB of 280; a phone on a weak net waits for each."""
+    answer = fetch(address, "scenarios/hydro/offshore_vessel.hydro.json", accept="gzip")
+    whole = (kingpost.gallery.folder() / "hydro" / "offshore_vessel.hydro.json").stat().st_size
+    assert int(answer.headers["Content-Length"]) < whole / 3
+
+
+@pytest.mark.parametrize("header", [None, "identity", "br", "gzip;q=0", "*;q=0.0", "gzip;q=0, *"])
+def test_a_browser_that_does_not_take_gzip_gets_plain_bytes(address, header):
+    """Source: RFC 9110, section 12.5.3: a weight of 0 means not acceptable."""
+    answer = fetch(address, "scenarios/paper.yaml", accept=header)
+    assert answer.headers["Content-Encoding"] is None
+    assert answer.body == kingpost.gallery.read_text(kingpost.gallery.folder() / "paper.yaml").encode()
+
+
+def test_pictures_and_what_would_grow_go_as_they_are(address, app):
+    """Source: a picture is compressed already; gzip's own head and tail take 18 bytes."""
+    (app / "icon.png").write_bytes(b"\x89PNG" + bytes(1000))
+    assert fetch(address, "icon.png", accept="gzip").headers["Content-Encoding"] is None
+    assert fetch(address, "assets/main.js", accept="gzip").headers["Content-Encoding"] is None
+    assert fetch(address, "assets/main.js").headers["Vary"] == "Accept-Encoding"
+
+
+def test_what_a_browser_has_is_not_sent_again_until_it_changes(address, app):
+    """Source: RFC 9110, section 13.1.2; each coding has a tag of its own."""
+    path = "assets/engine.wasm"
+    plain, small = fetch(address, path), fetch(address, path, accept="gzip")
+    assert plain.headers["ETag"] != small.headers["ETag"]
+    again = fetch(address, path, accept="gzip", known=small.headers["ETag"])
+    assert (again.status, again.body, again.headers["Vary"]) == (304, b"", "Accept-Encoding")
+    (app / path).write_bytes(ENGINE + b"\1")
+    changed = fetch(address, path, accept="gzip", known=small.headers["ETag"])
+    assert (changed.status, gzip.decompress(changed.body)) == (200, ENGINE + b"\1")
+
+
+def test_the_same_bytes_are_compressed_once(address, monkeypatch):
+    """Source: the engine takes a tenth of a second, which no second visitor should wait for."""
+    sizes = []
+    compress = gzip.compress
+    monkeypatch.setattr(
+        gzip, "compress", lambda content, **given: sizes.append(len(content)) or compress(content, **given)
+    )
+    for _ in range(3):
+        fetch(address, "assets/engine.wasm", accept="gzip")
+    assert sizes == [len(ENGINE)]
 
 
 @pytest.mark.parametrize("path", ["assets/", "no/such/file", "../conftest.py", "scenarios/none.yaml"])

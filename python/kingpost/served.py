@@ -1,0 +1,98 @@
+"""What the server of the app sends: bodies of HTTP answers, gzipped for the browsers that take that.
+
+A phone on a weak net waits for bytes: the engine and the hydrodynamic databases shrink to a third.
+"""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import re
+import threading
+from dataclasses import dataclass
+from pathlib import Path
+
+TYPES = {
+    ".html": "text/html; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".css": "text/css; charset=utf-8",
+    ".json": "application/json",
+    ".yaml": "application/yaml; charset=utf-8",
+    ".yml": "application/yaml; charset=utf-8",
+    ".svg": "image/svg+xml",
+    ".wasm": "application/wasm",
+    ".webmanifest": "application/manifest+json",
+}
+"""MIME types by the ending of a path: what browsers insist on, and no system's table changes."""
+
+PLAIN_TEXT = "text/plain; charset=utf-8"
+# Nothing of these types is compressed already, as pictures are.
+COMPRESSIBLE = {*TYPES.values(), PLAIN_TEXT}
+
+
+def content_type(path: str) -> str:
+    """MIME type of a path by its ending.
+
+    >>> content_type("engine/kingpost_bg.wasm")
+    'application/wasm'
+    """
+    return TYPES.get(Path(path).suffix.lower(), PLAIN_TEXT)
+
+
+def accepts_gzip(accept_encoding: str | None) -> bool:
+    """Whether a request with this `Accept-Encoding` takes gzip (RFC 9110, section 12.5.3).
+
+    A weight of 0 refuses; `*` stands for every coding that is not named; without the header nothing but the
+    plain bytes is safe.
+
+    >>> [accepts_gzip(header) for header in ("gzip, deflate, br", "gzip;q=0, *", "br;q=1, *;q=0.5", None)]
+    [True, False, True, False]
+    """
+    weights = {}
+    for entry in (accept_encoding or "").lower().split(","):
+        coding, *parameters = (part.strip() for part in entry.split(";"))
+        weight = next((found[1] for part in parameters if (found := re.fullmatch(r"q=([\d.]+)", part))), "1")
+        weights["gzip" if coding == "x-gzip" else coding] = weight
+    return re.fullmatch(r"0(\.0*)?", weights.get("gzip", weights.get("*", "0"))) is None
+
+
+@dataclass(frozen=True)
+class Body:
+    """The bytes of one answer, and what its head says of them."""
+
+    content: bytes
+    kind: str
+    """MIME type."""
+    coding: str | None
+    """`gzip`, or None for the plain bytes."""
+    tag: str
+    """`ETag`: other bytes have another one."""
+
+    def headers(self) -> dict[str, str]:
+        """What the head says of an answer with these bytes (RFC 9110, section 8)."""
+        said = {"Content-Type": self.kind, "Content-Length": str(len(self.content))}
+        return said | ({"Content-Encoding": self.coding} if self.coding else {}) | self.validators()
+
+    def validators(self) -> dict[str, str]:
+        """What a cache keeps these bytes by: all that is said where it has them already (section 15.4.5)."""
+        return {"ETag": self.tag} | ({"Vary": "Accept-Encoding"} if self.kind in COMPRESSIBLE else {})
+
+
+class Compressor:
+    """Makes bodies, and compresses the same bytes only once."""
+
+    def __init__(self) -> None:
+        self._gzipped: dict[str, bytes] = {}
+        self._lock = threading.Lock()
+
+    def body(self, content: bytes, kind: str, gzipped: bool) -> Body:
+        """The body of these plain bytes, gzipped where that is wanted, allowed and smaller."""
+        digest = hashlib.sha256(content).hexdigest()
+        if gzipped and kind in COMPRESSIBLE:
+            with self._lock:
+                if digest not in self._gzipped:
+                    self._gzipped[digest] = gzip.compress(content, compresslevel=6, mtime=0)
+            smaller = self._gzipped[digest]
+            if len(smaller) < len(content):
+                return Body(smaller, kind, "gzip", f'"{digest}-gzip"')
+        return Body(content, kind, None, f'"{digest}"')
