@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import units
+
 if TYPE_CHECKING:
     import xarray
 
@@ -17,9 +19,6 @@ WORST_ENERGY_ERROR = 0.01
 
 # Rows of a table that a summary prints.
 MOST_ROWS = 20
-
-# Ends of the names of axes that slide, in joints of several axes.
-SLIDING_AXES = (".x", ".y", ".translation", ".shear_y", ".shear_z")
 
 # Ends of the names of constraints that are angles.
 TURNS = (".roll", ".pitch", ".yaw")
@@ -61,7 +60,7 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
         lines += ["", *_ship(results, body)]
     if results.sizes.get("coordinate", 0):
         reactions = _reactions(results, "joint", "reaction, largest")
-        lines += ["", *_joints(results, scenario), "", *reactions]
+        lines += ["", *_joints(results), "", *reactions]
     if results.sizes.get("loop", 0):
         lines += ["", *_reactions(results, "loop", "loop reaction, largest"), *_loop_error(results)]
     if results.sizes.get("cylinder", 0):
@@ -139,50 +138,29 @@ def largest(values: np.ndarray) -> float:
     return values[np.argmax(np.abs(values))]
 
 
-def _joints(results: xarray.Dataset, scenario: Scenario) -> list[str]:
+def _joints(results: xarray.Dataset) -> list[str]:
     """Each joint coordinate: where it ends, the largest values, and the force or torque it carries."""
     rows = [("joint", "position", "largest", "", "rate", "largest", "", "largest force", "")]
     in_degrees = 180 / np.pi
     most_force = float(np.abs(results["joint_reaction"].values).max())
-    slides = {joint["name"] for joint in scenario.model["joints"] if joint["kind"] == "prismatic"}
-    # The third axis of a spherical joint, by the same name, turns.
-    slides |= {
-        f"{joint['name']}.z" for joint in scenario.model["joints"] if joint["kind"] == "moved_by_waves"
-    }
+    slides = units.sliding(results)
     for name in results["coordinate"].values:
         position, rate, force = (
             results[variable].sel(coordinate=name)
             for variable in ("joint_position", "joint_velocity", "joint_force")
         )
-        turns = _unit(position, slides_along(str(name), slides)) == "rad"
+        turns = units.of_column(position, slides) == "rad"
         scale, unit, places = (in_degrees, "deg", 4) if turns else (1.0, "m", 6)
         rows.append((
             str(name),
             *(fixed(scale * value, places) for value in (position.values[-1], largest(position.values))),
             unit,
             *(fixed(value, 6) for value in (rate.values[-1], largest(rate.values))),
-            _unit(rate, slides_along(str(name), slides)),
+            units.of_column(rate, slides),
             significant(largest(force.values), most_force),
-            _unit(force, slides_along(str(name), slides)),
+            units.of_column(force, slides),
         ))  # fmt: skip
     return table(_shortened(rows), "<>><>><><")
-
-
-def slides_along(coordinate: str, prismatic: set[str]) -> bool:
-    """Whether a coordinate is a length: of a prismatic joint, or of a sliding axis of several.
-
-    >>> slides_along("boom.1.shear_z", set()), slides_along("boom.1.torsion", set())
-    (True, False)
-    >>> slides_along("slide", {"slide"})
-    True
-    """
-    return coordinate in prismatic or coordinate.endswith(SLIDING_AXES)
-
-
-def _unit(values: xarray.DataArray, slides: bool) -> str:
-    """The unit of one coordinate, where the channel names that of turning and that of sliding."""
-    units = values.attrs["units"].split(" or ")
-    return units[-1 if slides else 0]
 
 
 def _reactions(results: xarray.Dataset, dim: str, heading: str) -> list[str]:

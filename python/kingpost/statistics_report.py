@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from . import pooling, statistics
+from . import pooling, statistics, units
 from .errors import KingpostError
-from .report import fixed, slides_along, table
+from .report import fixed, table
 from .results import column_name
 
 if TYPE_CHECKING:
@@ -144,37 +144,17 @@ def _stands_still(values: np.ndarray) -> bool:
 
 def _chosen(results: xarray.Dataset, patterns: Sequence[str]) -> dict[str, str]:
     """Names of flat columns with their units."""
-    slides = _sliding(results)
-    units = {name: _unit(series, slides) for name, series in _columns(results)}
+    slides = units.sliding(results)
+    found = {name: units.of_column(series, slides) for name, series in _columns(results)}
     if not patterns:
-        return {name: unit for name, unit in units.items() if _is_default(results, name)}
-    chosen = {name: unit for name, unit in units.items() if any(fnmatchcase(name, p) for p in patterns)}
+        return {name: unit for name, unit in found.items() if _is_default(results, name)}
+    chosen = {name: unit for name, unit in found.items() if any(fnmatchcase(name, p) for p in patterns)}
     for pattern in patterns:
-        if not any(fnmatchcase(name, pattern) for name in units):
+        if not any(fnmatchcase(name, pattern) for name in found):
             raise KingpostError(
                 f"--channels: found {pattern!r}, allowed: columns as ship.roll, or patterns as ship.*"
             )
     return chosen
-
-
-def _unit(series: xarray.DataArray, slides: set[str]) -> str:
-    """The unit of one column, of a variable with those of forces and moments, or of turning and sliding."""
-    units = str(series.attrs.get("units", ""))
-    if ", " in units:
-        along, about = units.split(", ")
-        labels = [str(series.coords[dim].item()) for dim in ("component", "planar") if dim in series.coords]
-        return about if any(label.startswith(("moment", "yaw")) for label in labels) else along
-    if " or " in units and "coordinate" in series.coords:
-        turning, sliding = units.split(" or ")
-        return sliding if slides_along(str(series.coords["coordinate"].item()), slides) else turning
-    return units
-
-
-def _sliding(results: xarray.Dataset) -> set[str]:
-    """Names of the prismatic joints."""
-    described = json.loads(results.attrs.get("scenario", "{}")).get("bodies", {})
-    joints = ((body, given["joint"].get("prismatic")) for body, given in described.items())
-    return {str(joint.get("name") or body) for body, joint in joints if joint}
 
 
 def _is_default(results: xarray.Dataset, name: str) -> bool:

@@ -4,7 +4,7 @@ import kingpost
 import numpy as np
 import pytest
 import xarray
-from kingpost import KingpostError, statistics, statistics_report
+from kingpost import KingpostError, statistics
 from kingpost.cli import main
 
 # A spectrum as broad as that of a sea, m0 = 1, about 0.8 rad/s.
@@ -281,23 +281,6 @@ def test_the_command_names_what_is_wrong(tmp_path, capsys) -> None:
 def test_a_run_keeps_the_density_of_its_water() -> None:
     assert kingpost.run("barge", {"simulation.duration_s": 0.1}).attrs["water_density_kg_m3"] == 1025
     assert kingpost.run("paper", {"simulation.duration_s": 0.1}).attrs["water_density_kg_m3"] == 0
-
-
-@pytest.mark.parametrize(
-    ("dimension", "label", "units", "unit"),
-    [
-        ("component", "force_z", "N, N m", "N"),
-        ("component", "moment_x", "N, N m", "N m"),
-        ("planar", "sway", "m, rad", "m"),
-        ("planar", "yaw", "m, rad", "rad"),
-        ("coordinate", "pendant.first", "rad or m", "rad"),
-        ("coordinate", "boom.1.shear_z", "rad or m", "m"),
-        ("coordinate", "winch", "N m or N", "N"),
-    ],
-)
-def test_a_column_has_the_unit_of_its_own_component(dimension, label, units, unit) -> None:
-    series = xarray.DataArray([0.0], {dimension: label}, ("time",), attrs={"units": units})
-    assert statistics_report._unit(series, {"winch"}) == unit
 
 
 def test_a_run_that_ended_early_is_told_of(tmp_path, capsys) -> None:
