@@ -3,9 +3,11 @@ import assert from "node:assert/strict";
 
 export const PHONE = { width: 390, height: 844 };
 export const DESKTOP = { width: 1440, height: 900 };
+/** Wide enough for the desktop's layout; without a graphics card each pixel of a picture costs time. */
+export const WINDOW = { width: 1000, height: 640 };
 
 /** Opens the app and waits until a scenario is there. */
-export async function openApp({ browser, address }, { query = "", colorScheme = "light", viewport = DESKTOP } = {}) {
+export async function openApp({ browser, address }, { query = "", colorScheme = "light", viewport = WINDOW } = {}) {
   const isPhone = viewport.width < 600;
   const context = await browser.newContext({ viewport, colorScheme, hasTouch: isPhone, isMobile: isPhone });
   const page = await context.newPage();
@@ -61,7 +63,10 @@ export async function openFile(page, name, text, others = {}) {
   await page.getByTestId("file").setInputFiles(files.map(([one, content]) => ({ name: one, mimeType: "text/yaml", buffer: Buffer.from(content) })));
 }
 
-/** Presses Step until the time is reached: once as a person does, then from within the page, which is faster. */
+/**
+ * Presses Step until the time is reached: once as a person does, then from within the page, which is faster. The picture
+ * of the steps between waits: without a graphics card one takes longer than many steps.
+ */
 export async function stepTo(page, time_s) {
   const before = (await sample(page)).time_s;
   await page.getByTestId("step").click();
@@ -69,10 +74,18 @@ export async function stepTo(page, time_s) {
   await page.evaluate(async (until) => {
     const button = document.querySelector("[data-testid=step]");
     const now = () => window.kingpost.sample().time_s;
-    while (now() < until - 1e-9) {
-      const last = now();
-      button.click();
-      while (now() === last) await new Promise((resolve) => setTimeout(resolve, 1));
+    const draw = window.requestAnimationFrame;
+    const waiting = [];
+    window.requestAnimationFrame = (frame) => waiting.push(frame);
+    try {
+      while (now() < until - 1e-9) {
+        const last = now();
+        button.click();
+        while (now() === last) await new Promise((resolve) => setTimeout(resolve, 1));
+      }
+    } finally {
+      window.requestAnimationFrame = draw;
+      waiting.forEach((frame) => draw(frame));
     }
   }, time_s);
 }

@@ -1,5 +1,6 @@
 // Drives the built app in Chromium: node tests/browser/run.mjs [part of a test's name].
 import { existsSync } from "node:fs";
+import { availableParallelism } from "node:os";
 import { fileURLToPath } from "node:url";
 import { findBrowser, launch } from "../../scripts/browser.mjs";
 import { serve } from "../../scripts/serve.mjs";
@@ -14,6 +15,8 @@ import sea from "./sea.mjs";
 const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
 // Against tests that hang: on a busy machine one takes minutes.
 const LIMIT_MS = 300_000;
+// At once; BROWSERS=1 where their times matter.
+const BROWSERS = Number(process.env.BROWSERS ?? Math.min(2, availableParallelism()));
 
 const executable = findBrowser();
 if (!executable) {
@@ -26,24 +29,33 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...numbers, ...controls, ...gestures, ...faults, ...layout, ...scenarios, ...sea }).filter(([name]) => name.includes(wanted));
+// The longest, that of the whole gallery, first.
+const tests = Object.entries({ ...scenarios, ...numbers, ...controls, ...gestures, ...faults, ...layout, ...sea }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
-const browser = await launch(executable);
+const waiting = [...tests];
 let failed = 0;
-for (const [name, test] of tests) {
-  const start = performance.now();
-  const limit = new Promise((_, reject) => setTimeout(() => reject(new Error(`took longer than ${LIMIT_MS / 1000} s`)), LIMIT_MS).unref());
-  try {
-    await Promise.race([test({ browser, address }), limit]);
-    console.log(`ok      ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
-  } catch (error) {
-    failed += 1;
-    console.log(`FAILED  ${name}\n${error.stack ?? error}`);
-    await Promise.all(browser.contexts().map((context) => context.close()));
+
+/** Takes tests until none waits, in a browser of its own: one that fails closes its own pages alone. */
+async function drive() {
+  const browser = await launch(executable);
+  for (let next = waiting.shift(); next; next = waiting.shift()) {
+    const [name, test] = next;
+    const start = performance.now();
+    const limit = new Promise((_, reject) => setTimeout(() => reject(new Error(`took longer than ${LIMIT_MS / 1000} s`)), LIMIT_MS).unref());
+    try {
+      await Promise.race([test({ browser, address }), limit]);
+      console.log(`ok      ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
+    } catch (error) {
+      failed += 1;
+      console.log(`FAILED  ${name}\n${error.stack ?? error}`);
+      await Promise.all(browser.contexts().map((context) => context.close()));
+    }
   }
+  await browser.close();
 }
-await browser.close();
+
+await Promise.all(Array.from({ length: BROWSERS }, drive));
 await stop();
 console.log(`browser: ${tests.length - failed} passed, ${failed} failed`);
 process.exit(failed ? 1 : 0);
