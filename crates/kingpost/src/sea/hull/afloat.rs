@@ -1,6 +1,6 @@
 //! Displacement kept, the turn that is left: how a hull comes to rest in the water.
 
-use super::{Buoyancy, FloatingPosition, HullMesh, Loading, StabilityError, Waterplane, WettedHull};
+use super::{Buoyancy, FloatingPosition, HullMesh, HullTank, Loading, StabilityError, Waterplane, WettedHull};
 use crate::spatial::Vector3;
 
 /// Steps towards an equilibrium.
@@ -43,13 +43,16 @@ pub(super) struct Floating<'a> {
     mesh: &'a HullMesh,
     wetted: WettedHull,
     volume: f64,
+    mass: f64,
+    /// With the liquid in its tanks as it lies upright.
     centre_of_gravity: Vector3,
+    tanks: &'a [HullTank],
     /// Levers below are none, m.
     rounding: f64,
 }
 
 impl<'a> Floating<'a> {
-    pub(super) fn new(mesh: &'a HullMesh, loading: &Loading) -> Result<Self, StabilityError> {
+    pub(super) fn new(mesh: &'a HullMesh, loading: &Loading, tanks: &'a [HullTank]) -> Result<Self, StabilityError> {
         let Loading { mass, centre_of_gravity, water_density } = *loading;
         for (quantity, found) in [("the mass that floats", mass), ("the water's density", water_density)] {
             if !(found > 0.0 && found.is_finite()) {
@@ -65,18 +68,25 @@ impl<'a> Floating<'a> {
             return Err(StabilityError::CannotFloat { mass_t: mass / 1000.0, displacement_m3: volume, largest_m3 });
         }
         let size = mesh.vertices().iter().map(|r| r.norm()).fold(centre_of_gravity.norm(), f64::max);
-        Ok(Self { mesh, wetted: WettedHull::new(mesh), volume, centre_of_gravity, rounding: 1e-14 * size })
+        Ok(Self { mesh, wetted: WettedHull::new(mesh), volume, mass, centre_of_gravity, tanks, rounding: 1e-14 * size })
+    }
+
+    /// c: the centre of gravity with the liquid in its tanks level.
+    fn settled_centre_of_gravity(&self, vertical: Vector3) -> Vector3 {
+        let shift = self.tanks.iter().fold(Vector3::zero(), |sum, tank| sum + tank.shift(vertical));
+        self.centre_of_gravity + shift * (1.0 / self.mass)
     }
 
     /// b - c: from the centre of gravity to that of buoyancy, hull axes, m.
     pub(super) fn lever(&self, afloat: &Afloat) -> Vector3 {
-        afloat.buoyancy.centre() - self.centre_of_gravity
+        afloat.buoyancy.centre() - self.settled_centre_of_gravity(afloat.position.vertical)
     }
 
     /// Phi / W, m.
     fn energy_height(&self, afloat: &Afloat) -> f64 {
         let FloatingPosition { height, vertical } = afloat.position;
-        height + vertical.dot(self.centre_of_gravity) - afloat.buoyancy.height_moment / afloat.buoyancy.volume
+        let centre_of_gravity = self.settled_centre_of_gravity(vertical);
+        height + vertical.dot(centre_of_gravity) - afloat.buoyancy.height_moment / afloat.buoyancy.volume
     }
 
     /// The height at which the hull displaces its volume: V falls with the height by the area of
@@ -135,13 +145,16 @@ impl<'a> Floating<'a> {
     }
 
     /// Newton's step on the sphere of verticals, a tangent there. The slope of Phi / W along t is
-    /// `-(b - c).t`; its second derivatives are those of BM and how much higher b is than c, which
-    /// together are GM. Where they are negative their size is taken, so that the step goes down.
+    /// `-(b - c).t`; its second derivatives are those of BM and how much higher b is than c, less
+    /// what free surfaces take, which together are GM. Where they are negative their size is taken,
+    /// so that the step goes down.
     fn newton_step(&self, afloat: &Afloat, free_to_heel: bool) -> Vector3 {
         let (lever, [across, along]) = (self.lever(afloat), tangents(afloat.position.vertical));
         let metacentric = |t: Vector3, u: Vector3| {
             let radius = afloat.waterplane.second_moment(t, u) / afloat.buoyancy.volume;
-            radius + lever.dot(afloat.position.vertical) * t.dot(u)
+            let vertical = afloat.position.vertical;
+            let free_surfaces: f64 = self.tanks.iter().map(|tank| tank.second_moment(vertical, t, u)).sum();
+            radius + lever.dot(vertical) * t.dot(u) - free_surfaces / self.mass
         };
         let [heel, mixed, trim] = [(across, across), (across, along), (along, along)].map(|(t, u)| metacentric(t, u));
         let step_along = |t: Vector3, curvature: f64| {

@@ -1,4 +1,5 @@
-//! A ship's hull in the water: its mesh, its buoyancy as it stands, the linear form, stability.
+//! A ship's hull in the water: its mesh, its buoyancy as it stands, the linear form, stability; the free surfaces of its
+//! slack tanks.
 //!
 //! All wrenches, moments and centres are in the hull's axes (x forward, y to port, z up) about the
 //! hull's origin. Weight is no part of this: hydrostatics know the hull and the water only.
@@ -7,6 +8,7 @@
 //! moment about it, and no heading that the water prefers.
 
 mod afloat;
+mod box_tank;
 mod linear;
 mod mesh;
 mod stability;
@@ -14,6 +16,7 @@ mod waterplane;
 mod wave_pressure;
 mod wetted;
 
+pub use box_tank::{BoxTank, HullTank};
 pub use linear::{LinearHydrostatics, Restoring};
 pub use mesh::{HullMesh, MeshError};
 pub use stability::{Equilibrium, Loading, RightingArm, StabilityError};

@@ -1,7 +1,7 @@
 //! How a loaded hull floats, and how it rights itself.
 
 use super::afloat::{Afloat, Floating, heel_of, tangents, trim_of};
-use super::{Buoyancy, FloatingPosition, HullMesh, Waterplane};
+use super::{Buoyancy, FloatingPosition, HullMesh, HullTank, Waterplane};
 use crate::spatial::Vector3;
 use thiserror::Error;
 
@@ -115,7 +115,7 @@ impl Equilibrium {
     /// # Errors
     /// [`StabilityError`].
     pub fn find(mesh: &HullMesh, loading: &Loading) -> Result<Self, StabilityError> {
-        let mut floating = Floating::new(mesh, loading)?;
+        let mut floating = Floating::new(mesh, loading, &[])?;
         let afloat = floating.settle(FloatingPosition::upright(0.0).vertical, true)?;
         let Afloat { position, buoyancy, waterplane } = afloat;
         let lever = floating.lever(&afloat);
@@ -141,7 +141,21 @@ impl RightingArm {
     /// # Errors
     /// [`StabilityError`].
     pub fn curve(mesh: &HullMesh, loading: &Loading, heels: &[f64]) -> Result<Vec<Self>, StabilityError> {
-        let mut floating = Floating::new(mesh, loading)?;
+        Self::curve_with_tanks(mesh, loading, &[], heels)
+    }
+
+    /// The same of a hull with slack tanks. The centre of gravity of its loading is that with their
+    /// liquid as it lies upright; at each heel and trim they are level.
+    ///
+    /// # Errors
+    /// [`StabilityError`].
+    pub fn curve_with_tanks(
+        mesh: &HullMesh,
+        loading: &Loading,
+        tanks: &[HullTank],
+        heels: &[f64],
+    ) -> Result<Vec<Self>, StabilityError> {
+        let mut floating = Floating::new(mesh, loading, tanks)?;
         let mut trim_before = 0.0;
         let mut point = |&heel: &f64| {
             if !heel.is_finite() {

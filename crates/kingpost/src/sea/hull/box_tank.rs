@@ -1,0 +1,203 @@
+//! A liquid that stays level in a box: the free surface of a slack tank.
+//!
+//! The surface is taken to be level at once, without sloshing: right where the natural periods of the
+//! liquid in its tank are well below those of the ship. The volume below a plane n . r = l through a box
+//! and its first moment are those of a hull in the water of that plane (see [`super::WettedHull`]), here
+//! of a box whose sizes may carry derivatives.
+
+use super::wetted::{corner_shares, side};
+use crate::scalar::{Dual, Scalar};
+use crate::spatial::{Matrix3, Vector3};
+
+/// Steps towards the level, at most: those of a level in a corner, each of which leaves two thirds.
+const MOST_STEPS: usize = 60;
+/// A step by less of the tank's extent along the vertical is none.
+const SMALLEST_STEP: f64 = 1e-15;
+
+/// A box with a liquid in it. Its centre is the origin, its sides are along the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoxTank<S = f64> {
+    /// Length, breadth and height: along x, y and z, m.
+    pub edges: Vector3<S>,
+    /// Share of the volume that is liquid, from 0 to 1; at both ends there is no free surface.
+    pub filling: S,
+}
+
+/// What of a box is below a plane.
+struct Below<S> {
+    volume: S,
+    first_moment: Vector3<S>,
+    /// Of the section with the plane, m^2.
+    area: S,
+}
+
+impl<S: Scalar> BoxTank<S> {
+    /// V: of the liquid, m^3.
+    pub fn volume(&self) -> S {
+        self.edges[0] * self.edges[1] * self.edges[2] * self.filling
+    }
+
+    /// V (c - c0), m^4: how the liquid's first moment moves where the vertical, a unit vector in the tank's
+    /// axes, turns from z to n. c0 is the liquid's centre upright, c where its surface is level, in the box as
+    /// it stands and at the same volume. Until the surface meets top or bottom it is that of upright walls,
+    /// with I the second moments of the surface upright about its centroid (Barrass & Derrett, *Ship
+    /// Stability for Masters and Mates*, ch. on free surface):
+    ///
+    /// ```text
+    /// V (c - c0) = (-I n_h / n_z, n_h . I n_h / (2 n_z^2)),      n_h = (n_x, n_y)
+    /// ```
+    ///
+    /// ```
+    /// use kingpost::sea::hull::BoxTank;
+    /// use kingpost::spatial::Vector3;
+    /// let tank = BoxTank { edges: Vector3::new(4.0, 6.0, 2.0), filling: 0.5 };
+    /// let shift = tank.shift(Vector3::new(0.0, 0.28, 0.96));
+    /// let (second_moment, tan) = (4.0 * 6.0_f64.powi(3) / 12.0, 0.28 / 0.96);
+    /// assert!((shift[1] + second_moment * tan).abs() < 1e-12);
+    /// assert!((shift[2] - second_moment * tan * tan / 2.0).abs() < 1e-12);
+    /// ```
+    pub fn shift(&self, vertical: Vector3<S>) -> Vector3<S> {
+        let level = self.level(vertical);
+        let upright = self.volume() * (self.filling - S::ONE) * self.edges[2] * S::constant(0.5);
+        let shift = self.below(vertical, level).first_moment - Vector3::new(S::ZERO, S::ZERO, upright);
+        let free = self.filling * (S::ONE - self.filling);
+        Vector3(shift.0.map(|moment| free.select_less(S::constant(f64::MIN_POSITIVE), || S::ZERO, || moment)))
+    }
+
+    /// l: how high the surface is over the centre of the box, m. The last of Newton's steps carries the
+    /// derivatives: by dV/dl, the area, that of l is exact where l is.
+    fn level(&self, vertical: Vector3<S>) -> S {
+        let ([x, y, z], [length, breadth, height]) = (vertical.0, self.edges.0);
+        let [level] = S::from_values([x, y, z, length, breadth, height, self.filling], |numbers| {
+            let [x, y, z, length, breadth, height, filling] = numbers;
+            [BoxTank { edges: Vector3::new(length, breadth, height), filling }.find_level(Vector3::new(x, y, z))]
+        });
+        let below = self.below(vertical, level);
+        let excess = below.volume - self.volume();
+        level - below.area.select_below(f64::MIN_POSITIVE, || S::ZERO, || excess / below.area)
+    }
+
+    /// What is below the plane n . r = l.
+    fn below(&self, vertical: Vector3<S>, level: S) -> Below<S> {
+        let corners: [Vector3<S>; 8] = core::array::from_fn(|corner| self.corner(corner));
+        let heights = corners.map(|r| vertical.dot(r) - level);
+        let sides = heights.map(side);
+        let (mut volume, mut moment, mut area) = (S::ZERO, Vector3::zero(), S::ZERO);
+        for (axis, triangle) in triangles() {
+            let outward = if triangle[0] >> axis & 1 == 1 { 0.5 } else { -0.5 };
+            let size = self.edges[(axis + 1) % 3] * self.edges[(axis + 2) % 3] * S::constant(outward / 12.0);
+            let along_vertical = vertical[axis] * size;
+            let sides = triangle.map(|corner| sides[corner]);
+            let shares = corner_shares(sides, triangle, &heights, &heights);
+            for (corner, share) in triangle.into_iter().zip(shares) {
+                volume += along_vertical * share;
+                moment += corners[corner] * (along_vertical * share);
+            }
+            // The areas of all that closes sum to none: that of the plane is what the walls lack.
+            let wet = corner_shares(sides, triangle, &heights, &[S::ONE; 8]);
+            area -= along_vertical * (wet[0] + wet[1] + wet[2]);
+        }
+        let height_moment = (vertical.dot(moment) - level * volume) * S::constant(0.5);
+        Below { volume, first_moment: moment - vertical * height_moment, area }
+    }
+
+    /// Corner by its bits: x, y and z, set where it is ahead, to port, on top.
+    fn corner(&self, bits: usize) -> Vector3<S> {
+        Vector3(core::array::from_fn(|k| self.edges[k] * S::constant(if bits >> k & 1 == 1 { 0.5 } else { -0.5 })))
+    }
+}
+
+/// Two on each side of a box, as corners, with the axis that the side is across.
+fn triangles() -> impl Iterator<Item = (usize, [usize; 3])> {
+    (0..12).map(|i| {
+        let axis = i / 4;
+        let (one, other) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
+        let (first, middle) = ((i / 2 % 2) << axis, if i % 2 == 0 { one } else { other });
+        (axis, [first, first + middle, first + one + other])
+    })
+}
+
+impl BoxTank {
+    /// Newton's method, dV/dl = area. It begins where the surface is if it meets only walls along one axis,
+    /// which is exact where it does. Else more (of a tank more than half full: less) than the liquid is below
+    /// that, and from the middle of the box outward V is convex (concave) over l, being the convolution of
+    /// three even densities: so every step is towards the level and none beyond it, and a step the other way
+    /// is rounding.
+    fn find_level(&self, vertical: Vector3) -> f64 {
+        let extents: [f64; 3] = core::array::from_fn(|k| (vertical[k] * self.edges[k]).abs());
+        let fullness = self.filling - 0.5;
+        let smallest = SMALLEST_STEP * (extents[0] + extents[1] + extents[2]);
+        let volume = self.volume();
+        let mut level = fullness * extents[0].max(extents[1]).max(extents[2]);
+        for _ in 0..MOST_STEPS {
+            let below = self.below(vertical, level);
+            let step = (below.volume - volume) / below.area;
+            let onward = if fullness > 0.0 { -step } else { step };
+            let moves = onward > smallest && below.area > 0.0;
+            if !moves {
+                break;
+            }
+            level -= step;
+        }
+        level
+    }
+
+    /// i, m^4: the second moment of the free surface about its centroid along tangents t and u of it, unit
+    /// vectors across the vertical in the tank's axes. It is minus the rate at which V c moves along t where
+    /// the vertical turns towards u.
+    pub fn second_moment(&self, vertical: Vector3, t: Vector3, u: Vector3) -> f64 {
+        let turning = Vector3(core::array::from_fn(|k| Dual::<1> { value: vertical[k], derivative: [u[k]] }));
+        let tank = BoxTank { edges: Vector3::constant(self.edges.0), filling: Dual::constant(self.filling) };
+        let rate = tank.shift(turning).0.map(|moment| moment.derivative[0]);
+        -t.dot(Vector3(rate))
+    }
+}
+
+/// A slack tank that moves with a hull.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HullTank {
+    /// The box and how full it is.
+    pub tank: BoxTank,
+    /// From the tank's axes to the hull's.
+    pub rotation: Matrix3,
+    /// Of the liquid, kg/m^3.
+    pub density: f64,
+}
+
+impl HullTank {
+    /// rho V (c - c0) in hull axes, kg m, of [`BoxTank::shift`].
+    pub fn shift(&self, vertical: Vector3) -> Vector3 {
+        self.rotation * (self.tank.shift(self.rotation.transpose_times(vertical)) * self.density)
+    }
+
+    /// rho i along tangents in hull axes, kg m^2, of [`BoxTank::second_moment`].
+    pub fn second_moment(&self, vertical: Vector3, t: Vector3, u: Vector3) -> f64 {
+        let [vertical, t, u] = [vertical, t, u].map(|axis| self.rotation.transpose_times(axis));
+        self.density * self.tank.second_moment(vertical, t, u)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// The level is found to 1e-15 of the box's extent, and rounding is as large.
+        #[test]
+        fn the_volume_below_the_surface_is_that_of_the_liquid_in_any_orientation(
+            edges in prop::array::uniform3(0.1..10.0_f64),
+            filling in prop_oneof![0.0..1.0_f64, 0.0..1e-6_f64, 0.999..1.0_f64],
+            vertical in prop::array::uniform3(-1.0..1.0_f64),
+            flat in prop::array::uniform3(prop::bool::ANY),
+        ) {
+            let vertical = Vector3(core::array::from_fn(|k| if flat[k] { 1e-9 * vertical[k] } else { vertical[k] }));
+            prop_assume!(vertical.norm() > 0.0);
+            let tank = BoxTank { edges: Vector3(edges), filling };
+            let vertical = vertical.direction();
+            let whole = edges[0] * edges[1] * edges[2];
+            let found = tank.below(vertical, tank.level(vertical)).volume;
+            prop_assert!((found - tank.volume()).abs() < 1e-14 * whole, "{found}, liquid {}", tank.volume());
+        }
+    }
+}
