@@ -71,9 +71,10 @@ fn a_step_allocates_nothing_on_mooring_lines() {
 }
 
 #[test]
-fn a_step_allocates_nothing_on_dynamic_positioning() {
+fn a_step_allocates_nothing_on_dynamic_positioning_and_with_a_slack_tank() {
+    let tank = "  tank: {slack_tank: {body: hull, position_m: [0, 0, 1], length_m: 6, breadth_m: 8, height_m: 2, filling: 0.3}}\n";
     for integrator in common::INTEGRATORS {
-        let text = common::barge::station(&format!(", integrator: {integrator}"));
+        let text = common::barge::station(&format!(", integrator: {integrator}")) + tank;
         let scenario = kingpost::scenario::read_with(&text, "test.yaml", &[], &common::barge::files()).unwrap();
         let mut simulation = scenario.simulation().unwrap();
         let before = ALLOCATIONS.with(Cell::get);

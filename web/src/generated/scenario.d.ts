@@ -1811,6 +1811,9 @@ export type Force =
       hydrodynamics: Hydrodynamics;
     }
   | {
+      slack_tank: SlackTank;
+    }
+  | {
       spring_line: SpringLine;
     }
   | {
@@ -3313,6 +3316,48 @@ export interface QuadraticDamping {
    * @maxItems 3
    */
   angular_N_m_s2?: [number, number, number];
+}
+/**
+ * The free surface of a liquid in a box whose sides are along the body's axes. The liquid is part of the body: of its
+ * `mass_kg`, `centre_of_mass_m` and inertia, as if it were frozen with the body upright; this adds what its surface,
+ * level at once, moves. So its natural period in the tank must be well below the body's in roll and pitch.
+ */
+export interface SlackTank {
+  /**
+   * Whether the surface is free; if not, the liquid stays as if it were frozen.
+   */
+  enabled?: boolean;
+  /**
+   * The body.
+   */
+  body: string;
+  /**
+   * Centre of the box in the body's drawing frame, m. A free surface turns the body by the same moment wherever it is.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+  /**
+   * Along the body's x axis, inside, m.
+   */
+  length_m: number;
+  /**
+   * Along the body's y axis, inside, m.
+   */
+  breadth_m: number;
+  /**
+   * Along the body's z axis, inside, m.
+   */
+  height_m: number;
+  /**
+   * Share of the volume that is liquid. An empty tank, 0, and a full one, 1, have no free surface.
+   */
+  filling: number;
+  /**
+   * Density of the liquid, kg/m^3; without it, that of the sea.
+   */
+  density_kg_m3?: number | null;
 }
 /**
  * One end: the fairlead, say.

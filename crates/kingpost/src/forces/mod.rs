@@ -12,6 +12,7 @@ mod joint_spring;
 mod joint_stop;
 pub mod lines;
 mod quadratic_damping;
+mod slack_tank;
 mod viscous_damping;
 
 pub use coulomb_friction::CoulombFriction;
@@ -24,6 +25,7 @@ pub use joint_spring::JointSpring;
 pub use joint_stop::{JointStop, StopSide, hunt_crossley};
 pub use lines::{CatenaryLine, LineReading, SpringLine};
 pub use quadratic_damping::QuadraticDamping;
+pub use slack_tank::SlackTank;
 pub use viscous_damping::ViscousDamping;
 
 use crate::dynamics::{LinkKinematics, Loads, Moment};
@@ -49,6 +51,8 @@ pub enum Force<S = f64> {
     JointStop(JointStop<S>),
     /// The water on a hull.
     Hull(Box<Hull<S>>),
+    /// The free surface of a tank.
+    SlackTank(Box<SlackTank<S>>),
     /// A line without weight.
     SpringLine(Box<SpringLine<S>>),
     /// A mooring line that hangs.
@@ -71,6 +75,7 @@ impl<S: Scalar> Force<S> {
             Force::JointSpring(spring) => spring.apply(at.q, loads),
             Force::JointStop(stop) => stop.apply(at.q, at.v, loads),
             Force::Hull(hull) => hull.apply(at, loads),
+            Force::SlackTank(tank) => tank.apply(at, loads),
             Force::SpringLine(line) => line.apply(at, loads),
             Force::CatenaryLine(line) => line.apply(at, loads),
             Force::FlowLoad(load) => load.apply(at, loads),
@@ -85,6 +90,7 @@ impl<S: Scalar> Force<S> {
             Force::JointSpring(spring) => spring.potential_energy(q),
             Force::JointStop(stop) => stop.potential_energy(q),
             Force::Hull(hull) => hull.potential_energy(model, links),
+            Force::SlackTank(tank) => tank.potential_energy(model, links),
             Force::SpringLine(line) => line.potential_energy(model, links),
             Force::CatenaryLine(line) => line.potential_energy(model, links),
             Force::ViscousDamping(_)
@@ -104,6 +110,11 @@ impl<S: Scalar> Force<S> {
     /// The hull, to be asked what changes nothing but its working memory.
     pub fn hull_mut(&mut self) -> Option<&mut Hull<S>> {
         if let Force::Hull(hull) = self { Some(hull) } else { None }
+    }
+
+    /// The slack tank, where it is one.
+    pub fn slack_tank(&self) -> Option<&SlackTank<S>> {
+        if let Force::SlackTank(tank) = self { Some(tank) } else { None }
     }
 
     /// The load of wind or current, where it is one.

@@ -4,10 +4,11 @@ use super::hanging::{HangingLoad, Restraints, Weight, carried, loads, weight};
 use super::righting::{RightingArmCurve, Side};
 use super::{HullAfloat, HydrostaticsError};
 use crate::dynamics::Kinematics;
+use crate::forces::SlackTank;
 use crate::forces::hull::{Hull, Hydrostatics};
 use crate::model::Model;
 use crate::sea::database::Database;
-use crate::sea::hull::{FloatingPosition, HullMesh, Loading, StabilityError, WettedHull};
+use crate::sea::hull::{FloatingPosition, HullMesh, HullTank, Loading, StabilityError, WettedHull};
 use crate::spatial::{Frame, Vector3};
 
 /// Linear hydrodynamics about a draught that differs from the database's by more than this share of it
@@ -27,6 +28,8 @@ pub(super) struct Floating<'a> {
     pub(super) at: &'a Kinematics,
     /// Acceleration, m/s^2.
     pub(super) gravity: f64,
+    /// All that are there.
+    pub(super) slack_tanks: &'a [&'a SlackTank],
 }
 
 /// What is under water, seen from the hull's origin in its axes.
@@ -64,10 +67,11 @@ impl Floating<'_> {
             return (None, vec![format!("no hydrostatics of {name}: it rests above the water")]);
         };
         let hanging = self.hanging(restraints);
-        let mut afloat = self.heights(&position, &underwater, &hanging);
+        let tanks = self.tanks(&hanging);
+        let mut afloat = self.heights(&position, &underwater, &hanging, &tanks);
         let mut warnings = self.warnings(&afloat);
         if let Some(mesh) = &mesh {
-            match self.righting_arm(mesh, &position, &afloat) {
+            match self.righting_arm(mesh, &position, &hanging, &tanks) {
                 Ok(curve) => afloat.righting_arm = Some(curve),
                 Err(error) => warnings.push(format!("{name}: no righting-arm curve: {error}")),
             }
@@ -100,7 +104,7 @@ impl Floating<'_> {
         weight(self.model, self.at, &carried(self.model, self.hull.frame.body))
     }
 
-    /// Centre of gravity, hull axes, about the data's origin, m.
+    /// Centre of gravity, the liquid in slack tanks as it lies upright, hull axes, about the data's origin, m.
     fn centre_of_gravity(&self) -> Vector3 {
         self.frame().inverse().point(self.carried_weight().centre)
     }
@@ -113,13 +117,20 @@ impl Floating<'_> {
         loads(self.model, self.at, self.hull.frame.body, restraints, [along, across])
     }
 
-    fn heights(&self, position: &FloatingPosition, water: &Underwater, hanging: &[HangingLoad]) -> HullAfloat {
+    fn heights(
+        &self,
+        position: &FloatingPosition,
+        water: &Underwater,
+        hanging: &[HangingLoad],
+        tanks: &[(&SlackTank, HullTank)],
+    ) -> HullAfloat {
         let (vertical, draught) = (position.vertical, self.database.hull.draught_m);
-        let (mass, gravity) = (self.carried_weight().mass, self.centre_of_gravity());
-        let rise = [0, 1].map(|k| {
-            let moments = hanging.iter().map(|load| load.mass_kg * load.length_m * load.free_share[k]);
-            moments.sum::<f64>() / mass
-        });
+        let (mass, gravity) =
+            (self.carried_weight().mass, self.centre_of_gravity() + self.liquid_shift(tanks, vertical));
+        let free_surfaces = self.free_surfaces(tanks, vertical, tangents(vertical));
+        let of_surfaces = [0, 1].map(|k| free_surfaces.iter().map(|surface| surface.correction_m[k]).sum::<f64>());
+        let of_loads = rise_of(hanging, mass);
+        let rise = [0, 1].map(|k| of_loads[k] + of_surfaces[k]);
         let solid = water.metacentric_radius.map(|radius| radius + (water.centre - gravity).dot(vertical));
         HullAfloat {
             force: self.hull.name.clone(),
@@ -139,6 +150,7 @@ impl Floating<'_> {
             solid_metacentric_height_m: solid,
             metacentric_height_m: [solid[0] - rise[0], solid[1] - rise[1]],
             hanging: Vec::new(),
+            free_surfaces,
             righting_arm: None,
             by_mesh: false,
         }
@@ -203,27 +215,32 @@ impl Floating<'_> {
         warnings
     }
 
-    /// GZ of the weight whose centre hanging loads raise along the vertical.
+    /// GZ of the weight whose centre hanging loads raise along the vertical, with slack tanks level at each heel.
     fn righting_arm(
         &self,
         mesh: &HullMesh,
         position: &FloatingPosition,
-        afloat: &HullAfloat,
+        hanging: &[HangingLoad],
+        tanks: &[(&SlackTank, HullTank)],
     ) -> Result<RightingArmCurve, StabilityError> {
+        let mass = self.carried_weight().mass;
         let loading = Loading {
-            mass: self.carried_weight().mass,
-            centre_of_gravity: self.centre_of_gravity() + position.vertical * afloat.fluid_rise_m()[0],
+            mass,
+            centre_of_gravity: self.centre_of_gravity() + position.vertical * rise_of(hanging, mass)[0],
             water_density: self.density(),
         };
-        RightingArmCurve::of(mesh, &loading, afloat.heel_rad)
+        let tanks: Vec<HullTank> = tanks.iter().map(|(_, tank)| *tank).collect();
+        let heel_rad = libm::atan2(position.vertical[1], position.vertical[2]);
+        RightingArmCurve::of(mesh, &loading, &tanks, heel_rad)
     }
 }
 
-impl HullAfloat {
-    /// How far hanging loads raise the centre of gravity, for heel and for trim, m.
-    fn fluid_rise_m(&self) -> [f64; 2] {
-        self.fluid_keel_to_gravity_m.map(|height| height - self.keel_to_gravity_m)
-    }
+/// How far hanging loads raise the centre of gravity of all, for heel and for trim, m.
+fn rise_of(hanging: &[HangingLoad], mass: f64) -> [f64; 2] {
+    [0, 1].map(|k| {
+        let moments = hanging.iter().map(|load| load.mass_kg * load.length_m * load.free_share[k]);
+        moments.sum::<f64>() / mass
+    })
 }
 
 impl Underwater {

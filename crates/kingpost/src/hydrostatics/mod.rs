@@ -1,5 +1,5 @@
 //! How the hulls of a scenario float with the crane as it stands: draught, heel and trim at rest, the
-//! metacentric height with hanging loads where they hang from, righting arms.
+//! metacentric height with hanging loads where they hang from and free surfaces of slack tanks, righting arms.
 //!
 //! ```no_run
 //! # fn of(scenario: &kingpost::Scenario) -> Result<(), kingpost::hydrostatics::HydrostaticsError> {
@@ -12,15 +12,17 @@
 //! ```
 
 mod floating;
+mod free_surface;
 mod hanging;
 mod righting;
 mod wave_data;
 
+pub use free_surface::FreeSurface;
 pub use hanging::HangingLoad;
 pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 
 use crate::dynamics::Kinematics;
-use crate::forces::{Force, Hull};
+use crate::forces::{Force, Hull, SlackTank};
 use crate::model::Model;
 use crate::scenario::{Scenario, ScenarioError, schema};
 use crate::sea::database::Database;
@@ -69,16 +71,18 @@ pub struct HullAfloat {
     pub metacentric_radius_m: [f64; 2],
     /// KM, `KB + BM`, m.
     pub keel_to_metacentre_m: [f64; 2],
-    /// KG, m, with every load where it is.
+    /// KG, m, with every load where it is, and the liquid in slack tanks.
     pub keel_to_gravity_m: f64,
-    /// KG, m, with hanging loads at the joints that they hang from.
+    /// KG, m, with hanging loads at the joints that they hang from, and raised by what free surfaces take off GM.
     pub fluid_keel_to_gravity_m: [f64; 2],
     /// GM with every load where it is and as if it were fixed there, m.
     pub solid_metacentric_height_m: [f64; 2],
-    /// GM, m, with hanging loads at the joints that they hang from.
+    /// GM, m, with hanging loads at the joints that they hang from, less what free surfaces take off.
     pub metacentric_height_m: [f64; 2],
     /// The loads that hang.
     pub hanging: Vec<HangingLoad>,
+    /// The free surfaces of slack tanks.
+    pub free_surfaces: Vec<FreeSurface>,
     /// GZ to the side that the ship lists to; `None` without a mesh.
     pub righting_arm: Option<RightingArmCurve>,
     /// Whether volume, KB and BM are of the mesh as it floats; else they are of the waterplane at the
@@ -127,9 +131,11 @@ impl Scenario {
             return Ok(report);
         }
         let (model, restraints, gravity) = (setup.model.clone(), Restraints::of(&setup), gravity(&setup.forces));
+        let slack_tanks: Vec<&SlackTank> = setup.forces.iter().filter_map(Force::slack_tank).collect();
+        let slack_tanks = &slack_tanks;
         let now = kinematics(&model, &simulation.state().q);
         for &(hull, database) in &hulls {
-            Floating { hull, database, model: &model, at: &now, gravity }.check_capacity()?;
+            Floating { hull, database, model: &model, at: &now, gravity, slack_tanks }.check_capacity()?;
         }
         let mut simulation = simulation.clone();
         match simulation.settle() {
@@ -144,7 +150,7 @@ impl Scenario {
         }
         let at_rest = kinematics(&model, &simulation.state().q);
         for (hull, database) in hulls {
-            let floating = Floating { hull, database, model: &model, at: &at_rest, gravity };
+            let floating = Floating { hull, database, model: &model, at: &at_rest, gravity, slack_tanks };
             let (afloat, mut warnings) = floating.describe(&restraints);
             if let Some(afloat) = afloat.as_ref().filter(|_| self.drifts(&hull.name)) {
                 warnings.extend(floating.drift_warnings(afloat.keel_to_gravity_m));

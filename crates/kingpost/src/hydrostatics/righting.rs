@@ -1,6 +1,6 @@
 //! Righting arms of a loaded hull towards the side that it lists to.
 
-use crate::sea::hull::{HullMesh, Loading, RightingArm, StabilityError};
+use crate::sea::hull::{HullMesh, HullTank, Loading, RightingArm, StabilityError};
 use serde::Serialize;
 
 /// A curve is sampled at every degree of heel to here, deg, and kept at every fifth.
@@ -25,7 +25,8 @@ pub enum Side {
     Starboard,
 }
 
-/// GZ over the heel to one side, at constant displacement, free to trim, with hanging loads where they hang from.
+/// GZ over the heel to one side, at constant displacement, free to trim, with hanging loads where they hang from
+/// and slack tanks level.
 ///
 /// Of a ship that lists, to the side of its list, where its arms are the lesser; of one that stands upright, to the side
 /// whose largest arm is the lesser, starboard where both are the same.
@@ -93,20 +94,25 @@ impl RightingArmCurve {
     ///
     /// # Errors
     /// [`StabilityError`].
-    pub(super) fn of(mesh: &HullMesh, loading: &Loading, heel_rad: f64) -> Result<Self, StabilityError> {
+    pub(super) fn of(
+        mesh: &HullMesh,
+        loading: &Loading,
+        tanks: &[HullTank],
+        heel_rad: f64,
+    ) -> Result<Self, StabilityError> {
         if heel_rad.abs() > UPRIGHT_RAD {
-            return Self::to(Side::of(heel_rad), mesh, loading);
+            return Self::to(Side::of(heel_rad), mesh, loading, tanks);
         }
-        let [port, starboard] = [Side::Port, Side::Starboard].map(|side| Self::to(side, mesh, loading));
+        let [port, starboard] = [Side::Port, Side::Starboard].map(|side| Self::to(side, mesh, loading, tanks));
         let (port, starboard) = (port?, starboard?);
         let top = |curve: &Self| curve.largest.map_or(0.0, |largest| largest.arm_m);
         Ok(if top(&port) < top(&starboard) - NO_ARM_M { port } else { starboard })
     }
 
-    fn to(side: Side, mesh: &HullMesh, loading: &Loading) -> Result<Self, StabilityError> {
+    fn to(side: Side, mesh: &HullMesh, loading: &Loading, tanks: &[HullTank]) -> Result<Self, StabilityError> {
         let at = |heels: &[f64]| -> Result<Vec<RightingArmPoint>, StabilityError> {
             let heels: Vec<f64> = heels.iter().map(|heel| side.sign() * heel).collect();
-            let curve = RightingArm::curve(mesh, loading, &heels)?;
+            let curve = RightingArm::curve_with_tanks(mesh, loading, tanks, &heels)?;
             let point = |point: &RightingArm| RightingArmPoint {
                 heel_rad: side.sign() * point.heel,
                 trim_rad: point.trim,

@@ -13,6 +13,7 @@ mod loops;
 mod positioning;
 mod positioning_loop;
 pub mod reading;
+mod tanks;
 mod water;
 mod wave_motion;
 pub(super) mod waves;
@@ -168,6 +169,7 @@ fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result
             }
             ForceSchema::ViscousDamping(_) => forces.extend(damping::viscous(scenario, name, model)?),
             ForceSchema::QuadraticDamping(_) => forces.extend(damping::quadratic(scenario, name, model)?),
+            ForceSchema::SlackTank(_) => forces.extend(tanks::slack(scenario, name, model)?),
             ForceSchema::SpringLine(_) => forces.extend(lines::spring(scenario, name, model)?),
             ForceSchema::CatenaryLine(_) => forces.extend(lines::catenary(scenario, name, model)?),
             ForceSchema::WindLoad(_) => forces.extend(flow::wind(scenario, name, model)?),

@@ -19,6 +19,7 @@ mod loops;
 mod moved_by_waves;
 mod parameter;
 mod sea;
+mod slack_tank;
 mod waves;
 
 use indexmap::IndexMap;
@@ -55,6 +56,7 @@ pub use loops::{Attachment, Constraint, Distance, Loop};
 pub use moved_by_waves::MovedByWaves;
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;
+pub use slack_tank::SlackTank;
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
     WaveRealisation, Waves,

@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, SpringLine, WindLoad, yes,
+    CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, SlackTank, SpringLine, WindLoad,
+    yes,
 };
 
 /// What acts on the bodies from outside.
@@ -19,6 +20,8 @@ pub enum Force {
     QuadraticDamping(QuadraticDamping),
     /// The water on a hull.
     Hydrodynamics(Hydrodynamics),
+    /// The free surface of a tank that is neither empty nor full.
+    SlackTank(Box<SlackTank>),
     /// A line without weight that pulls between two points.
     SpringLine(SpringLine),
     /// A mooring line that hangs, and may lie on the seabed.

@@ -1,0 +1,53 @@
+//! The free surface of a tank that is neither empty nor full.
+
+use super::hull::HullFrame;
+use crate::dynamics::{LinkKinematics, Loads, Moment};
+use crate::model::Model;
+use crate::scalar::Scalar;
+use crate::sea::hull::BoxTank;
+use crate::spatial::{Vector3, Wrench};
+
+/// A box of liquid on a body, whose weight `rho g V` is part of the body's where the liquid lies upright.
+///
+/// The surface is level at once, so the liquid's centre goes from c0 to c(n), n the vertical in body axes
+/// ([`BoxTank::shift`]). What that adds to the weight is a moment alone, wherever the tank is, by the
+/// potential energy
+///
+/// ```text
+/// U = rho g V n . (c - c0),      M = n x dU/dn = (c - c0) x (-rho g V n)
+/// ```
+///
+/// for dU/dn = rho g V (c - c0): at constant volume the surface moves liquid along itself only.
+#[derive(Clone, Debug)]
+pub struct SlackTank<S = f64> {
+    /// Name of the force in the scenario.
+    pub name: String,
+    /// The body, and the centre of the box; the box's axes are the body's.
+    pub place: HullFrame<S>,
+    /// The box and how full it is.
+    pub tank: BoxTank<S>,
+    /// rho of the liquid, kg/m^3.
+    pub density: S,
+    /// g, m/s^2.
+    pub gravity: S,
+}
+
+impl<S: Scalar> SlackTank<S> {
+    /// Adds the moment of the liquid that has moved.
+    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let vertical = self.vertical(at.model, at.links);
+        let moment = vertical.cross(self.tank.shift(vertical)) * (self.density * self.gravity);
+        loads.wrenches.push((self.place.body, Wrench { moment, force: Vector3::zero() }));
+    }
+
+    /// Energy of the liquid less that where it lies upright, J: never positive.
+    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
+        let vertical = self.vertical(model, links);
+        vertical.dot(self.tank.shift(vertical)) * self.density * self.gravity
+    }
+
+    /// n, in the body's axes.
+    fn vertical(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Vector3<S> {
+        links.to_body_axes(model, self.place.body, Vector3::new(S::ZERO, S::ZERO, S::ONE))
+    }
+}

@@ -1,0 +1,76 @@
+//! Slack tanks: what their free surfaces take off the metacentric height.
+
+use super::floating::Floating;
+use super::hanging::{HangingLoad, carried};
+use crate::forces::SlackTank;
+use crate::sea::hull::HullTank;
+use crate::spatial::{Matrix3, Vector3};
+use serde::Serialize;
+
+/// The free surface of a slack tank of a hull, or of what its joints carry without letting it hang.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FreeSurface {
+    /// Name of the force in the scenario.
+    pub force: String,
+    /// The body that the tank is in.
+    pub body: String,
+    /// Of the liquid, kg; it is part of the body's mass.
+    pub liquid_kg: f64,
+    /// Height of the liquid's centre over the keel, as it stands, along the hull's z, m.
+    pub keel_to_liquid_m: f64,
+    /// What it takes off GM across the ship and along it, `rho i / M`, i the second moment of its surface as it
+    /// stands about its centroid and M the mass afloat, m (Barrass & Derrett, *Ship Stability for Masters and
+    /// Mates*, ch. on free surface).
+    pub correction_m: [f64; 2],
+}
+
+impl Floating<'_> {
+    /// The tanks whose liquid heels with the hull, with their axes in its.
+    pub(super) fn tanks(&self, hanging: &[HangingLoad]) -> Vec<(&SlackTank, HullTank)> {
+        let to_hull = self.frame().rotation.transpose();
+        let hull = carried(self.model, self.hull.frame.body);
+        let hangs = |body: usize| {
+            let hanging = hanging.iter().filter_map(|load| self.model.body(&load.body));
+            hanging.into_iter().any(|load| carried(self.model, load).contains(&body))
+        };
+        let is_slack = |tank: &SlackTank| tank.tank.filling > 0.0 && tank.tank.filling < 1.0;
+        let of_hull = |tank: &&&SlackTank| is_slack(tank) && hull.contains(&tank.place.body) && !hangs(tank.place.body);
+        let placed = |tank: &SlackTank| {
+            let rotation: Matrix3 = to_hull * self.at.world[tank.place.body].rotation;
+            HullTank { tank: tank.tank, rotation, density: tank.density }
+        };
+        self.slack_tanks.iter().filter(of_hull).map(|tank| (*tank, placed(tank))).collect()
+    }
+
+    /// How far the liquid in tanks has moved the centre of gravity, hull axes, m.
+    pub(super) fn liquid_shift(&self, tanks: &[(&SlackTank, HullTank)], vertical: Vector3) -> Vector3 {
+        let shift = tanks.iter().fold(Vector3::zero(), |sum, (_, tank)| sum + tank.shift(vertical));
+        shift * (1.0 / self.carried_weight().mass)
+    }
+
+    /// Their free surfaces; `tangents` are the axes across and along the ship in the water's plane, hull axes.
+    pub(super) fn free_surfaces(
+        &self,
+        tanks: &[(&SlackTank, HullTank)],
+        vertical: Vector3,
+        tangents: [Vector3; 2],
+    ) -> Vec<FreeSurface> {
+        let mass = self.carried_weight().mass;
+        let to_hull = self.frame().inverse();
+        let describe = |(tank, placed): &(&SlackTank, HullTank)| {
+            let volume = placed.tank.volume();
+            let box_centre = to_hull.point(self.at.world[tank.place.body].point(tank.place.origin));
+            let upright = Vector3::new(0.0, 0.0, 0.5 * (placed.tank.filling - 1.0) * placed.tank.edges[2]);
+            let moved = placed.shift(vertical) * (1.0 / (placed.density * volume));
+            let centre = box_centre + placed.rotation * upright + moved;
+            FreeSurface {
+                force: tank.name.clone(),
+                body: self.model.bodies[tank.place.body].name.clone(),
+                liquid_kg: placed.density * volume,
+                keel_to_liquid_m: centre[2] + self.database.hull.draught_m,
+                correction_m: tangents.map(|t| placed.second_moment(vertical, t, t) / mass),
+            }
+        };
+        tanks.iter().map(describe).collect()
+    }
+}
