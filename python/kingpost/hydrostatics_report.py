@@ -24,7 +24,8 @@ def sections(scenario: Scenario) -> list[list[str]]:
         When a hull cannot float.
     """
     found = scenario.hydrostatics
-    parts = [part for hull in found["hulls"] for part in (_hull(hull), _hanging(hull), _arms(hull))]
+    of_hull = (_hull, _hanging, _tanks, _arms)
+    parts = [section(hull) for hull in found["hulls"] for section in of_hull]
     return [*parts, [f"warning: {words}" for words in found["warnings"]]]
 
 
@@ -36,6 +37,9 @@ def _hull(hull: dict[str, Any]) -> list[str]:
         return _metres(across), f"{_metres(along)} lengthwise"
 
     across = 0
+    tanks = bool(hull["free_surfaces"])
+    fluid = "hanging loads where they hang from" + ", free surfaces" * tanks
+    solid = "hanging loads as if fixed" + ", liquids as if frozen" * tanks
     rows = [
         ("displacement", f"{hull['displacement_kg'] / 1000:.3f} t", f"{hull['displacement_m3']:.3f} m3"),
         ("mass afloat", f"{hull['mass_kg'] / 1000:.3f} t", ""),
@@ -46,9 +50,9 @@ def _hull(hull: dict[str, Any]) -> list[str]:
         ("BM", *both("metacentric_radius_m")),
         ("KM", *both("keel_to_metacentre_m")),
         ("KG", _metres(hull["keel_to_gravity_m"]), ""),
-        ("KG, fluid", _metres(hull["fluid_keel_to_gravity_m"][across]), "hanging loads where they hang from"),
+        ("KG, fluid", _metres(hull["fluid_keel_to_gravity_m"][across]), fluid),
         ("GM, fluid", *both("metacentric_height_m")),
-        ("GM, solid", _metres(hull["solid_metacentric_height_m"][across]), "hanging loads as if fixed"),
+        ("GM, solid", _metres(hull["solid_metacentric_height_m"][across]), solid),
     ]
     how = "its mesh" if hull["by_mesh"] else "its database's waterplane"
     return [f"{hull['body']} afloat at rest in still water, by {how}", *table(rows, "<><")]
@@ -74,6 +78,21 @@ def _hanging(hull: dict[str, Any]) -> list[str]:
         rows.append((load["body"], load["joint"], f"{load['mass_kg'] / 1000:g} t", _metres(load["length_m"]),
                      *shares))  # fmt: skip
     return table(rows, "<<>>>>") if len(rows) > 1 else []
+
+
+def _tanks(hull: dict[str, Any]) -> list[str]:
+    """What their free surfaces change GM by, the liquid and its height."""
+    surfaces = hull["free_surfaces"]
+    if not surfaces:
+        return []
+    added = [[-surface["correction_m"][k] for surface in surfaces] for k in (0, 1)]
+    rows = [("slack tank", "body", "liquid", "over the keel", "GM", "GM lengthwise")]
+    for surface, across, along in zip(surfaces, *added, strict=True):
+        liquid = f"{surface['liquid_kg'] / 1000:.3f} t"
+        height = _metres(surface["keel_to_liquid_m"])
+        rows.append((surface["force"], surface["body"], liquid, height, _metres(across), _metres(along)))
+    of_all, along = (sum(one) for one in added)
+    return [f"slack tanks: GM {_metres(of_all)}, {_metres(along)} lengthwise", *table(rows, "<<>>>>")]
 
 
 def _arms(hull: dict[str, Any]) -> list[str]:

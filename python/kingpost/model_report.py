@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 WORLD = "world"
 
 # What acts on bodies without carrying them.
-CARRIES_NOTHING = ("current_load", "dynamic_positioning", "gravity", "quadratic_damping", "viscous_damping",
-                   "wind_load")  # fmt: skip
+CARRIES_NOTHING = ("current_load", "dynamic_positioning", "gravity", "quadratic_damping", "slack_tank",
+                   "viscous_damping", "wind_load")  # fmt: skip
 
 
 def text(scenario: Scenario, coordinates: Sequence[str]) -> str:

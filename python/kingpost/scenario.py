@@ -87,10 +87,10 @@ class Scenario:
         moves, it is a method: ``simulation.hydrostatics()``.
 
         Of each hull, with units in the names (docs/afloat.md): displacement, draught, heel to
-        starboard and trim by the bow, KB, BM, KM, KG, GM with hanging loads where they hang from
-        (``metacentric_height_m``) and as if they were fixed, the loads that hang, and the righting arms
-        (``righting_arm``, `None` without a mesh) at constant displacement, free to trim, to the side of the
-        list. Pairs are across the ship and along it.
+        starboard and trim by the bow, KB, BM, KM, KG, GM with hanging loads where they hang from and
+        less what slack tanks take off (``metacentric_height_m``), and as if all were fixed, the loads that
+        hang, the free surfaces of tanks, and the righting arms (``righting_arm``, `None` without a mesh) at
+        constant displacement, free to trim, to the side of the list. Pairs are across the ship and along it.
 
         Raises
         ------

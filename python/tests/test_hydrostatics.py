@@ -7,6 +7,7 @@ import re
 import kingpost
 import numpy as np
 import pytest
+from kingpost import model_report
 from kingpost.cli import main
 
 
@@ -70,6 +71,24 @@ def test_check_prints_how_a_ship_floats(capsys) -> None:
     expected = [point["arm_m"] for point in hull["righting_arm"]["points"]]
     assert np.allclose([float(arm) for arm in arms.split()], expected, atol=6e-4)
     assert "warning" not in shown
+
+
+def test_check_tells_what_a_slack_tank_takes_off(capsys) -> None:
+    """Source: rho l b^3 / (12 M) across, rho b l^3 / (12 M) along. The barge heels by half a degree, whose
+    tan^2 is 1e-4: so much larger is i."""
+    size = {"length_m": 6, "breadth_m": 8, "height_m": 2, "filling": 0.5}
+    tank = {"slack_tank": {"body": "ship", "position_m": [0, 0, -1], **size}}
+    without = kingpost.load("barge")
+    shown = model_report.text(kingpost.load("barge", {"forces.ballast": tank}), [])
+    across, along = (1025 * moment / (12 * 410e3) for moment in (6 * 8**3, 8 * 6**3))
+    assert f"slack tanks: GM -{across:.3f} m, -{along:.3f} m lengthwise" in shown
+    row = rf"^ballast +ship +49.200 t +[\d.]+ m +-{across:.3f} m +-{along:.3f} m$"
+    assert re.search(row, shown, re.MULTILINE)
+    (fluid,) = re.findall(r"^GM, fluid +([\d.]+) m", shown, re.MULTILINE)
+    gm = without.hydrostatics["hulls"][0]["metacentric_height_m"][0]
+    assert float(fluid) == pytest.approx(gm - across, abs=2e-3)
+    assert "free surfaces" in shown
+    assert "slack tank" not in model_report.text(without, [])
 
 
 def test_the_righting_arms_of_a_crane_to_port_and_to_starboard_are_the_same(capsys) -> None:

@@ -124,7 +124,7 @@ function readShape(tagged: TaggedShape | null): Shape | null {
 export interface HullAtRest {
   /** Name of the force, as of {@link HullInfo}. */
   force: string;
-  /** With hanging loads where they hang from, m. */
+  /** With hanging loads where they hang from, less what slack tanks take off, m. */
   metacentric_height_m: [number, number];
 }
 
