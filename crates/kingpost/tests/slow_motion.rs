@@ -244,6 +244,44 @@ fn a_head_sea_does_not_roll_a_ship_as_it_yaws() {
     assert!(largest[1] > 0.02 && largest[0] < 0.1 * largest[1], "{largest:?}");
 }
 
+/// Place and attitude less their start, over the wave height, every half second from the ramp's end on.
+fn motions_per_height(height_m: f64) -> Vec<[f64; 6]> {
+    let jonswap = json!({"significant_height_m": height_m, "peak_period_s": 9, "gamma": 1, "direction_rad": 2.0,
+                         "realisation": {"components": 60}});
+    let damping = json!({"body": "hull", "angular_N_m_s": [1.6e7, 0, 0]});
+    let mut ship = simulation(&[
+        ("sea.waves", json!({"sea": {"jonswap": jonswap}})),
+        ("sea.ramp_s", json!(60)),
+        ("forces.damping", json!({"viscous_damping": damping})),
+    ]);
+    let place = |ship: &mut Simulation| {
+        let position = values(ship, "position");
+        let [roll, pitch, yaw] = ["roll", "pitch", "yaw"].map(|angle| values(ship, angle)[0]);
+        [position[0], position[1], position[2], roll, pitch, yaw]
+    };
+    let start = place(&mut ship);
+    ship.step(1_200).expect("it runs");
+    let mut after = |_| {
+        ship.step(10).expect("it runs");
+        let now = place(&mut ship);
+        core::array::from_fn(|k| (now[k] - start[k]) / height_m)
+    };
+    (0..600).map(&mut after).collect()
+}
+
+/// What is of second order is small in a sea of 1 m: heave, pitch and roll are those of a sea a hundred times lower, scaled.
+/// Roll is resonant, and bodies that pitch and yaw do turn in roll (Euler's equations). Kirchhoff's equations for the whole
+/// velocity would make 0.73 of it.
+#[test]
+fn motions_grow_with_the_waves() {
+    let (low, high) = (motions_per_height(0.01), motions_per_height(1.0));
+    for (mode, bound) in [(2, 0.005), (3, 0.15), (4, 0.01)] {
+        let size = |of: &dyn Fn(usize) -> f64| (0..low.len()).map(|i| of(i) * of(i)).sum::<f64>();
+        let share = libm::sqrt(size(&|i| high[i][mode] - low[i][mode]) / size(&|i| low[i][mode]));
+        assert!(share < bound, "mode {mode}: {share}");
+    }
+}
+
 #[test]
 fn drift_and_the_waves_pressure_do_not_act_together() {
     let both = [

@@ -87,10 +87,15 @@ impl<S: Scalar> LinkKinematics<S> {
 
     /// Twist of a body in its own axes about its centre of mass.
     pub fn body_twist(&self, model: &Model<S>, body: usize) -> Twist<S> {
+        self.to_body(model, body, |link| self.twist[link])
+    }
+
+    /// A twist of a body's link, or its spatial rate, in root axes, as that of the body, in its axes about its centre of
+    /// mass; zero for a body that is fixed to the world.
+    pub fn to_body(&self, model: &Model<S>, body: usize, of_link: impl Fn(usize) -> Twist<S>) -> Twist<S> {
         let body = &model.bodies[body];
-        body.link.map_or(Twist::zero(), |link| {
-            body.in_link.twist_to_child(&self.in_root[link].twist_to_child(&self.twist[link]))
-        })
+        let carried = |link: usize| body.in_link.twist_to_child(&self.in_root[link].twist_to_child(&of_link(link)));
+        body.link.map_or(Twist::zero(), carried)
     }
 
     /// World components of a vector in the axes of a body.

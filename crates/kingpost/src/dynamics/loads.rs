@@ -3,7 +3,7 @@
 use super::LinkKinematics;
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::spatial::{SpatialInertia, Wrench};
+use crate::spatial::{SpatialInertia, Twist, Wrench};
 
 /// The paper's {F} (eq. 59), the motors, and what moves with the water.
 #[derive(Clone, Debug)]
@@ -14,8 +14,8 @@ pub struct Loads<S = f64> {
     pub force: Vec<S>,
     /// Of each prescribed coordinate, m/s^2 or rad/s^2; ignored for others.
     pub acceleration: Vec<S>,
-    /// Inertia added to a body, in body axes about its centre of mass. Its energy and momentum are
-    /// those of what adds it: the bodies' own do not contain them.
+    /// Inertia added to a body, in body axes about its centre of mass. Energy and momentum of the
+    /// bodies do not contain it: to them it is a load from outside, its [reaction](Self::hand_over).
     pub added_inertia: Vec<(usize, SpatialInertia<S>)>,
     /// Who does the work.
     pub power: Power<S>,
@@ -62,6 +62,17 @@ impl<S: Scalar> Loads<S> {
         let (link, in_link) = (model.bodies[body].link, &model.bodies[body].in_link);
         let frame = link.map_or(*in_link, |link| links.in_root[link].times(in_link));
         self.wrenches.push((body, frame.wrench_to_child(in_root)));
+    }
+
+    /// Once accelerations are known: makes the added inertia I a wrench, `-(I a + nu x* I nu)`. `twist_and_rate` of a body
+    /// are nu and the spatial acceleration a, in body axes about its centre of mass.
+    pub fn hand_over(&mut self, twist_and_rate: impl Fn(usize) -> (Twist<S>, Twist<S>)) {
+        for (body, added) in self.added_inertia.drain(..) {
+            let (twist, rate) = twist_and_rate(body);
+            let reaction = -(added.times(&rate) + twist.cross_momentum(&added.times(&twist)));
+            self.power.outside += reaction.dot(&twist);
+            self.wrenches.push((body, reaction));
+        }
     }
 
     /// Takes all loads off.

@@ -362,7 +362,14 @@ impl<S: Scalar> System<S> for Plant<S> {
         if !self.keeps_ledger {
             return;
         }
-        let Self { model, links, bodies, loads, work, inverse, .. } = self;
+        let Self { model, links, bodies, loads, work, inverse, form, .. } = self;
+        loads.hand_over(|body| {
+            let rate = match form {
+                Form::Recursive => links.to_body(model, body, |link| work.acceleration(links, link)),
+                Form::MovingFrame(_) => inverse.acceleration[body],
+            };
+            (links.body_twist(model, body), rate)
+        });
         let (has_fixed, centre) = (self.form != Form::Recursive, ledger::reference_point(model, at.q));
         let tree = if has_fixed { &model.tree } else { &model.links };
         let entries = Entries { model, tree, has_fixed, links, v: at.v, loads, centre };

@@ -2,7 +2,7 @@
 
 use super::{Frame, Matrix3, Symmetric3, Twist, Wrench, hat};
 use crate::scalar::Scalar;
-use core::ops::{Add, AddAssign};
+use core::ops::{Add, AddAssign, Sub};
 
 /// A symmetric 6x6 inertia in body axes about the body's origin: momentum = inertia * twist.
 ///
@@ -103,6 +103,14 @@ impl<S: Scalar> Add for SpatialInertia<S> {
     #[inline]
     fn add(self, b: Self) -> Self {
         Self { angular: self.angular + b.angular, coupling: self.coupling + b.coupling, linear: self.linear + b.linear }
+    }
+}
+
+impl<S: Scalar> Sub for SpatialInertia<S> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, b: Self) -> Self {
+        Self { angular: self.angular - b.angular, coupling: self.coupling - b.coupling, linear: self.linear - b.linear }
     }
 }
 

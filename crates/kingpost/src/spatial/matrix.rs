@@ -235,6 +235,21 @@ impl<S: Scalar> Add for Symmetric3<S> {
     }
 }
 
+impl<S: Scalar> Sub for Symmetric3<S> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, b: Self) -> Self {
+        Self {
+            xx: self.xx - b.xx,
+            xy: self.xy - b.xy,
+            xz: self.xz - b.xz,
+            yy: self.yy - b.yy,
+            yz: self.yz - b.yz,
+            zz: self.zz - b.zz,
+        }
+    }
+}
+
 impl<S: Scalar> AddAssign for Symmetric3<S> {
     #[inline]
     fn add_assign(&mut self, b: Self) {

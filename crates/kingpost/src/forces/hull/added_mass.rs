@@ -3,55 +3,77 @@
 //! The added mass A stands in the inertia of the hull's body, which moves by Kirchhoff's equations for the body's own twist
 //! nu: the water pushes with `-(A nu' + nu x* A nu)`. What is different is added here as a load.
 
+use super::place::SeaAxes;
 use super::{Hull, SlowFilter};
-use crate::dynamics::Moment;
+use crate::dynamics::{Loads, Moment};
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
 
-/// Where Munk's moment in yaw, `-(v x p)_z` with the water's momentum p = A v, is taken from.
+/// What velocity the terms of the added mass take that are quadratic in it, and whether Munk's moment in yaw is one of them.
 ///
-/// A hull that moves obliquely through still water is turned athwart by it. It is a product of two velocities. In waves,
-/// first-order loads that act at the moving centre have the mean moment `-(v x p)_z` about a fixed point, as large as that of
-/// the drift, and Kirchhoff's equations alone have none. Without Munk's moment the two cancel, and of second order there is
-/// just what `wave_drift` says.
+/// Of motions with the waves these terms are of second order: one part of a whole that `wave_drift` stands for. By
+/// themselves they have a mean as large as the drift, and roll a slender ship by differences of the waves' frequencies as
+/// much as the waves do. With the slow velocity there is of second order just what `wave_drift` says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MunkMoment {
-    /// The velocity as it is: no waves act.
-    Whole,
-    /// The slow velocity: what goes with the waves is of second order, and belongs to the mean drift.
-    Slow,
-    /// It is in the yaw moments of a table of current coefficients.
-    InCoefficients,
+pub struct QuadraticTerms {
+    /// They take the slow velocity: waves act.
+    pub of_slow_motion: bool,
+    /// `-(v x p)_z`, by which a hull that moves obliquely through still water is turned athwart, is in the yaw moments of a
+    /// table of current coefficients.
+    pub munk_by_table: bool,
 }
 
 impl<S: Scalar> Hull<S> {
-    /// The load about the body's centre of mass, in its axes, that makes of Kirchhoff's terms for nu those in the water.
-    ///
+    /// The load about the body's centre of mass, in its axes, that makes of Kirchhoff's terms for nu those in the water; in
+    /// waves, what changes of the inertia goes to `loads`.
+    pub(super) fn in_flowing_water(&self, at: &Moment<'_, S>, axes: &SeaAxes<S>, loads: &mut Loads<S>) -> Wrench<S> {
+        let own = at.model.added_inertias.iter().filter(|(body, _)| *body == self.frame.body);
+        own.fold(Wrench::zero(), |sum, (_, added)| {
+            if self.quadratic_terms.of_slow_motion {
+                let seen = axes.inertia_in_body(added);
+                loads.added_inertia.push((self.frame.body, seen - *added));
+                sum + self.in_waves(added, &seen, axes, at)
+            } else {
+                sum + self.in_current(added, at)
+            }
+        })
+    }
+
     /// A current u, constant in the world, is seen as `nu_r = nu - R^T u`, and `d(R^T u)/dt = -omega x R^T u`:
     /// `F = -(A (nu' + omega x R^T u) + nu_r x* A nu_r)`. A hull that drifts with the current moves as one in still water.
-    pub(super) fn in_flowing_water(&self, at: &Moment<'_, S>) -> Wrench<S> {
-        let own = at.model.added_inertias.iter().filter(|(body, _)| *body == self.frame.body);
+    fn in_current(&self, added: &SpatialInertia<S>, at: &Moment<'_, S>) -> Wrench<S> {
         let twist = at.links.body_twist(at.model, self.frame.body);
         let stream = at.links.to_body_axes(at.model, self.frame.body, self.current);
         let relative = Twist { linear: twist.linear - stream, ..twist };
         let turned = Twist { linear: twist.angular.cross(stream), angular: Vector3::zero() };
-        own.fold(Wrench::zero(), |mut sum, (_, added)| {
-            sum += twist.cross_momentum(&added.times(&twist));
-            sum += -relative.cross_momentum(&added.times(&relative));
-            sum += -added.times(&turned);
-            sum.moment += self.munk_instead(added, &relative, at);
-            sum
-        })
+        twist.cross_momentum(&added.times(&twist)) - added.times(&turned) - self.cross_momentum(added, &relative)
     }
 
-    /// Munk's moment as it is to be, less that of the whole velocity.
-    fn munk_instead(&self, added: &SpatialInertia<S>, relative: &Twist<S>, at: &Moment<'_, S>) -> Vector3<S> {
-        let wanted = match self.munk_moment {
-            MunkMoment::Whole => return Vector3::zero(),
-            MunkMoment::Slow => munk_moment(added, &self.slow_twist(at)),
-            MunkMoment::InCoefficients => S::ZERO,
-        };
-        Vector3::new(S::ZERO, S::ZERO, wanted - munk_moment(added, relative))
+    /// To first order A belongs to the axes of the other loads of the sea, `w = T nu`, and what moves with the waves has no
+    /// quadratic terms: `F = -T^T (A (T nu' + T' nu) + Q)`. The inertia becomes `T^T A T`; its Kirchhoff terms are given back.
+    /// Of the slow velocity are `Q(nu) = nu x* A nu - A (omega x v)`, since w' is the acceleration in the world.
+    fn in_waves(
+        &self,
+        added: &SpatialInertia<S>,
+        seen: &SpatialInertia<S>,
+        axes: &SeaAxes<S>,
+        at: &Moment<'_, S>,
+    ) -> Wrench<S> {
+        let twist = at.links.body_twist(at.model, self.frame.body);
+        let slow = self.slow_twist(at);
+        let turned = Twist { linear: slow.angular.cross(slow.linear), angular: Vector3::zero() };
+        let quadratic = self.cross_momentum(added, &slow) - added.times(&turned);
+        twist.cross_momentum(&seen.times(&twist)) - axes.wrench_to_body(&(added.times(&axes.drift(&twist)) + quadratic))
+    }
+
+    /// `nu x* A nu`, without Munk's moment in yaw where a table has it.
+    fn cross_momentum(&self, added: &SpatialInertia<S>, twist: &Twist<S>) -> Wrench<S> {
+        let momentum = added.times(twist);
+        let mut terms = twist.cross_momentum(&momentum);
+        if self.quadratic_terms.munk_by_table {
+            terms.moment -= Vector3::new(S::ZERO, S::ZERO, twist.linear.cross(momentum.force)[2]);
+        }
+        terms
     }
 
     /// The slow motion of the body's centre of mass through the water, in level axes of the slow heading.
@@ -63,10 +85,4 @@ impl<S: Scalar> Hull<S> {
         let linear = filter.frame().rotation().transpose_times(drift) - angular.cross(self.frame.origin);
         Twist { linear, angular }
     }
-}
-
-/// `-(v x p)_z` of the horizontal velocity.
-fn munk_moment<S: Scalar>(added: &SpatialInertia<S>, twist: &Twist<S>) -> S {
-    let momentum = added.times(twist).force;
-    twist.linear[1] * momentum[0] - twist.linear[0] * momentum[1]
 }

@@ -11,11 +11,11 @@ mod place;
 mod radiation;
 mod slow_filter;
 
-pub use added_mass::MunkMoment;
+pub use added_mass::QuadraticTerms;
 pub(crate) use by_heading::ByHeading;
 pub use excitation::{Excitation, Parts};
 pub use mesh_in_waves::MeshInWaves;
-pub use place::{HullFrame, HullMotion, SlowFrame};
+pub use place::{HullFrame, HullMotion, SeaAxes, SlowFrame};
 pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
@@ -23,7 +23,7 @@ use crate::dynamics::{LinkKinematics, Loads, Moment};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::sea::hull::{FloatingPosition, HullMesh, LinearHydrostatics, WettedHull};
-use crate::spatial::{Frame, Matrix3, Vector3, Wrench};
+use crate::spatial::{Twist, Vector3, Wrench};
 
 /// How buoyancy is computed.
 #[derive(Clone, Debug)]
@@ -71,7 +71,7 @@ impl<S: Scalar> Hydrostatics<S> {
 }
 
 /// The sea at a hull at one moment. Forces (N) and moments (N m) are about the hull's reference
-/// point, in the axes of the slow frame; those of roll and pitch about level axes of its own heading.
+/// point, along what [`SeaAxes`] says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HullReading<S = f64> {
     /// Of the incident waves at the slow frame's place, m.
@@ -107,8 +107,8 @@ pub struct Hull<S = f64> {
     pub calm: bool,
     /// Velocity of the water in the world, m/s.
     pub current: Vector3<S>,
-    /// What velocity Munk's moment takes.
-    pub munk_moment: MunkMoment,
+    /// Which quadratic terms of the added mass act.
+    pub quadratic_terms: QuadraticTerms,
     /// Where the filter of the slow frame cuts off, rad/s.
     pub cutoff_rad_s: f64,
     /// First of its numbers among what forces hold.
@@ -131,7 +131,8 @@ impl<S: Scalar> Hull<S> {
             let (first, drift) = (excitation.force(at.clock.time_s, &slow), excitation.drift(at.clock.time_s, &slow));
             by_the_sea = core::array::from_fn(|mode| by_the_sea[mode] + first[mode] + drift[mode]);
         }
-        let mut by_the_sea = self.about_centre(&by_the_sea, &motion, &slow) + self.in_flowing_water(at);
+        let axes = SeaAxes::of(&motion.frame, &slow);
+        let mut by_the_sea = self.about_centre(&by_the_sea, &axes) + self.in_flowing_water(at, &axes, loads);
         if let Some(waves) = self.wave_pressure.as_mut().filter(|_| !self.calm) {
             let pressure = waves.pressure(&motion.frame, self.specific_weight, at.clock.time_s);
             by_the_sea += self.frame.about_centre(&pressure);
@@ -148,8 +149,9 @@ impl<S: Scalar> Hull<S> {
         let mut excitation_force = self.excitation.as_mut().map_or(none, |waves| waves.force(time_s, &slow));
         if let Some(waves) = self.wave_pressure.as_mut() {
             let motion = self.frame.motion(at);
-            let by_pressure = in_slow(&waves.pressure(&motion.frame, self.specific_weight, time_s), &motion, &slow);
-            excitation_force.iter_mut().zip(by_pressure).for_each(|(sum, force)| *sum += force);
+            let by_pressure = waves.pressure(&motion.frame, self.specific_weight, time_s);
+            let along = modes(&SeaAxes::of(&motion.frame, &slow).wrench_of_body(&by_pressure));
+            excitation_force.iter_mut().zip(along).for_each(|(sum, force)| *sum += force);
         }
         HullReading {
             radiation_force: self.radiation.as_ref().map_or(none, |radiation| radiation.force(states)),
@@ -196,30 +198,23 @@ impl<S: Scalar> Hull<S> {
         radiation.steady(&[x, y, none, none, none, none], &mut states[self.first_state..][..self.state_count()]);
     }
 
-    /// Velocity and angular velocity of the reference point relative to the water: linear and yaw in the axes of the slow
-    /// frame, roll and pitch about level axes of the hull's own heading.
-    ///
-    /// What these axes leave out is of second order, and chosen so that first-order loads make no motion of their own of it.
-    /// Forces in axes that yawed with the waves would have a mean, which belongs to the drift; so would a lever that tilted
-    /// with the hull. But moments of roll and pitch belong to the hull: in axes that did not yaw with it a slender ship's
-    /// pitch moment, many times that of roll, would turn to roll it at the difference of the frequencies of waves and yaw.
+    /// Velocity and angular velocity of the reference point relative to the water, along the axes of the sea's loads. The
+    /// lever from the centre of mass is that of a level hull.
     fn velocity_through_water(&self, motion: &HullMotion<S>, slow: &SlowFrame<S>) -> [S; 6] {
         let HullMotion { frame, twist } = motion;
-        let to_slow = |v: Vector3<S>| slow.rotation().transpose_times(v);
-        let angular = level(frame).transpose_times(frame.rotation * twist.angular);
-        let centre = frame.rotation * (twist.linear - twist.angular.cross(self.frame.origin));
-        let [x, y, z] = (to_slow(centre - self.current) + angular.cross(self.frame.origin)).0;
-        let [roll, pitch, yaw] = angular.0;
+        let of_centre = twist.linear - twist.angular.cross(self.frame.origin);
+        let linear = of_centre - frame.rotation.transpose_times(self.current);
+        let relative = SeaAxes::of(frame, slow).twist(&Twist { linear, ..*twist });
+        let Twist { angular, linear } = self.frame.in_body().twist_to_child(&relative);
+        let ([x, y, z], [roll, pitch, yaw]) = (linear.0, angular.0);
         [x, y, z, roll, pitch, yaw]
     }
 
     /// A force and moment along those axes as a wrench about the body's centre of mass, in its axes.
-    fn about_centre(&self, force: &[S; 6], motion: &HullMotion<S>, slow: &SlowFrame<S>) -> Wrench<S> {
+    fn about_centre(&self, force: &[S; 6], axes: &SeaAxes<S>) -> Wrench<S> {
         let [x, y, z, roll, pitch, yaw] = *force;
-        let (force, moment) = (Vector3([x, y, z]), Vector3([roll, pitch, yaw]));
-        let to_body = |v: Vector3<S>| motion.frame.rotation.transpose_times(v);
-        let moment = level(&motion.frame) * (moment + self.frame.origin.cross(force));
-        Wrench { moment: to_body(moment), force: to_body(slow.rotation() * force) }
+        let about_origin = Wrench { moment: Vector3([roll, pitch, yaw]), force: Vector3([x, y, z]) };
+        axes.wrench_to_body(&self.frame.about_centre(&about_origin))
     }
 
     /// What it holds where a run begins.
@@ -248,15 +243,8 @@ impl<S: Scalar> Hull<S> {
     }
 }
 
-/// From level axes of a hull's own heading to the world's.
-fn level<S: Scalar>(frame: &Frame<S>) -> Matrix3<S> {
-    SlowFrame::of(frame).rotation()
-}
-
-/// A wrench in the hull's axes as a force in those of the slow frame and a moment in level ones of its own heading.
-fn in_slow<S: Scalar>(wrench: &Wrench<S>, motion: &HullMotion<S>, slow: &SlowFrame<S>) -> [S; 6] {
-    let to_world = |v: Vector3<S>| motion.frame.rotation * v;
-    let [x, y, z] = slow.rotation().transpose_times(to_world(wrench.force)).0;
-    let [roll, pitch, yaw] = level(&motion.frame).transpose_times(to_world(wrench.moment)).0;
+/// A wrench by mode: surge, sway, heave, roll, pitch, yaw.
+fn modes<S: Scalar>(wrench: &Wrench<S>) -> [S; 6] {
+    let ([x, y, z], [roll, pitch, yaw]) = (wrench.force.0, wrench.moment.0);
     [x, y, z, roll, pitch, yaw]
 }

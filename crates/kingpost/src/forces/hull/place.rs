@@ -3,7 +3,7 @@
 use crate::dynamics::{LinkKinematics, Moment};
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::spatial::{Frame, Matrix3, Twist, Vector3, Wrench};
+use crate::spatial::{Frame, Matrix3, SpatialInertia, Twist, Vector3, Wrench};
 
 /// A body and the origin of its hull's hydrodynamic data.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +53,8 @@ impl<S: Scalar> HullFrame<S> {
         self.in_body().wrench_to_parent(wrench)
     }
 
-    fn in_body(&self) -> Frame<S> {
+    /// The frame of the data in the body's.
+    pub fn in_body(&self) -> Frame<S> {
         Frame::translation(self.origin)
     }
 }
@@ -88,4 +89,151 @@ impl<S: Scalar> SlowFrame<S> {
 fn heading<S: Scalar>(rotation: &Matrix3<S>) -> S {
     let forward = rotation.column(0);
     forward[1].atan2(forward[0])
+}
+
+/// What the loads of the sea are along: forces along the slow frame's axes; moments along the hull's own turns, yaw about the
+/// vertical, pitch about the level axis to port of its heading, roll about its own axis. T takes a twist in the body's axes to
+/// velocities along these, and does not move the point that it is of: the rates of place, roll, pitch and yaw.
+///
+/// So first-order loads act on the coordinates that linear theory has, and what is left out is of second order and makes no
+/// motion of its own. Forces in axes that yawed with the waves would have a mean, which belongs to the drift; so would a
+/// moment of yaw about an axis that tilted, or a lever that did. Moments of pitch in axes that did not yaw with the hull, or
+/// of yaw in axes that did not pitch, would roll a slender ship at the differences of the waves' frequencies.
+#[derive(Clone, Copy, Debug)]
+pub struct SeaAxes<S = f64> {
+    turns: Turns<S>,
+    of_forces: Matrix3<S>,
+}
+
+impl<S: Scalar> SeaAxes<S> {
+    /// Of a hull that stands and heads so.
+    pub fn of(hull: &Frame<S>, slow: &SlowFrame<S>) -> Self {
+        let of_forces = slow.rotation().transpose() * hull.rotation;
+        Self { turns: Turns::of(&hull.rotation), of_forces }
+    }
+
+    /// T nu.
+    pub fn twist(&self, in_body: &Twist<S>) -> Twist<S> {
+        Twist { angular: self.turns.to_rates() * in_body.angular, linear: self.of_forces * in_body.linear }
+    }
+
+    /// `T' nu`: what of the rates of T nu is of velocities alone.
+    pub fn drift(&self, in_body: &Twist<S>) -> Twist<S> {
+        let to_rates = self.turns.to_rates();
+        let turned = self.turns.drift(to_rates * in_body.angular);
+        Twist { angular: -(to_rates * turned), linear: self.of_forces * in_body.angular.cross(in_body.linear) }
+    }
+
+    /// `T^T F`.
+    pub fn wrench_to_body(&self, wrench: &Wrench<S>) -> Wrench<S> {
+        let moment = self.turns.to_rates().transpose_times(wrench.moment);
+        Wrench { moment, force: self.of_forces.transpose_times(wrench.force) }
+    }
+
+    /// F, of `T^T F`.
+    pub fn wrench_of_body(&self, wrench: &Wrench<S>) -> Wrench<S> {
+        Wrench { moment: self.turns.of_rates().transpose_times(wrench.moment), force: self.of_forces * wrench.force }
+    }
+
+    /// `T^T A T`.
+    pub fn inertia_in_body(&self, added: &SpatialInertia<S>) -> SpatialInertia<S> {
+        let (turns, forces) = (self.turns.to_rates().transpose(), self.of_forces.transpose());
+        SpatialInertia {
+            angular: added.angular.rotated(&turns),
+            coupling: turns * added.coupling * self.of_forces,
+            linear: added.linear.rotated(&forces),
+        }
+    }
+}
+
+/// Roll and pitch of an orientation: `omega = E (roll', pitch', yaw')`, omega in body axes (Fossen, *Handbook of Marine Craft
+/// Hydrodynamics and Motion Control*, 2011, eq. 2.28). E is singular where the bow points straight up or down.
+#[derive(Clone, Copy, Debug)]
+struct Turns<S> {
+    roll: [S; 2],
+    pitch: [S; 2],
+}
+
+impl<S: Scalar> Turns<S> {
+    /// Sines and cosines, by the vertical in body axes.
+    fn of(rotation: &Matrix3<S>) -> Self {
+        let [x, y, z] = rotation.row(2).0;
+        let level = (y * y + z * z).sqrt();
+        Self { roll: [y / level, z / level], pitch: [-x, level] }
+    }
+
+    /// E.
+    fn of_rates(&self) -> Matrix3<S> {
+        let Self { roll: [sin, cos], pitch: [sin_pitch, cos_pitch] } = *self;
+        let (o, i) = (S::ZERO, S::ONE);
+        Matrix3([[i, o, -sin_pitch], [o, cos, sin * cos_pitch], [o, -sin, cos * cos_pitch]])
+    }
+
+    /// Its inverse.
+    fn to_rates(&self) -> Matrix3<S> {
+        let Self { roll: [sin, cos], pitch: [sin_pitch, cos_pitch] } = *self;
+        let (o, i, tan_pitch) = (S::ZERO, S::ONE, sin_pitch / cos_pitch);
+        Matrix3([[i, sin * tan_pitch, cos * tan_pitch], [o, cos, -sin], [o, sin / cos_pitch, cos / cos_pitch]])
+    }
+
+    /// `E' (roll', pitch', yaw')`.
+    fn drift(&self, rates: Vector3<S>) -> Vector3<S> {
+        let Self { roll: [sin, cos], pitch: [sin_pitch, cos_pitch] } = *self;
+        let [roll, pitch, yaw] = rates.0;
+        let (of_yaw, of_pitch) = (roll * yaw * cos_pitch, roll * pitch);
+        let both = pitch * yaw * sin_pitch + of_pitch;
+        Vector3([-(pitch * yaw * cos_pitch), of_yaw * cos - both * sin, -(of_yaw * sin) - both * cos])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spatial::{Symmetric3, exp};
+
+    fn somewhere() -> (Frame, SlowFrame, Twist) {
+        let frame = Frame { rotation: exp(Vector3::new(0.3, -0.4, 0.9)), position: Vector3::new(3.0, -2.0, 0.5) };
+        let twist = Twist { angular: Vector3::new(0.2, -0.15, 0.3), linear: Vector3::new(1.0, -0.4, 0.6) };
+        (frame, SlowFrame { position: [1.0, 2.0], heading: 0.7 }, twist)
+    }
+
+    /// Roll, pitch and yaw by their definition, `R = Rz(yaw) Ry(pitch) Rx(roll)`.
+    fn angles(rotation: &Matrix3) -> Vector3 {
+        let r = &rotation.0;
+        Vector3::new(libm::atan2(r[2][1], r[2][2]), -libm::asin(r[2][0]), libm::atan2(r[1][0], r[0][0]))
+    }
+
+    /// Central differences of a motion at a constant twist; their error is of second order in 1e-5 s.
+    #[test]
+    fn twists_become_rates_of_place_and_angles_and_drifts_their_rates() {
+        let (frame, slow, twist) = somewhere();
+        let after = |s: f64| {
+            let rotation = frame.rotation * exp(twist.angular * s);
+            Frame { rotation, position: frame.position }
+        };
+        let (h, axes) = (1e-5, SeaAxes::of(&frame, &slow));
+        let rates = (angles(&after(h).rotation) - angles(&after(-h).rotation)) * (0.5 / h);
+        assert!((rates - axes.twist(&twist).angular).norm() < 1e-9);
+        let at = |s: f64| SeaAxes::of(&after(s), &slow).twist(&twist);
+        let (change, drift) = ((at(h) - at(-h)) * (0.5 / h), axes.drift(&twist));
+        assert!(
+            (change - drift).angular.norm() < 1e-9 && (change - drift).linear.norm() < 1e-9,
+            "{change:?} {drift:?}"
+        );
+    }
+
+    #[test]
+    fn wrenches_do_the_work_of_their_twists_and_inertias_keep_their_energy() {
+        let (frame, slow, twist) = somewhere();
+        let axes = SeaAxes::of(&frame, &slow);
+        let load = Wrench { moment: Vector3::new(3.0, -2.0, 1.0), force: Vector3::new(-1.0, 4.0, 2.0) };
+        let in_body = axes.wrench_to_body(&load);
+        assert!((in_body.dot(&twist) - load.dot(&axes.twist(&twist))).abs() < 1e-14);
+        let back = axes.wrench_of_body(&in_body) - load;
+        assert!(back.moment.norm() < 1e-14 && back.force.norm() < 1e-14);
+        let added = SpatialInertia::rigid(2.0, Symmetric3::diagonal([3.0, 5.0, 7.0]))
+            .to_parent(&Frame::translation(Vector3::new(0.3, 0.1, -0.2)));
+        let [seen, given] = [axes.inertia_in_body(&added).quadratic(&twist), added.quadratic(&axes.twist(&twist))];
+        assert!((seen - given).abs() < 1e-14 * given);
+    }
 }

@@ -5,7 +5,7 @@ use super::damping::{current, from_centre};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, gravity_of, known, waves};
 use crate::forces::hull::{
-    Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, MunkMoment, Parts, Radiation,
+    Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, Parts, QuadraticTerms, Radiation,
 };
 use crate::forces::{Force, Hull};
 use crate::model::{JointKind, Model};
@@ -45,7 +45,10 @@ pub fn build<S: Gathered>(
             radiation: radiation(given, &field("radiation"), database)?,
             calm: false,
             current: sea.current,
-            munk_moment: munk_moment(scenario.first(), given, excitation.is_some()),
+            quadratic_terms: QuadraticTerms {
+                of_slow_motion: excitation.is_some(),
+                munk_by_table: has_current_table(scenario.first(), given),
+            },
             cutoff_rad_s: given.slow_motion_cutoff_rad_s.get(),
             excitation,
             first_held,
@@ -63,17 +66,12 @@ fn hydrodynamics_of(force: &ForceSchema) -> Option<&schema::Hydrodynamics> {
     if let ForceSchema::Hydrodynamics(water) = force { Some(water) } else { None }
 }
 
-/// Munk's moment comes once: from the table of coefficients where one acts on the body, else from the added mass.
-fn munk_moment(scenario: &Scenario, given: &schema::Hydrodynamics, in_waves: bool) -> MunkMoment {
-    let by_coefficients = scenario.forces.values().any(|force| match force {
+/// Whether a table of current coefficients acts on a hull.
+fn has_current_table(scenario: &Scenario, given: &schema::Hydrodynamics) -> bool {
+    scenario.forces.values().any(|force| match force {
         ForceSchema::CurrentLoad(load) => load.enabled && load.body == given.body,
         _ => false,
-    });
-    match (by_coefficients, in_waves) {
-        (true, _) => MunkMoment::InCoefficients,
-        (false, true) => MunkMoment::Slow,
-        (false, false) => MunkMoment::Whole,
-    }
+    })
 }
 
 /// A hull floats: its body's joint leaves it to the water.
