@@ -10,8 +10,9 @@ from __future__ import annotations
 import importlib
 import json
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -173,6 +174,14 @@ def write_pinocchio(case: Case, folder: Path) -> Path:
     path = folder / f"{case.name}_pinocchio.txt"
     path.write_text(_lines(rows))
     return path
+
+
+# by name
+CASES: dict[str, Callable[[], Case]] = {
+    PAPER: paper,
+    **{chain_name(links): partial(chain, links) for links in CHAIN_LINKS},
+    **{afloat_name(kind): partial(afloat, kind) for kind in AFLOAT},
+}
 
 
 _KINDS = {

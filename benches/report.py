@@ -1,9 +1,9 @@
-"""What a run's figures come to: ratios, speeds, growth along chains, and the tables of README.md."""
+"""What a run's figures come to: ratios, speeds, growth along chains, and the sections of README.md."""
 
 from __future__ import annotations
 
 import datetime
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from pathlib import Path
 
@@ -11,7 +11,6 @@ import models
 from measure import Figure
 
 README = Path(__file__).resolve().parent / "README.md"
-TABLE_START, TABLE_END = "<!-- table: start -->", "<!-- table: end -->"
 
 
 def ratios(figures: Sequence[Figure]) -> Iterator[str]:
@@ -72,37 +71,36 @@ def growth(figures: Sequence[Figure]) -> Iterator[str]:
             yield f"{engine}, one more link: " + ", ".join(f"{each:,.0f} to {b}" for b, each in steps)
 
 
-def table(figures: Sequence[Figure], head: str) -> str:
-    """The figures, ratios and growth as Markdown."""
-    chains = {models.chain_name(links) for links in models.CHAIN_LINKS}
-    paper = [figure for figure in figures if figure.model == models.PAPER]
-    rows = [
-        f"{datetime.datetime.now(datetime.UTC).date().isoformat()}, {head}.",
-        "",
-        "### The paper's free ship, tower, arm and load",
-        "",
-        "| engine | operation | median, ns | fastest tenth, ns | instructions |",
-        "| --- | --- | --- | --- | --- |",
-    ]
-    for figure in paper:
+def tables(figures: Sequence[Figure], head: str) -> dict[str, str]:
+    """The figures, ratios and growth as Markdown: a text by each section of README.md that was measured."""
+    measured = {
+        "paper": [figure for figure in figures if figure.model == models.PAPER],
+        "afloat": [f for f in figures if f.model in map(models.afloat_name, models.AFLOAT)],
+        "chains": [f for f in figures if f.model in map(models.chain_name, models.CHAIN_LINKS)],
+    }
+    lines = {"paper": _paper, "afloat": _afloat, "chains": _chains}
+    when = f"{datetime.datetime.now(datetime.UTC).date().isoformat()}, {head}."
+    return {name: "\n".join([when, "", *lines[name](here)]) for name, here in measured.items() if here}
+
+
+def _paper(figures: Sequence[Figure]) -> Iterator[str]:
+    """A row for each engine and operation, then the ratios."""
+    yield "| engine | operation | median, ns | fastest tenth, ns | instructions |"
+    yield "| --- | --- | --- | --- | --- |"
+    for figure in figures:
         cells = [figure.engine, figure.operation, f"{figure.median_ns:,.0f}", f"{figure.low_ns:,.0f}"]
-        rows.append(f"| {' | '.join([*cells, _count(figure)])} |")
-    rows += ["", *(f"- {line.replace(f', {models.PAPER}', '')}" for line in ratios(paper))]
-    if afloat := list(speeds(figures)):
-        rows += [
-            "",
-            "### The offshore vessel with its crane in a JONSWAP sea",
-            "",
-            *(f"- {line}" for line in afloat),
-        ]
-    if any(figure.model in chains for figure in figures):
-        rows += ["", "### Chains: forward dynamics", "", *_chains(figures)]
-        rows += ["", *(f"- {line}" for line in growth(figures))]
-    return "\n".join(rows)
+        yield f"| {' | '.join([*cells, _count(figure)])} |"
+    yield ""
+    yield from (f"- {line.replace(f', {models.PAPER}', '')}" for line in ratios(figures))
+
+
+def _afloat(figures: Sequence[Figure]) -> Iterator[str]:
+    """A line for each engine and kind of buoyancy."""
+    yield from (f"- {line}" for line in speeds(figures))
 
 
 def _chains(figures: Sequence[Figure]) -> Iterator[str]:
-    """A row for each length and engine."""
+    """A row for each length and engine, then the growth."""
     yield "| links | engine | median, ns | instructions | kingpost over it: time | instructions |"
     yield "| --- | --- | --- | --- | --- | --- |"
     for links in models.CHAIN_LINKS:
@@ -116,6 +114,8 @@ def _chains(figures: Sequence[Figure]) -> Iterator[str]:
                     count = f"{ours.instructions / figure.instructions:.2f}"
             cells = [str(links), figure.engine, f"{figure.median_ns:,.0f}", _count(figure), time, count]
             yield f"| {' | '.join(cells)} |"
+    yield ""
+    yield from (f"- {line}" for line in growth(figures))
 
 
 def _count(figure: Figure) -> str:
@@ -123,8 +123,12 @@ def _count(figure: Figure) -> str:
     return "-" if figure.instructions is None else f"{figure.instructions:,.0f}"
 
 
-def write_readme(text: str) -> None:
-    """Replaces the tables in README.md."""
-    before, _, rest = README.read_text().partition(TABLE_START)
-    _, _, after = rest.partition(TABLE_END)
-    README.write_text(f"{before}{TABLE_START}\n\n{text}\n\n{TABLE_END}{after}")
+def write_readme(texts: Mapping[str, str]) -> None:
+    """Replaces these sections in README.md."""
+    page = README.read_text()
+    for name, text in texts.items():
+        start, end = f"<!-- {name}: start -->", f"<!-- {name}: end -->"
+        before, _, rest = page.partition(start)
+        _, _, after = rest.partition(end)
+        page = f"{before}{start}\n\n{text}\n\n{end}{after}"
+    README.write_text(page)

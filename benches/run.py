@@ -14,7 +14,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
 import engines as programs
@@ -48,7 +48,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         lines.add(f"# growth: {line}")
     lines.write()
     if options.readme:
-        report.write_readme(report.table(figures, versions()))
+        report.write_readme(report.tables(figures, versions()))
     return 0
 
 
@@ -57,9 +57,10 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("-o", "--output", type=Path, help="also write the lines to this file")
     parser.add_argument("--quick", action="store_true", help="a few seconds: does it run, not how fast")
-    parser.add_argument("--readme", action="store_true", help="write the table into README.md")
+    parser.add_argument("--readme", action="store_true", help="write what was measured into README.md")
     names = ",".join(programs.BUILDERS)
     parser.add_argument("--engines", default=names, help="comma-separated (default: %(default)s)")
+    parser.add_argument("--models", help=f"comma-separated (default: {','.join(models.CASES)})")
     return parser
 
 
@@ -81,23 +82,31 @@ class _Lines:
 
 def _engines(options: argparse.Namespace, folder: Path, lines: _Lines) -> list[programs.Engine]:
     """The engines that can be measured here, on each model; a line says why another is left out."""
-    names = options.engines.split(",")
-    unknown = [name for name in names if name not in programs.BUILDERS]
-    if unknown:
-        raise SystemExit(f"unknown engine {unknown[0]!r}, known: {', '.join(programs.BUILDERS)}")
-    chains = models.CHAIN_LINKS[::2] if options.quick else models.CHAIN_LINKS
+    names = _known("engine", options.engines, programs.BUILDERS)
+    left_out = [models.chain_name(links) for links in models.CHAIN_LINKS[1::2]] if options.quick else []
+    usual = ",".join(name for name in models.CASES if name not in left_out)
+    cases = _known("model", options.models or usual, models.CASES)
     found = []
-    for case in (models.paper(), *map(models.chain, chains), *map(models.afloat, models.AFLOAT)):
+    for case in (models.CASES[name]() for name in cases):
         for name in [name for name in names if programs.takes(name, case)]:
             try:
                 engine = programs.BUILDERS[name](case, folder, options.quick)
             except programs.NotHereError as reason:
                 lines.add(f"# skipped: {name}, {case.name}: {reason}")
                 continue
-            if case.name == models.PAPER:
+            if all(name != engine.name for engine in found):
                 lines.add(f"# engine: {name}: {engine.version}")
             found.append(engine)
     return found
+
+
+def _known(what: str, given: str, known: Collection[str]) -> list[str]:
+    """The names between commas, each of which is known."""
+    names = given.split(",")
+    unknown = [name for name in names if name not in known]
+    if unknown:
+        raise SystemExit(f"unknown {what} {unknown[0]!r}, known: {', '.join(known)}")
+    return names
 
 
 def _line(figure: Figure) -> str:
