@@ -6,8 +6,22 @@ import { serve } from "./serve.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const PICTURES = [
-  { file: "app.png", viewport: { width: 1440, height: 900 }, scale: 1, time_s: 2 },
-  { file: "app-phone.png", viewport: { width: 390, height: 844 }, scale: 2, time_s: 1.2, panel: "plots" },
+  {
+    file: "app.png",
+    scenario: "offshore_vessel",
+    viewport: { width: 1440, height: 900 },
+    scale: 1,
+    time_s: 65,
+    turn_on: "Waves",
+  },
+  {
+    file: "app-phone.png",
+    scenario: "paper",
+    viewport: { width: 390, height: 844 },
+    scale: 2,
+    time_s: 1.2,
+    panel: "plots",
+  },
 ];
 
 const executable = findBrowser();
@@ -16,11 +30,12 @@ const folder = here("../../docs/images/");
 mkdirSync(folder, { recursive: true });
 const { address, stop } = await serve(here("../dist"), "/");
 const browser = await launch(executable);
-for (const { file, viewport, scale, time_s, panel } of PICTURES) {
+for (const { file, scenario, viewport, scale, time_s, panel, turn_on } of PICTURES) {
   const context = await browser.newContext({ viewport, deviceScaleFactor: scale, colorScheme: "light" });
   const page = await context.newPage();
-  await page.goto(address);
+  await page.goto(`${address}?scenario=${scenario}`);
   await page.waitForFunction(() => window.kingpost?.sample());
+  if (turn_on) await page.getByLabel(turn_on, { exact: true }).check();
   if (panel) await page.getByTestId(`show-${panel}`).click();
   await page.evaluate(runTo, time_s);
   await page.waitForTimeout(2000);

@@ -2,6 +2,7 @@
 
 use super::{InputError, Simulation, now};
 use crate::dynamics::Kinematics;
+use crate::dynamics::moving_frame::MovingFrame;
 use crate::forces::Force;
 use crate::integrate::{Jacobian, System};
 use crate::ledger;
@@ -50,7 +51,7 @@ pub enum Instability {
     /// A motion that grows, `e^(t / T)` without damping.
     #[error("{coordinate} falls away from it, {time_s:.3} s for each factor of e")]
     Growth {
-        /// The free coordinate that moves most in the fastest such motion.
+        /// The free coordinate with most of the kinetic energy of the fastest such motion.
         coordinate: String,
         /// T, s.
         time_s: f64,
@@ -162,7 +163,7 @@ impl Simulation {
                 self.check_thrusters(&still)?;
                 self.set_state(&self.state.q.clone(), &still, None)?;
                 self.keep_drive_states(&kept);
-                let instability = self.capsized().or_else(|| linear.growth(&self.moving_frame().j, &names));
+                let instability = self.capsized().or_else(|| linear.growth(&self.moving_frame(), &names));
                 return Ok(Equilibrium { iterations, residual, instability });
             }
             iterations += 1;
@@ -300,8 +301,8 @@ impl Linear {
     }
 
     /// The fastest motion tangent to the loops' J that grows: v' = A x with an eigenvalue 1 / T^2 of A.
-    fn growth(&self, j: &DMatrix<f64>, names: &[String]) -> Option<Instability> {
-        let tangents = tangents(j, names.len());
+    fn growth(&self, frame: &MovingFrame, names: &[String]) -> Option<Instability> {
+        let tangents = tangents(&frame.j, names.len());
         let a = tangents.transpose() * &self.stiffness * &tangents;
         let size = a.amax();
         let squares = a.clone().try_schur(f64::EPSILON, 0)?.complex_eigenvalues();
@@ -312,7 +313,8 @@ impl Linear {
         // One step of inverse iteration, beside the eigenvalue so that the matrix is not singular.
         let beside = a - DMatrix::identity(tangents.ncols(), tangents.ncols()) * (fastest + 1e-6 * size);
         let motion = tangents * beside.lu().solve(&DVector::from_element(squares.len(), 1.0))?;
-        Some(Instability::Growth { coordinate: names[motion.iamax()].clone(), time_s: 1.0 / fastest.sqrt() })
+        let energies = motion.component_mul(&(&frame.m_star * &motion));
+        Some(Instability::Growth { coordinate: names[energies.imax()].clone(), time_s: 1.0 / fastest.sqrt() })
     }
 
     fn largest_delta(&self) -> f64 {
