@@ -1,6 +1,7 @@
 // Takes the pictures of the README from the built app: docs/images/app.png and app-phone.png.
 import { mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import { setChecked, stepTo } from "../tests/browser/app.mjs";
 import { findBrowser, launch } from "./browser.mjs";
 import { serve } from "./serve.mjs";
 
@@ -12,7 +13,7 @@ const PICTURES = [
     viewport: { width: 1440, height: 900 },
     scale: 1,
     time_s: 65,
-    turn_on: "Waves",
+    turn_on: "waves",
   },
   {
     file: "app-phone.png",
@@ -33,11 +34,12 @@ const browser = await launch(executable);
 for (const { file, scenario, viewport, scale, time_s, panel, turn_on } of PICTURES) {
   const context = await browser.newContext({ viewport, deviceScaleFactor: scale, colorScheme: "light" });
   const page = await context.newPage();
+  page.setDefaultTimeout(120_000);
   await page.goto(`${address}?scenario=${scenario}`);
   await page.waitForFunction(() => window.kingpost?.sample());
-  if (turn_on) await page.getByLabel(turn_on, { exact: true }).check();
+  if (turn_on) await setChecked(page, turn_on, true);
   if (panel) await page.getByTestId(`show-${panel}`).click();
-  await page.evaluate(runTo, time_s);
+  await stepTo(page, time_s);
   await page.waitForTimeout(2000);
   await page.screenshot({ path: folder + file });
   console.log(`docs/images/${file}`);
@@ -45,13 +47,3 @@ for (const { file, scenario, viewport, scale, time_s, panel, turn_on } of PICTUR
 }
 await browser.close();
 await stop();
-
-/** In the page: presses Step until the time is reached. */
-async function runTo(until) {
-  const now = () => window.kingpost.sample().time_s;
-  while (now() < until - 1e-9) {
-    const last = now();
-    document.querySelector("[data-testid=step]").click();
-    while (now() === last) await new Promise((resolve) => setTimeout(resolve, 1));
-  }
-}
