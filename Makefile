@@ -50,7 +50,7 @@ test-browser: $(APP) ## the app's tests in Chromium; skipped where there is none
 	cd web && npm run test:browser
 
 test-python: $(DONE)/develop $(APP) ## the Python package's tests
-	$(BIN)/pytest
+	$(BIN)/pytest --numprocesses auto --maxprocesses 4 --dist loadfile
 
 bench: need-rust need-node need-python $(DONE)/develop $(WASM) ## compare speed with other engines
 	$(BIN)/python benches/run.py

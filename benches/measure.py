@@ -93,9 +93,14 @@ def times(engines: Sequence[Engine], effort: Effort) -> dict[tuple[str, str, str
     return found
 
 
-def instructions(engine: Engine, operation: str) -> float | None:
-    """Instructions of one operation: callgrind's difference between two repetition counts."""
+def instructions(engine: Engine, operation: str, effort: Effort) -> float | None:
+    """Instructions of one operation: callgrind's difference between two repetition counts.
+
+    A quick run counts accelerations alone: callgrind takes a second for each operation to start.
+    """
     if not engine.countable or operation.startswith("batch_") or shutil.which("valgrind") is None:
+        return None
+    if effort is QUICK and operation != "forward":
         return None
     few, many = (_fewer(engine, count) for count in COUNTED)
     first, second = (_collected(engine, operation, count) for count in (few, many))
@@ -116,7 +121,7 @@ def figures(engines: Sequence[Engine], effort: Effort) -> list[Figure]:
     measured = times(engines, effort)
     rows = [(engine, operation) for engine in engines for operation in engine.operations]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        counts = list(pool.map(lambda row: instructions(*row), rows))
+        counts = list(pool.map(lambda row: instructions(*row, effort), rows))
     result = []
     for (engine, operation), counted in zip(rows, counts, strict=True):
         numbers = measured[engine.name, engine.case.name, operation]
@@ -126,8 +131,9 @@ def figures(engines: Sequence[Engine], effort: Effort) -> list[Figure]:
 
 
 def check_values(engine: Engine, operation: str) -> tree.Array:
-    """The acceleration at the state, or q and v after 1,000 steps, in Kingpost's coordinates."""
-    count = 1 if operation == "forward" else CHECK_STEPS
+    """The acceleration at the state, or q and v after 1,000 steps (fewer of a heavy case), in Kingpost's
+    coordinates."""
+    count = 1 if operation == "forward" else max(CHECK_STEPS // engine.case.weight, 1)
     values = np.array([float(line) for line in _lines(engine, [operation, "check", str(count)])])
     if operation == "forward":
         return engine.acceleration(values)
