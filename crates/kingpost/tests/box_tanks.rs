@@ -90,7 +90,7 @@ fn an_empty_and_a_full_tank_have_nothing_that_moves() {
 
 #[test]
 fn what_is_no_number_stays_none_and_ends() {
-    assert!(tank(0.5).shift(Vector3::new(f64::NAN, 0.0, 1.0))[1].is_nan());
+    assert!(tank(0.5).shift(Vector3::new(f64::NAN, 0.0, 1.0)).norm().is_nan());
 }
 
 /// `i = l (b / cos)^3 / 12` where the surface, heeled, is between walls; along the ship `b / cos l^3 / 12`.

@@ -57,11 +57,37 @@ impl<S: Scalar> BoxTank<S> {
     /// assert!((shift[2] - second_moment * tan * tan / 2.0).abs() < 1e-12);
     /// ```
     pub fn shift(&self, vertical: Vector3<S>) -> Vector3<S> {
-        let level = self.level(vertical);
-        let upright = self.volume() * (self.filling - S::ONE) * self.edges[2] * S::constant(0.5);
-        let shift = self.below(vertical, level).first_moment - Vector3::new(S::ZERO, S::ZERO, upright);
+        let room = self.room(vertical);
+        let shift = if room.all(|room| room >= 0.0) {
+            self.shift_between_walls(vertical)
+        } else {
+            let cut = self.shift_in_corners(vertical);
+            let of = |k: usize| room.select_below(0.0, || cut[k], || self.shift_between_walls(vertical)[k]);
+            Vector3([of(0), of(1), of(2)])
+        };
         let free = self.filling * (S::ONE - self.filling);
-        Vector3(shift.0.map(|moment| free.select_less(S::constant(f64::MIN_POSITIVE), || S::ZERO, || moment)))
+        Vector3(shift.0.map(|moment| free.select_below(f64::MIN_POSITIVE, || S::ZERO, || moment)))
+    }
+
+    /// Not negative where the surface meets upright walls alone: what is left of the height of liquid or air
+    /// at the walls, twice over.
+    fn room(&self, vertical: Vector3<S>) -> S {
+        let size = |x: S| x.select_below(0.0, || -x, || x);
+        let least = self.filling.select_below(0.5, || self.filling, || S::ONE - self.filling);
+        let slack = (least + least) * self.edges[2] * vertical[2];
+        slack - size(vertical[0]) * self.edges[0] - size(vertical[1]) * self.edges[1]
+    }
+
+    fn shift_between_walls(&self, vertical: Vector3<S>) -> Vector3<S> {
+        let ([length, breadth, _], [x, y, z]) = (self.edges.0, vertical.0);
+        let ([slope_x, slope_y], area) = ([x / z, y / z], length * breadth * S::constant(1.0 / 12.0));
+        let (ahead, to_port) = (-(area * length * length * slope_x), -(area * breadth * breadth * slope_y));
+        Vector3::new(ahead, to_port, -(ahead * slope_x + to_port * slope_y) * S::constant(0.5))
+    }
+
+    fn shift_in_corners(&self, vertical: Vector3<S>) -> Vector3<S> {
+        let upright = self.volume() * (self.filling - S::ONE) * self.edges[2] * S::constant(0.5);
+        self.below(vertical, self.level(vertical)).first_moment - Vector3::new(S::ZERO, S::ZERO, upright)
     }
 
     /// l: how high the surface is over the centre of the box, m. The last of Newton's steps carries the
@@ -198,6 +224,24 @@ mod tests {
             let whole = edges[0] * edges[1] * edges[2];
             let found = tank.below(vertical, tank.level(vertical)).volume;
             prop_assert!((found - tank.volume()).abs() < 1e-14 * whole, "{found}, liquid {}", tank.volume());
+        }
+
+        /// The box cut by a plane and the closed form of the wedges, to rounding.
+        #[test]
+        fn a_surface_between_walls_is_cut_out_of_the_box_as_its_closed_form_says(
+            edges in prop::array::uniform3(0.1..10.0_f64),
+            filling in 0.001..0.999_f64,
+            slopes in prop::array::uniform2(-1.0..1.0_f64),
+            share in 0.0..1.0_f64,
+        ) {
+            let tank = BoxTank { edges: Vector3(edges), filling };
+            let spread = (slopes[0] * edges[0]).abs() + (slopes[1] * edges[1]).abs();
+            let slope = share * 2.0 * filling.min(1.0 - filling) * edges[2] / spread;
+            let vertical = Vector3::new(slope * slopes[0], slope * slopes[1], 1.0).direction();
+            prop_assert!(tank.room(vertical) > -1e-12, "{}", tank.room(vertical));
+            let apart = tank.shift_in_corners(vertical) - tank.shift_between_walls(vertical);
+            let size = tank.edges.norm() * edges[0] * edges[1] * edges[2];
+            prop_assert!(apart.norm() < 1e-14 * size, "{apart:?} of {size}");
         }
     }
 }
