@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from kingpost.hydro import checks, command, radiation_fit, read
 from kingpost.hydro.airy import wave_number
-from kingpost.hydro.build import DIRECTIONS, database_hull, default_frequencies
+from kingpost.hydro.build import database_hull, default_frequencies
 from kingpost.hydro.database import Water
 from kingpost.hydro.meshes import HullMeshes, parametric
 
@@ -80,7 +80,7 @@ def test_a_stored_hull_is_that_of_its_command(name):
     np.testing.assert_allclose(
         stored.frequencies_rad_s, default_frequencies(made, water(options)), rtol=DIGITS
     )
-    assert len(stored.wave_directions_rad) == (options.directions or DIRECTIONS)
+    assert len(stored.wave_directions_rad) == options.directions
     assert (stored.mean_drift is None) == (options.loading is None)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -14,6 +15,7 @@ from . import checks
 from .airy import wave_number
 from .database import Database, Hull, Provenance, Water, Waterplane
 from .drift import Loading, drift, stiffness_matrix, stored
+from .resolution import default_directions
 from .solve import PANELS_PER_WAVE, SHALLOWEST_LID, solve
 
 if TYPE_CHECKING:
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
 
     from .meshes import HullMeshes
 
-FREQUENCIES, DIRECTIONS = 40, 24
+FREQUENCIES, PANELS = 40, 900
 DEFAULT_PANELS_PER_WAVE = 6
 MOST_PANELS = 6000
 """Panels that the method solves for at most, of the part that is not mirrored: its matrices are full."""
@@ -48,7 +50,7 @@ def build(
     water: Water,
     title: str,
     frequencies_rad_s: NDArray[np.float64] | None = None,
-    directions: int = DIRECTIONS,
+    directions: int | None = None,
     with_lid: bool | None = None,
     loading: Loading | None = None,
     update: Callable[[float], None] = lambda _done: None,
@@ -57,6 +59,8 @@ def build(
 
     Parameters
     ----------
+    directions
+        How many round the circle; `None` gives what the hull and the frequencies want, see `resolution`.
     with_lid
         `None` puts a lid where the draught allows one.
     loading
@@ -70,8 +74,11 @@ def build(
     """
     if frequencies_rad_s is None:
         frequencies_rad_s = default_frequencies(hull, water)
+    highest = float(frequencies_rad_s[-1])
+    if directions is None:
+        directions = default_directions(hull.particulars.length_m, highest, water)
     _check_depth(hull, water)
-    _check_panels(hull, water, float(frequencies_rad_s[-1]))
+    _check_panels(hull, water, highest)
     lid_wanted, notes = _lid(hull, with_lid)
     if loading is not None:
         # Refused before the long work where such a hull would not stay upright.
@@ -100,7 +107,7 @@ def build(
         froude_krylov=found.froude_krylov,
         diffraction=found.diffraction,
     )
-    checks.check(database)
+    checks.check(database, _remedy(hull, lid_wanted))
     if loading is None:
         return database
     found_drift = drift(database, found.far_field, loading, hull.reflections)
@@ -140,6 +147,26 @@ def _lid(hull: HullMeshes, wanted: bool | None) -> tuple[bool, tuple[str, ...]]:
     if wanted is None and not possible:
         return False, (f"{_NO_LID}: the draught is less than half a panel's size",)
     return wanted is not False, () if wanted is not False else (_NO_LID,)
+
+
+def _remedy(hull: HullMeshes, has_lid: bool) -> str:
+    """What to do where the coefficients are not those of a hull: most often it has too few panels.
+
+    Fewer than by default are few; twice as many halve the error of a method of first order in the panels'
+    area; a lid wants panels of no more than twice the draught.
+    """
+    size, draught = hull.panel_size_m, hull.particulars.draught_m
+    wanted = max(2.0 * hull.panel_count, PANELS)
+    why = f"{hull.panel_count} panels may be too few"
+    if not has_lid and draught < SHALLOWEST_LID * size:
+        wanted = max(wanted, hull.panel_count * (SHALLOWEST_LID * size / draught) ** 2)
+        why += " and leave no room for a lid"
+    elif not has_lid:
+        why += ", without a lid (--lid) too"
+    count = math.ceil(wanted / 100) * 100
+    if count > MOST_PANELS * 2 ** len(hull.reflections):
+        return f"{why}: keep to lower frequencies (--frequencies_rad_s)"
+    return f"{why}: try --panels {count}, or lower frequencies (--frequencies_rad_s)"
 
 
 def database_hull(hull: HullMeshes) -> Hull:

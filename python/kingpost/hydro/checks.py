@@ -21,13 +21,18 @@ NEGATIVE_DAMPING = 0.05
 """Lowest eigenvalue of the symmetric part of B, over the diagonal's largest, may be this much below 0."""
 HASKIND = 0.10
 """Largest difference of B_ii from Haskind's relation as a fraction of the largest B_ii."""
-_REMEDY = "use more panels, a lid, or frequencies that the panels resolve"
+REMEDY = "use more panels, a lid, or frequencies that the panels resolve"
 _SMALL = 0.01
 """Diagonals below this fraction of the displaced water's are counted as that: a sphere's roll is nothing."""
 
 
-def check(database: Database) -> None:
+def check(database: Database, remedy: str = REMEDY) -> None:
     """Refuse a database whose coefficients no hull can have.
+
+    Parameters
+    ----------
+    remedy
+        What the error says to do.
 
     Raises
     ------
@@ -35,25 +40,26 @@ def check(database: Database) -> None:
         When added mass or damping is not symmetric, added mass at infinite frequency has no positive
         diagonal, damping takes energy from nowhere, or excitation and damping disagree.
     """
-    check_symmetry(database)
-    check_damping(database)
-    check_haskind(database)
+    check_symmetry(database, remedy)
+    check_damping(database, remedy)
+    check_haskind(database, remedy)
 
 
-def check_symmetry(database: Database) -> None:
+def check_symmetry(database: Database, remedy: str = REMEDY) -> None:
     """A_ij = A_ji and B_ij = B_ji at zero speed; A_ii at infinite frequency is not negative."""
     scale = mass_scale(database)
     diagonal = np.diagonal(database.added_mass_infinite)
     if (diagonal < -ASYMMETRY * scale).any():
         worst = int(np.argmin(diagonal / scale))
         found = f"{diagonal[worst]:.3g} in {MOTIONS[worst]}"
-        raise HydrodynamicsError("added_mass_infinite", found, f"no negative diagonal: {_REMEDY}")
+        raise HydrodynamicsError("added_mass_infinite", found, f"no negative diagonal: {remedy}")
     every = np.concatenate([database.added_mass, database.added_mass_infinite[None]])
-    _check_symmetric("added_mass", every, database, scale)
-    _check_symmetric("radiation_damping", database.radiation_damping, database, damping_scale(database))
+    _check_symmetric("added_mass", every, database, scale, remedy)
+    damping = database.radiation_damping
+    _check_symmetric("radiation_damping", damping, database, damping_scale(database), remedy)
 
 
-def _check_symmetric(field: str, matrices: NDArray, database: Database, scale: NDArray) -> None:
+def _check_symmetric(field: str, matrices: NDArray, database: Database, scale: NDArray, remedy: str) -> None:
     difference = np.abs(matrices - matrices.transpose(0, 2, 1)) / np.sqrt(np.outer(scale, scale))
     n, i, j = np.unravel_index(np.argmax(difference), difference.shape)
     if difference[n, i, j] > ASYMMETRY:
@@ -64,11 +70,11 @@ def _check_symmetric(field: str, matrices: NDArray, database: Database, scale: N
         raise HydrodynamicsError(
             field,
             f"{matrices[n, i, j]:.4g} from {MOTIONS[j]} to {MOTIONS[i]} but {back}",
-            f"symmetric matrices, to {ASYMMETRY:g} of the diagonal's largest: {_REMEDY}",
+            f"symmetric matrices, to {ASYMMETRY:g} of the diagonal's largest: {remedy}",
         )
 
 
-def check_damping(database: Database) -> None:
+def check_damping(database: Database, remedy: str = REMEDY) -> None:
     """The symmetric part of B is not negative: waves carry energy away."""
     scale = np.sqrt(damping_scale(database))
     damping = database.radiation_damping
@@ -80,11 +86,11 @@ def check_damping(database: Database) -> None:
             "radiation_damping",
             f"an eigenvalue of {lowest[n]:.3g} of its symmetric part, over the diagonal's largest, at "
             f"{database.frequencies_rad_s[n]:g} rad/s",
-            f"{-NEGATIVE_DAMPING:g} or more: {_REMEDY}",
+            f"{-NEGATIVE_DAMPING:g} or more: {remedy}",
         )
 
 
-def check_haskind(database: Database) -> None:
+def check_haskind(database: Database, remedy: str = REMEDY) -> None:
     """Damping agrees with the waves that the excitation says the hull makes; see `haskind_damping`.
 
     Only frequencies for which the grid of directions resolves the integral are compared.
@@ -101,7 +107,7 @@ def check_haskind(database: Database) -> None:
             "radiation_damping",
             f"a difference of {difference[n, i]:.1%} of its largest from Haskind's relation in {MOTIONS[i]} "
             f"at {frequencies[n]:g} rad/s",
-            f"at most {HASKIND:.0%}: {_REMEDY}",
+            f"at most {HASKIND:.0%}: {remedy}",
         )
 
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from .. import progress
 from ..errors import HydrodynamicsError
-from . import import_command, importers
-from .build import DIRECTIONS, FREQUENCIES, MOST_PANELS, build, default_frequencies
+from . import import_command, importers, resolution
+from .build import FREQUENCIES, MOST_PANELS, PANELS, build, default_frequencies
 from .database import Database, Radiation, Water
 from .database_file import check_output, rounded, write
 from .drift import Loading
@@ -30,7 +30,6 @@ SHAPES: dict[str, type[Shape]] = {
     "hemisphere": Hemisphere,
     "offshore_vessel": OffshoreVessel,
 }
-PANELS = 900
 MOST_FREQUENCIES = 500
 OF_A_HULL = ("frequencies_rad_s", "directions", "panels", "lid", "loading", "flip_normals")
 
@@ -45,8 +44,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--title", metavar="TEXT", help="title of the database (default: the hull)")
     command.add_argument("--frequencies_rad_s", metavar="F", help=(
         f"from:to:n or a list a,b,c (default: {FREQUENCIES} that follow the hull's size)"))  # fmt: skip
-    command.add_argument("--directions", metavar="N", type=int,
-                         help=f"wave directions round the circle (default: {DIRECTIONS})")  # fmt: skip
+    command.add_argument("--directions", metavar="N", type=int, help=(
+        "wave directions round the circle; they resolve waves of 2 pi L / N and more (default: what the "
+        "hull's length L and the shortest wave asked for want, "
+        f"in steps of {resolution.STEP} from {resolution.FEWEST} to {resolution.MOST})"))  # fmt: skip
     command.add_argument("--panels", metavar="N", type=int,
                          help=f"about how many panels the wetted hull has (default: {PANELS})")  # fmt: skip
     command.add_argument("--draught_m", metavar="T", type=float,
@@ -73,18 +74,24 @@ def run(options: argparse.Namespace) -> Database:
     target = check_output(options.output)
     if importers.recognise(options.hull) is not None:
         _refuse_for_a_file(options)
-        return _fitted(import_command.run(options), options.highest_rad_s, target)
+        imported = import_command.run(options)
+        _warn(resolution.of_database(imported))
+        return _fitted(imported, options.highest_rad_s, target)
     import_command.refuse(options)
     water = _water(options)
     given = options.frequencies_rad_s
     frequencies = None if given is None else parse_frequencies(given)
     loading = None if options.loading is None else parse_loading(options.loading)
-    directions = _count("directions", options.directions, DIRECTIONS, (4, 360))
-    hull = _hull(options, _count("panels", options.panels, PANELS, (50, 4 * MOST_PANELS)))
+    directions = _count("directions", options.directions, (4, 360))
+    hull = _hull(options, _count("panels", options.panels, (50, 4 * MOST_PANELS)) or PANELS)
     capytaine()
     if frequencies is None:
         frequencies = default_frequencies(hull, water)
+    length_m = hull.particulars.length_m
+    directions = directions or resolution.default_directions(length_m, float(frequencies[-1]), water)
     print(summary(hull, water))
+    print(f"{'wave directions':<20}{directions}")
+    _warn(resolution.warnings(length_m, frequencies, directions, water))
     with progress.bar(len(frequencies) + 1, "frequencies") as update:
         title = options.title or hull.source
         database = build(hull, water, title, frequencies, directions, options.lid, loading, update)
@@ -98,6 +105,11 @@ def _fitted(database: Database, highest_rad_s: float | None, target: Path) -> Da
     print(f"{'memory of the water':<20}{_states(radiation)} states, fitted to {radiation.fit_error:.2%}")
     print(f"{'written':<20}{write(database, target)}")
     return database
+
+
+def _warn(warnings: list[str]) -> None:
+    for warning in warnings:
+        print(f"warning: {warning}")
 
 
 def _states(radiation: Radiation) -> int:
@@ -114,10 +126,10 @@ def _water(options: argparse.Namespace) -> Water:
     return Water(Water.density_kg_m3 if given is None else given, depth_m=options.water_depth_m)
 
 
-def _count(name: str, given: int | None, default: int, limits: tuple[int, int]) -> int:
+def _count(name: str, given: int | None, limits: tuple[int, int]) -> int | None:
     if given is not None and not limits[0] <= given <= limits[1]:
         raise HydrodynamicsError(f"--{name}", str(given), f"a whole number from {limits[0]} to {limits[1]}")
-    return default if given is None else given
+    return given
 
 
 def _refuse_for_a_file(options: argparse.Namespace) -> None:
