@@ -26,3 +26,19 @@ def small(tmp_path: Path) -> Path:
 def calibration():
     """Results of the run that three independent codes agree on."""
     return kingpost.run("paper", CALIBRATION)
+
+
+@pytest.fixture
+def hang(tmp_path):
+    """Writes a scenario of `samples.rod`s under gravity."""
+
+    def write_rods(*rods: str, parameters: str = "") -> kingpost.Scenario:
+        path = tmp_path / "rods.yaml"
+        path.write_text(
+            f"version: 1\ntitle: rods\n{parameters}simulation: {{step_s: 0.005, duration_s: 4}}\n"
+            f"bodies:\n{''.join(rods)}forces:\n  gravity: {{gravity: {{}}}}\n",
+            encoding="utf-8",
+        )
+        return kingpost.load(path)
+
+    return write_rods

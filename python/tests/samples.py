@@ -45,3 +45,27 @@ TRUTH = {
     "slew": (1.7159, 6e-5),
     "luff": (0.0632, 6e-5),
 }
+ROD = """\
+  {name}:
+    {parent}mass_kg: {mass}
+    inertia: {{tensor: {{moments_kg_m2: [{moment}, {moment}, 0]}}}}
+    joint:
+      revolute:
+        name: {joint}
+        axis: [0, 1, 0]
+        position_m: {at}
+        child_position_m: [0, 0, {half}]
+        damping_N_m_s: {damping}
+        initial_angle_rad: 0.2
+"""
+DAMPING = """\
+parameters:
+  - {name: damping, label: Damping, default: 0, writes: [bodies.rod.joint.revolute.damping_N_m_s]}
+"""
+
+
+def rod(name="rod", joint="swing", length=2.0, mass=3.0, damping=0.0, parent="", at="[0, 0, 0]"):
+    """A uniform rod that hangs on a hinge at its upper end."""
+    parent = f"parent: {parent}\n    " if parent else ""
+    return ROD.format(name=name, parent=parent, mass=mass, moment=mass * length**2 / 12, joint=joint,
+                      at=at, half=length / 2, damping=damping)  # fmt: skip
