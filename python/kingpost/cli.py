@@ -21,7 +21,6 @@ from .scenario import Scenario, load
 from .simulate import Simulation
 
 DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
-FULL_TURN_DEG = 360.0
 
 
 class Parser(argparse.ArgumentParser):
@@ -195,9 +194,6 @@ def _modes(options: argparse.Namespace) -> int:
 def _rao(options: argparse.Namespace) -> int:
     from . import displacement_raos, response, response_report, results
 
-    for angle in options.directions_deg or []:
-        if not abs(angle) <= FULL_TURN_DEG:
-            raise KingpostError(f"--directions_deg: found {angle:g}, allowed: from -360 to 360")
     scenario = _scenario(options)
     output = results.check_output(options.output, response.ENDINGS) if options.output is not None else None
     table = options.displacement_raos

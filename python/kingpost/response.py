@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 ENDINGS = (".nc", ".csv", ".png")
 DIRECTIONS_DEG = tuple(range(0, 360, 45))
+FULL_TURN_RAD = 2 * np.pi
 AXES, ANGLES = ("x", "y", "z"), ("roll", "pitch", "yaw")
 PHASE = "_phase"
 """Ends the name of a phase."""
@@ -84,16 +85,22 @@ def rao(
         simulation = scenario_or_simulation
     else:
         simulation = Simulation(as_scenario(scenario_or_simulation, overrides, parameters))
-    directions = np.deg2rad(DIRECTIONS_DEG) if directions_rad is None else np.atleast_1d(directions_rad)
-    directions = np.asarray(directions, float)
-    if (np.abs(directions) > 2 * np.pi + 1e-9).any():
-        worst = float(directions[np.argmax(np.abs(directions))])
-        raise KingpostError(
-            f"directions_rad: found {worst:g} ({np.degrees(worst):g} deg), allowed: radians within one turn"
-        )
+    given = np.deg2rad(DIRECTIONS_DEG) if directions_rad is None else np.atleast_1d(directions_rad)
+    directions = _within_one_turn(np.asarray(given, float))
     frequencies = [] if frequencies_rad_s is None else np.atleast_1d(frequencies_rad_s)
     found = simulation.wave_response(directions, np.asarray(frequencies, float))
     return _dataset(simulation.scenario, found, points)
+
+
+def _within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Directions as they are: beyond one turn they were meant in other units."""
+    beyond = directions_rad[~(np.abs(directions_rad) <= FULL_TURN_RAD * (1 + 1e-9))]
+    if beyond.size:
+        raise KingpostError(
+            f"directions: found {beyond[0]:g} rad ({np.degrees(beyond[0]):g} deg), allowed: one turn at "
+            "most, 2 pi rad or 360 deg to either side"
+        )
+    return directions_rad
 
 
 def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | None) -> xarray.Dataset:
