@@ -3,7 +3,7 @@
 use super::ResponseError;
 use crate::dynamics::Kinematics;
 use crate::forces::Hull;
-use crate::forces::hull::{ByHeading, SlowFrame};
+use crate::forces::hull::{ByHeading, SeaAxes, SlowFrame};
 use crate::model::Model;
 use crate::scenario::{Scenario, schema};
 use crate::sea::database::Database;
@@ -133,19 +133,11 @@ impl Scenario {
     }
 }
 
-/// J^T: forces of the free coordinates by force and moment about the data's origin.
+/// J^T: forces of the free coordinates by the loads of the sea.
 fn generalized_forces(hull: &Hull, frame: &Frame, place: &SlowFrame, twists: &[Vec<Twist>]) -> DMatrix<f64> {
-    let to_heading = place.rotation().transpose() * frame.rotation;
-    let mut forces = DMatrix::zeros(twists.len(), 6);
-    for (row, twist) in twists.iter().enumerate() {
-        let Twist { linear, angular } = twist[hull.frame.body];
-        let linear = to_heading * (linear + angular.cross(hull.frame.origin));
-        let angular = to_heading * angular;
-        for k in 0..3 {
-            (forces[(row, k)], forces[(row, 3 + k)]) = (linear[k], angular[k]);
-        }
-    }
-    forces
+    let axes = SeaAxes::of(frame, place);
+    let rows: Vec<[f64; 6]> = twists.iter().map(|twist| hull.along(&axes, &twist[hull.frame.body])).collect();
+    DMatrix::from_fn(rows.len(), 6, |row, mode| rows[row][mode])
 }
 
 /// M*, bordered by the loops' J.

@@ -3,11 +3,10 @@
 //! The added mass A stands in the inertia of the hull's body, which moves by Kirchhoff's equations for the body's own twist
 //! nu: the water pushes with `-(A nu' + nu x* A nu)`. What is different is added here as a load.
 
-use super::place::SeaAxes;
-use super::{Hull, SlowFilter};
+use super::{Hull, SeaAxes, SlowFilter};
 use crate::dynamics::{Loads, Moment};
 use crate::scalar::Scalar;
-use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
+use crate::spatial::{Matrix3, SpatialInertia, Twist, Vector3, Wrench};
 
 /// What velocity the terms of the added mass take that are quadratic in it, and whether Munk's moment in yaw is one of them.
 ///
@@ -26,13 +25,11 @@ pub struct QuadraticTerms {
 impl<S: Scalar> Hull<S> {
     /// The load about the body's centre of mass, in its axes, that makes of Kirchhoff's terms for nu those in the water; in
     /// waves, what changes of the inertia goes to `loads`.
-    pub(super) fn in_flowing_water(&self, at: &Moment<'_, S>, axes: &SeaAxes<S>, loads: &mut Loads<S>) -> Wrench<S> {
+    pub(super) fn in_flowing_water(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) -> Wrench<S> {
         let own = at.model.added_inertias.iter().filter(|(body, _)| *body == self.frame.body);
         own.fold(Wrench::zero(), |sum, (_, added)| {
             if self.quadratic_terms.of_slow_motion {
-                let seen = axes.inertia_in_body(added);
-                loads.added_inertia.push((self.frame.body, seen - *added));
-                sum + self.in_waves(added, &seen, axes, at)
+                sum + self.in_waves(added, at, loads)
             } else {
                 sum + self.in_current(added, at)
             }
@@ -49,21 +46,22 @@ impl<S: Scalar> Hull<S> {
         twist.cross_momentum(&added.times(&twist)) - added.times(&turned) - self.cross_momentum(added, &relative)
     }
 
-    /// To first order A belongs to the axes of the other loads of the sea, `w = T nu`, and what moves with the waves has no
-    /// quadratic terms: `F = -T^T (A (T nu' + T' nu) + Q)`. The inertia becomes `T^T A T`; its Kirchhoff terms are given back.
-    /// Of the slow velocity are `Q(nu) = nu x* A nu - A (omega x v)`, since w' is the acceleration in the world.
-    fn in_waves(
-        &self,
-        added: &SpatialInertia<S>,
-        seen: &SpatialInertia<S>,
-        axes: &SeaAxes<S>,
-        at: &Moment<'_, S>,
-    ) -> Wrench<S> {
-        let twist = at.links.body_twist(at.model, self.frame.body);
-        let slow = self.slow_twist(at);
+    /// To first order A belongs to the axes of the hull on average, w = T nu, and what moves with the waves has no quadratic
+    /// terms: `F = -T^T (A (T nu' + T' nu) + Q)`. The inertia becomes `T^T A T`; its Kirchhoff terms are given back. Of the
+    /// slow velocity are `Q(nu) = nu x* A nu - A (omega x v)`, since w' is the acceleration in the world.
+    fn in_waves(&self, added: &SpatialInertia<S>, at: &Moment<'_, S>, loads: &mut Loads<S>) -> Wrench<S> {
+        let filter = SlowFilter::read(&at.held[self.first_held..]);
+        let mean = filter.frame().attitude();
+        let axes = SeaAxes::about(&mean, &self.frame.frame(at.model, at.links));
+        let seen = axes.inertia_in_body(added);
+        loads.added_inertia.push((self.frame.body, seen - *added));
+
+        let slow = self.slow_twist(&mean, filter.rates(self.cutoff_rad_s));
         let turned = Twist { linear: slow.angular.cross(slow.linear), angular: Vector3::zero() };
         let quadratic = self.cross_momentum(added, &slow) - added.times(&turned);
-        twist.cross_momentum(&seen.times(&twist)) - axes.wrench_to_body(&(added.times(&axes.drift(&twist)) + quadratic))
+        let twist = at.links.body_twist(at.model, self.frame.body);
+        let to_first_order = added.times(&axes.drift(&twist));
+        twist.cross_momentum(&seen.times(&twist)) - axes.wrench_to_body(&(to_first_order + quadratic))
     }
 
     /// `nu x* A nu`, without Munk's moment in yaw where a table has it.
@@ -76,13 +74,11 @@ impl<S: Scalar> Hull<S> {
         terms
     }
 
-    /// The slow motion of the body's centre of mass through the water, in level axes of the slow heading.
-    fn slow_twist(&self, at: &Moment<'_, S>) -> Twist<S> {
-        let filter = SlowFilter::read(&at.held[self.first_held..]);
-        let [x, y, turning] = filter.rates(self.cutoff_rad_s);
-        let drift = Vector3::new(x, y, S::ZERO) - self.current;
-        let angular = Vector3::new(S::ZERO, S::ZERO, turning);
-        let linear = filter.frame().rotation().transpose_times(drift) - angular.cross(self.frame.origin);
-        Twist { linear, angular }
+    /// The slow motion of the body's centre of mass through the water, in axes that stand so: of the rates of x, y and
+    /// heading.
+    fn slow_twist(&self, mean: &Matrix3<S>, [x, y, turning]: [S; 3]) -> Twist<S> {
+        let angular = mean.transpose_times(Vector3::new(S::ZERO, S::ZERO, turning));
+        let drift = mean.transpose_times(Vector3::new(x, y, S::ZERO) - self.current);
+        Twist { linear: drift - angular.cross(self.frame.origin), angular }
     }
 }

@@ -132,7 +132,7 @@ impl<S: Scalar> Hull<S> {
             by_the_sea = core::array::from_fn(|mode| by_the_sea[mode] + first[mode] + drift[mode]);
         }
         let axes = SeaAxes::of(&motion.frame, &slow);
-        let mut by_the_sea = self.about_centre(&by_the_sea, &axes) + self.in_flowing_water(at, &axes, loads);
+        let mut by_the_sea = self.about_centre(&by_the_sea, &axes) + self.in_flowing_water(at, loads);
         if let Some(waves) = self.wave_pressure.as_mut().filter(|_| !self.calm) {
             let pressure = waves.pressure(&motion.frame, self.specific_weight, at.clock.time_s);
             by_the_sea += self.frame.about_centre(&pressure);
@@ -198,14 +198,18 @@ impl<S: Scalar> Hull<S> {
         radiation.steady(&[x, y, none, none, none, none], &mut states[self.first_state..][..self.state_count()]);
     }
 
-    /// Velocity and angular velocity of the reference point relative to the water, along the axes of the sea's loads. The
-    /// lever from the centre of mass is that of a level hull.
+    /// Velocity and angular velocity of the reference point relative to the water, along the axes of the sea's loads.
     fn velocity_through_water(&self, motion: &HullMotion<S>, slow: &SlowFrame<S>) -> [S; 6] {
         let HullMotion { frame, twist } = motion;
         let of_centre = twist.linear - twist.angular.cross(self.frame.origin);
         let linear = of_centre - frame.rotation.transpose_times(self.current);
-        let relative = SeaAxes::of(frame, slow).twist(&Twist { linear, ..*twist });
-        let Twist { angular, linear } = self.frame.in_body().twist_to_child(&relative);
+        self.along(&SeaAxes::of(frame, slow), &Twist { linear, ..*twist })
+    }
+
+    /// Velocity and angular velocity of the reference point along those axes, by the twist of the body about its centre of
+    /// mass. The lever between the two is that of a level hull.
+    pub(crate) fn along(&self, axes: &SeaAxes<S>, of_body: &Twist<S>) -> [S; 6] {
+        let Twist { angular, linear } = self.frame.in_body().twist_to_child(&axes.twist(of_body));
         let ([x, y, z], [roll, pitch, yaw]) = (linear.0, angular.0);
         [x, y, z, roll, pitch, yaw]
     }

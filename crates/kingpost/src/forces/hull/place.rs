@@ -69,19 +69,28 @@ pub struct SlowFrame<S = f64> {
     pub position: [S; 2],
     /// Heading, rad, without jumps at a full turn.
     pub heading: S,
+    /// Roll and pitch, rad.
+    pub lean: [S; 2],
 }
 
 impl<S: Scalar> SlowFrame<S> {
     /// Where a hull is and heads.
     pub fn of(frame: &Frame<S>) -> Self {
-        Self { position: [frame.position[0], frame.position[1]], heading: heading(&frame.rotation) }
+        let [x, y, _] = frame.position.0;
+        Self { position: [x, y], heading: heading(&frame.rotation), lean: Turns::of(&frame.rotation).angles() }
     }
 
-    /// A turn about the vertical, from the slow frame's axes to the world's.
+    /// A turn about the vertical, from the slow frame's level axes to the world's.
     pub fn rotation(&self) -> Matrix3<S> {
         let (sin, cos) = self.heading.sin_cos();
         let (o, i) = (S::ZERO, S::ONE);
         Matrix3([[cos, -sin, o], [sin, cos, o], [o, o, i]])
+    }
+
+    /// The same with roll and pitch, from the hull's axes on average to the world's.
+    pub fn attitude(&self) -> Matrix3<S> {
+        let [roll, pitch] = self.lean.map(|angle| angle.sin_cos().into());
+        self.rotation() * Turns { roll, pitch }.rotation()
     }
 }
 
@@ -108,36 +117,41 @@ pub struct SeaAxes<S = f64> {
 impl<S: Scalar> SeaAxes<S> {
     /// Of a hull that stands and heads so.
     pub fn of(hull: &Frame<S>, slow: &SlowFrame<S>) -> Self {
-        let of_forces = slow.rotation().transpose() * hull.rotation;
-        Self { turns: Turns::of(&hull.rotation), of_forces }
+        Self::about(&slow.rotation(), hull)
+    }
+
+    /// The same about axes that need not be level: those of the hull on average.
+    pub fn about(mean: &Matrix3<S>, hull: &Frame<S>) -> Self {
+        let of_forces = mean.transpose() * hull.rotation;
+        Self { turns: Turns::of(&of_forces), of_forces }
     }
 
     /// T nu.
     pub fn twist(&self, in_body: &Twist<S>) -> Twist<S> {
-        Twist { angular: self.turns.to_rates() * in_body.angular, linear: self.of_forces * in_body.linear }
+        Twist { angular: self.turns.inverse() * in_body.angular, linear: self.of_forces * in_body.linear }
     }
 
     /// `T' nu`: what of the rates of T nu is of velocities alone.
     pub fn drift(&self, in_body: &Twist<S>) -> Twist<S> {
-        let to_rates = self.turns.to_rates();
-        let turned = self.turns.drift(to_rates * in_body.angular);
-        Twist { angular: -(to_rates * turned), linear: self.of_forces * in_body.angular.cross(in_body.linear) }
+        let rates = self.turns.inverse();
+        let turned = self.turns.drift(rates * in_body.angular);
+        Twist { angular: -(rates * turned), linear: self.of_forces * in_body.angular.cross(in_body.linear) }
     }
 
     /// `T^T F`.
     pub fn wrench_to_body(&self, wrench: &Wrench<S>) -> Wrench<S> {
-        let moment = self.turns.to_rates().transpose_times(wrench.moment);
+        let moment = self.turns.inverse().transpose_times(wrench.moment);
         Wrench { moment, force: self.of_forces.transpose_times(wrench.force) }
     }
 
     /// F, of `T^T F`.
     pub fn wrench_of_body(&self, wrench: &Wrench<S>) -> Wrench<S> {
-        Wrench { moment: self.turns.of_rates().transpose_times(wrench.moment), force: self.of_forces * wrench.force }
+        Wrench { moment: self.turns.matrix().transpose_times(wrench.moment), force: self.of_forces * wrench.force }
     }
 
     /// `T^T A T`.
     pub fn inertia_in_body(&self, added: &SpatialInertia<S>) -> SpatialInertia<S> {
-        let (turns, forces) = (self.turns.to_rates().transpose(), self.of_forces.transpose());
+        let (turns, forces) = (self.turns.inverse().transpose(), self.of_forces.transpose());
         SpatialInertia {
             angular: added.angular.rotated(&turns),
             coupling: turns * added.coupling * self.of_forces,
@@ -162,15 +176,27 @@ impl<S: Scalar> Turns<S> {
         Self { roll: [y / level, z / level], pitch: [-x, level] }
     }
 
+    /// The turn by pitch after that by roll.
+    fn rotation(&self) -> Matrix3<S> {
+        let Self { roll: [sin, cos], pitch: [sin_pitch, cos_pitch] } = *self;
+        let (o, z) = (S::ZERO, -sin_pitch);
+        Matrix3([[cos_pitch, sin_pitch * sin, sin_pitch * cos], [o, cos, -sin], [z, cos_pitch * sin, cos_pitch * cos]])
+    }
+
+    /// Roll and pitch.
+    fn angles(&self) -> [S; 2] {
+        [self.roll, self.pitch].map(|[sin, cos]| sin.atan2(cos))
+    }
+
     /// E.
-    fn of_rates(&self) -> Matrix3<S> {
+    fn matrix(&self) -> Matrix3<S> {
         let Self { roll: [sin, cos], pitch: [sin_pitch, cos_pitch] } = *self;
         let (o, i) = (S::ZERO, S::ONE);
         Matrix3([[i, o, -sin_pitch], [o, cos, sin * cos_pitch], [o, -sin, cos * cos_pitch]])
     }
 
     /// Its inverse.
-    fn to_rates(&self) -> Matrix3<S> {
+    fn inverse(&self) -> Matrix3<S> {
         let Self { roll: [sin, cos], pitch: [sin_pitch, cos_pitch] } = *self;
         let (o, i, tan_pitch) = (S::ZERO, S::ONE, sin_pitch / cos_pitch);
         Matrix3([[i, sin * tan_pitch, cos * tan_pitch], [o, cos, -sin], [o, sin / cos_pitch, cos / cos_pitch]])
@@ -194,7 +220,7 @@ mod tests {
     fn somewhere() -> (Frame, SlowFrame, Twist) {
         let frame = Frame { rotation: exp(Vector3::new(0.3, -0.4, 0.9)), position: Vector3::new(3.0, -2.0, 0.5) };
         let twist = Twist { angular: Vector3::new(0.2, -0.15, 0.3), linear: Vector3::new(1.0, -0.4, 0.6) };
-        (frame, SlowFrame { position: [1.0, 2.0], heading: 0.7 }, twist)
+        (frame, SlowFrame { position: [1.0, 2.0], heading: 0.7, lean: [0.0; 2] }, twist)
     }
 
     /// Roll, pitch and yaw by their definition, `R = Rz(yaw) Ry(pitch) Rx(roll)`.
@@ -220,6 +246,15 @@ mod tests {
             (change - drift).angular.norm() < 1e-9 && (change - drift).linear.norm() < 1e-9,
             "{change:?} {drift:?}"
         );
+    }
+
+    #[test]
+    fn a_slow_frame_of_a_hull_has_its_attitude() {
+        let (frame, ..) = somewhere();
+        let found = SlowFrame::of(&frame).attitude();
+        for k in 0..3 {
+            assert!((found.row(k) - frame.rotation.row(k)).norm() < 1e-15, "{found:?}");
+        }
     }
 
     #[test]

@@ -5,8 +5,10 @@ use crate::scalar::Scalar;
 
 /// How many filters stand in a row.
 const ORDER: usize = 4;
+/// x, y, heading, roll and pitch.
+const COUNT: usize = 5;
 
-/// Place and heading through `H(s) = (1 + 4 s/w) / (1 + s/w)^4`, w the cut-off.
+/// Place, heading, roll and pitch through `H(s) = (1 + 4 s/w) / (1 + s/w)^4`, w the cut-off.
 ///
 /// Four filters of first order stand in a row, `x1' = w (x - x1)` to `x4' = w (x3 - x4)`, and `4 x3 - 3 x4` comes out: a
 /// place that drifts at a steady speed without any lag, since H = 1 + O(s^2). Of a motion with the waves, at omega far
@@ -17,28 +19,28 @@ const ORDER: usize = 4;
 /// Stepped exactly for a place that is constant over a step, and held in between.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowFilter<S = f64> {
-    /// x, y (m) and heading (rad) behind each filter.
-    stages: [[S; 3]; ORDER],
+    /// x, y (m), heading, roll and pitch (rad) behind each filter.
+    stages: [[S; COUNT]; ORDER],
 }
 
 impl<S: Scalar> SlowFilter<S> {
     /// Number of its numbers among what forces hold.
-    pub const LEN: usize = 3 * ORDER;
+    pub const LEN: usize = COUNT * ORDER;
 
     /// Where a hull has always been.
     pub fn at_rest(place: &SlowFrame<S>) -> Self {
-        let [x, y] = place.position;
-        Self { stages: [[x, y, place.heading]; ORDER] }
+        let ([x, y], [roll, pitch]) = (place.position, place.lean);
+        Self { stages: [[x, y, place.heading, roll, pitch]; ORDER] }
     }
 
     /// From what a force holds.
     pub fn read(held: &[S]) -> Self {
-        Self { stages: core::array::from_fn(|stage| core::array::from_fn(|k| held[3 * stage + k])) }
+        Self { stages: core::array::from_fn(|stage| core::array::from_fn(|k| held[COUNT * stage + k])) }
     }
 
     /// Into what a force holds.
     pub fn write(&self, held: &mut [S]) {
-        for (held, stage) in held.chunks_exact_mut(3).zip(&self.stages) {
+        for (held, stage) in held.chunks_exact_mut(COUNT).zip(&self.stages) {
             held.copy_from_slice(stage);
         }
     }
@@ -46,24 +48,24 @@ impl<S: Scalar> SlowFilter<S> {
     /// What comes out.
     pub fn frame(&self) -> SlowFrame<S> {
         let [.., x3, x4] = &self.stages;
-        let [x, y, heading] = combined(x3, x4);
-        SlowFrame { position: [x, y], heading }
+        let [x, y, heading, roll, pitch] = combined(x3, x4);
+        SlowFrame { position: [x, y], heading, lean: [roll, pitch] }
     }
 
     /// The rate of what comes out: of x and y, world, m/s, and of the heading, rad/s.
     pub fn rates(&self, cutoff_rad_s: f64) -> [S; 3] {
         let [.., x2, x3, x4] = &self.stages;
         let cutoff = S::constant(cutoff_rad_s);
-        let rate = |from: &[S; 3], to: &[S; 3]| core::array::from_fn(|k| cutoff * (from[k] - to[k]));
-        combined(&rate(x2, x3), &rate(x3, x4))
+        let rate = |from: &[S; COUNT], to: &[S; COUNT]| core::array::from_fn(|k| cutoff * (from[k] - to[k]));
+        let [x, y, heading, ..] = combined(&rate(x2, x3), &rate(x3, x4));
+        [x, y, heading]
     }
 
     /// After a step of `step_s` to the place `now`.
     pub fn stepped(&self, now: &SlowFrame<S>, cutoff_rad_s: f64, step_s: f64) -> Self {
         let slow = self.frame();
-        let (sin, cos) = (now.heading - slow.heading).sin_cos();
-        let [x, y] = now.position;
-        let input = [x, y, slow.heading + sin.atan2(cos)];
+        let ([x, y], [roll, pitch]) = (now.position, now.lean);
+        let input = [x, y, onward(slow.heading, now.heading), onward(slow.lean[0], roll), pitch];
         let shares = shares(cutoff_rad_s * step_s);
         let after = |stage: usize, k: usize| {
             let share = |earlier: usize| S::constant(shares[stage - earlier]) * (self.stages[earlier][k] - input[k]);
@@ -71,6 +73,12 @@ impl<S: Scalar> SlowFilter<S> {
         };
         Self { stages: core::array::from_fn(|stage| core::array::from_fn(|k| after(stage, k))) }
     }
+}
+
+/// The angle `now`, less full turns away from `last`.
+fn onward<S: Scalar>(last: S, now: S) -> S {
+    let (sin, cos) = (now - last).sin_cos();
+    last + sin.atan2(cos)
 }
 
 /// What a filter keeps of itself, and of those before it one, two and three places ahead, after the time t / w:
@@ -81,7 +89,7 @@ fn shares(t: f64) -> [f64; ORDER] {
 }
 
 /// 4 x3 - 3 x4.
-fn combined<S: Scalar>(x3: &[S; 3], x4: &[S; 3]) -> [S; 3] {
+fn combined<S: Scalar>(x3: &[S; COUNT], x4: &[S; COUNT]) -> [S; COUNT] {
     core::array::from_fn(|k| S::constant(4.0) * x3[k] - S::constant(3.0) * x4[k])
 }
 
@@ -94,7 +102,11 @@ mod tests {
 
     /// The slow frame's x and heading after each step of a motion that both make.
     fn filtered(steps: usize, motion: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
-        let place = |time_s: f64| SlowFrame { position: [motion(time_s), 0.0], heading: motion(time_s) };
+        let place = |time_s: f64| SlowFrame {
+            position: [motion(time_s), 0.0],
+            heading: motion(time_s),
+            lean: [motion(time_s), 0.0],
+        };
         let mut filter = SlowFilter::at_rest(&place(0.0));
         let after = |k: usize| {
             filter = filter.stepped(&place(k as f64 * STEP_S), CUTOFF_RAD_S, STEP_S);
@@ -138,7 +150,8 @@ mod tests {
 
     #[test]
     fn its_rates_are_those_of_what_comes_out() {
-        let place = |time_s: f64| SlowFrame { position: [time_s, libm::sin(time_s)], heading: 0.3 * time_s };
+        let place =
+            |time_s: f64| SlowFrame { position: [time_s, libm::sin(time_s)], heading: 0.3 * time_s, lean: [0.0; 2] };
         let mut filter = SlowFilter::at_rest(&place(0.0));
         for k in 1..200 {
             filter = filter.stepped(&place(0.05 * f64::from(k)), CUTOFF_RAD_S, STEP_S);
