@@ -96,6 +96,12 @@ export default {
     // KB + BM - KG = T/2 + B^2/(12 T) - T, the centre of mass on the water plane.
     near(Number.parseFloat(await height.textContent()), 1 + 100 / 24 - 2, 0.0051, "GM");
     assert.equal(await page.getByTestId("floating-warnings").isVisible(), false);
+    // A slack tank takes rho l b^3 / 12 off it, over the mass.
+    const tank = "  bilge: {slack_tank: {body: hull, position_m: [0, 0, -1], length_m: 5, breadth_m: 8, height_m: 1, filling: 0.5}}\n";
+    await openFile(page, "slack.yaml", BARGE.replace("in a regular wave", "with a slack tank") + tank, DATABASE);
+    await opened(page, "A barge with a slack tank");
+    await shown();
+    near(Number.parseFloat(await height.textContent()), 1 + 100 / 24 - 2 - (1.025 * 5 * 8 ** 3) / 12 / 410, 0.0051, "GM, a tank slack");
     await page.getByTestId("gallery").selectOption("paper_true_draught");
     await page.getByTestId("floating-warnings").waitFor();
     await page.getByTestId("floating-warnings").click();
