@@ -11,7 +11,7 @@
 //! `a = a0 + M^-1 J^T lambda` and `(J M^-1 J^T) lambda = -(J a0 + J' v)`; a column of M^-1 J^T is
 //! the open tree's [`Response`] to a pair of unit wrenches. What the equations hold to rounding, a
 //! scheme does not: after each step q and v are moved back by the least change that M knows, so
-//! that phi and phi' vanish ([`LoopSolver::project`]). Two ships that are tied keep their common
+//! that phi and phi' vanish ([`LoopSolver::close`]). Two ships that are tied keep their common
 //! momentum through it.
 
 mod factor;
