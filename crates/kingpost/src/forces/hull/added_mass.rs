@@ -6,7 +6,7 @@
 use super::{Hull, SeaAxes, SlowFilter};
 use crate::dynamics::{Loads, Moment};
 use crate::scalar::Scalar;
-use crate::spatial::{Matrix3, SpatialInertia, Twist, Vector3, Wrench};
+use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
 
 /// What velocity the terms of the added mass take that are quadratic in it, and whether Munk's moment in yaw is one of them.
 ///
@@ -25,11 +25,11 @@ pub struct QuadraticTerms {
 impl<S: Scalar> Hull<S> {
     /// The load about the body's centre of mass, in its axes, that makes of Kirchhoff's terms for nu those in the water; in
     /// waves, what changes of the inertia goes to `loads`.
-    pub(super) fn in_flowing_water(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) -> Wrench<S> {
+    pub(super) fn in_flowing_water(&self, at: &Moment<'_, S>, axes: &SeaAxes<S>, loads: &mut Loads<S>) -> Wrench<S> {
         let own = at.model.added_inertias.iter().filter(|(body, _)| *body == self.frame.body);
         own.fold(Wrench::zero(), |sum, (_, added)| {
             if self.quadratic_terms.of_slow_motion {
-                sum + self.in_waves(added, at, loads)
+                sum + self.in_waves(added, at, axes, loads)
             } else {
                 sum + self.in_current(added, at)
             }
@@ -46,17 +46,19 @@ impl<S: Scalar> Hull<S> {
         twist.cross_momentum(&added.times(&twist)) - added.times(&turned) - self.cross_momentum(added, &relative)
     }
 
-    /// To first order A belongs to the axes of the hull on average, w = T nu, and what moves with the waves has no quadratic
+    /// To first order A belongs to the axes of the sea's loads, w = T nu, and what moves with the waves has no quadratic
     /// terms: `F = -T^T (A (T nu' + T' nu) + Q)`. The inertia becomes `T^T A T`; its Kirchhoff terms are given back. Of the
     /// slow velocity are `Q(nu) = nu x* A nu - A (omega x v)`, since w' is the acceleration in the world.
-    fn in_waves(&self, added: &SpatialInertia<S>, at: &Moment<'_, S>, loads: &mut Loads<S>) -> Wrench<S> {
-        let filter = SlowFilter::read(&at.held[self.first_held..]);
-        let mean = filter.frame().attitude();
-        let axes = SeaAxes::about(&mean, &self.frame.frame(at.model, at.links));
+    fn in_waves(
+        &self,
+        added: &SpatialInertia<S>,
+        at: &Moment<'_, S>,
+        axes: &SeaAxes<S>,
+        loads: &mut Loads<S>,
+    ) -> Wrench<S> {
         let seen = axes.inertia_in_body(added);
         loads.added_inertia.push((self.frame.body, seen - *added));
-
-        let slow = self.slow_twist(&mean, filter.rates(self.cutoff_rad_s));
+        let slow = self.slow_twist(at);
         let turned = Twist { linear: slow.angular.cross(slow.linear), angular: Vector3::zero() };
         let quadratic = self.cross_momentum(added, &slow) - added.times(&turned);
         let twist = at.links.body_twist(at.model, self.frame.body);
@@ -74,9 +76,10 @@ impl<S: Scalar> Hull<S> {
         terms
     }
 
-    /// The slow motion of the body's centre of mass through the water, in axes that stand so: of the rates of x, y and
-    /// heading.
-    fn slow_twist(&self, mean: &Matrix3<S>, [x, y, turning]: [S; 3]) -> Twist<S> {
+    /// The slow motion of the body's centre of mass through the water, in the axes of the hull on average.
+    fn slow_twist(&self, at: &Moment<'_, S>) -> Twist<S> {
+        let filter = SlowFilter::read(&at.held[self.first_held..]);
+        let (mean, [x, y, turning]) = (filter.frame().attitude(), filter.rates(self.cutoff_rad_s));
         let angular = mean.transpose_times(Vector3::new(S::ZERO, S::ZERO, turning));
         let drift = mean.transpose_times(Vector3::new(x, y, S::ZERO) - self.current);
         Twist { linear: drift - angular.cross(self.frame.origin), angular }

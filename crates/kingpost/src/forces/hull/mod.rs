@@ -132,7 +132,7 @@ impl<S: Scalar> Hull<S> {
             by_the_sea = core::array::from_fn(|mode| by_the_sea[mode] + first[mode] + drift[mode]);
         }
         let axes = SeaAxes::of(&motion.frame, &slow);
-        let mut by_the_sea = self.about_centre(&by_the_sea, &axes) + self.in_flowing_water(at, loads);
+        let mut by_the_sea = self.about_centre(by_the_sea, &axes) + self.in_flowing_water(at, &axes, loads);
         if let Some(waves) = self.wave_pressure.as_mut().filter(|_| !self.calm) {
             let pressure = waves.pressure(&motion.frame, self.specific_weight, at.clock.time_s);
             by_the_sea += self.frame.about_centre(&pressure);
@@ -150,7 +150,9 @@ impl<S: Scalar> Hull<S> {
         if let Some(waves) = self.wave_pressure.as_mut() {
             let motion = self.frame.motion(at);
             let by_pressure = waves.pressure(&motion.frame, self.specific_weight, time_s);
-            let along = modes(&SeaAxes::of(&motion.frame, &slow).wrench_of_body(&by_pressure));
+            let axes = SeaAxes::of(&motion.frame, &slow);
+            let Wrench { moment, force } = axes.wrench_of_body(&by_pressure);
+            let along = axes.modes(force, moment);
             excitation_force.iter_mut().zip(along).for_each(|(sum, force)| *sum += force);
         }
         HullReading {
@@ -207,18 +209,15 @@ impl<S: Scalar> Hull<S> {
     }
 
     /// Velocity and angular velocity of the reference point along those axes, by the twist of the body about its centre of
-    /// mass. The lever between the two is that of a level hull.
+    /// mass. The lever between the two is that of the hull on average.
     pub(crate) fn along(&self, axes: &SeaAxes<S>, of_body: &Twist<S>) -> [S; 6] {
         let Twist { angular, linear } = self.frame.in_body().twist_to_child(&axes.twist(of_body));
-        let ([x, y, z], [roll, pitch, yaw]) = (linear.0, angular.0);
-        [x, y, z, roll, pitch, yaw]
+        axes.modes(linear, angular)
     }
 
     /// A force and moment along those axes as a wrench about the body's centre of mass, in its axes.
-    fn about_centre(&self, force: &[S; 6], axes: &SeaAxes<S>) -> Wrench<S> {
-        let [x, y, z, roll, pitch, yaw] = *force;
-        let about_origin = Wrench { moment: Vector3([roll, pitch, yaw]), force: Vector3([x, y, z]) };
-        axes.wrench_to_body(&self.frame.about_centre(&about_origin))
+    fn about_centre(&self, force: [S; 6], axes: &SeaAxes<S>) -> Wrench<S> {
+        axes.wrench_to_body(&self.frame.about_centre(&axes.of_modes(force)))
     }
 
     /// What it holds where a run begins.
@@ -245,10 +244,4 @@ impl<S: Scalar> Hull<S> {
     fn own_states<'a>(&self, at: &Moment<'a, S>) -> &'a [S] {
         &at.states[self.first_state..][..self.state_count()]
     }
-}
-
-/// A wrench by mode: surge, sway, heave, roll, pitch, yaw.
-fn modes<S: Scalar>(wrench: &Wrench<S>) -> [S; 6] {
-    let ([x, y, z], [roll, pitch, yaw]) = (wrench.force.0, wrench.moment.0);
-    [x, y, z, roll, pitch, yaw]
 }

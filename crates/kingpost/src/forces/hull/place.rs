@@ -89,8 +89,13 @@ impl<S: Scalar> SlowFrame<S> {
 
     /// The same with roll and pitch, from the hull's axes on average to the world's.
     pub fn attitude(&self) -> Matrix3<S> {
+        self.rotation() * self.leaning()
+    }
+
+    /// From the hull's axes on average to the slow frame's.
+    fn leaning(&self) -> Matrix3<S> {
         let [roll, pitch] = self.lean.map(|angle| angle.sin_cos().into());
-        self.rotation() * Turns { roll, pitch }.rotation()
+        Turns { roll, pitch }.rotation()
     }
 }
 
@@ -100,16 +105,19 @@ fn heading<S: Scalar>(rotation: &Matrix3<S>) -> S {
     forward[1].atan2(forward[0])
 }
 
-/// What the loads of the sea are along: forces along the slow frame's axes; moments along the hull's own turns, yaw about the
-/// vertical, pitch about the level axis to port of its heading, roll about its own axis. T takes a twist in the body's axes to
-/// velocities along these, and does not move the point that it is of: the rates of place, roll, pitch and yaw.
+/// What the loads of the sea act along: the coordinates of linear theory, about the hull's attitude on average. Forces are
+/// along axes that stand so; moments along turns from it, yaw about its vertical, pitch about the axis across the heading that
+/// the hull has come to, roll about the hull's own axis. T takes a twist in the body's axes to the rates of these, and does not
+/// move the point that it is of.
 ///
-/// So first-order loads act on the coordinates that linear theory has, and what is left out is of second order and makes no
-/// motion of its own. Forces in axes that yawed with the waves would have a mean, which belongs to the drift; so would a
-/// moment of yaw about an axis that tilted, or a lever that did. Moments of pitch in axes that did not yaw with the hull, or
-/// of yaw in axes that did not pitch, would roll a slender ship at the differences of the waves' frequencies.
+/// What is left out is of second order, and makes no motion of its own. Forces in axes that yawed with the waves would have a
+/// mean, which belongs to the drift; so would a moment of yaw about an axis that tilted with them, or a lever that did. Moments
+/// of pitch in axes that did not yaw with the hull, or of yaw in axes that did not pitch, would roll a slender ship at the
+/// differences of the waves' frequencies.
 #[derive(Clone, Copy, Debug)]
 pub struct SeaAxes<S = f64> {
+    /// From the axes of the hull on average to the slow frame's.
+    leaning: Matrix3<S>,
     turns: Turns<S>,
     of_forces: Matrix3<S>,
 }
@@ -117,13 +125,21 @@ pub struct SeaAxes<S = f64> {
 impl<S: Scalar> SeaAxes<S> {
     /// Of a hull that stands and heads so.
     pub fn of(hull: &Frame<S>, slow: &SlowFrame<S>) -> Self {
-        Self::about(&slow.rotation(), hull)
+        let of_forces = slow.attitude().transpose() * hull.rotation;
+        Self { leaning: slow.leaning(), turns: Turns::of(&of_forces), of_forces }
     }
 
-    /// The same about axes that need not be level: those of the hull on average.
-    pub fn about(mean: &Matrix3<S>, hull: &Frame<S>) -> Self {
-        let of_forces = mean.transpose() * hull.rotation;
-        Self { turns: Turns::of(&of_forces), of_forces }
+    /// By mode, surge, sway, heave, roll, pitch and yaw along the slow frame's axes: of a force or velocity, and of a moment or
+    /// angular velocity along these.
+    pub fn modes(&self, linear: Vector3<S>, angular: Vector3<S>) -> [S; 6] {
+        let [[x, y, z], [roll, pitch, yaw]] = [linear, angular].map(|along| (self.leaning * along).0);
+        [x, y, z, roll, pitch, yaw]
+    }
+
+    /// Force and moment along these of a load by mode.
+    pub fn of_modes(&self, [x, y, z, roll, pitch, yaw]: [S; 6]) -> Wrench<S> {
+        let [force, moment] = [[x, y, z], [roll, pitch, yaw]].map(|load| self.leaning.transpose_times(Vector3(load)));
+        Wrench { moment, force }
     }
 
     /// T nu.
@@ -220,7 +236,7 @@ mod tests {
     fn somewhere() -> (Frame, SlowFrame, Twist) {
         let frame = Frame { rotation: exp(Vector3::new(0.3, -0.4, 0.9)), position: Vector3::new(3.0, -2.0, 0.5) };
         let twist = Twist { angular: Vector3::new(0.2, -0.15, 0.3), linear: Vector3::new(1.0, -0.4, 0.6) };
-        (frame, SlowFrame { position: [1.0, 2.0], heading: 0.7, lean: [0.0; 2] }, twist)
+        (frame, SlowFrame { position: [1.0, 2.0], heading: 0.7, lean: [0.1, -0.05] }, twist)
     }
 
     /// Roll, pitch and yaw by their definition, `R = Rz(yaw) Ry(pitch) Rx(roll)`.
@@ -233,12 +249,10 @@ mod tests {
     #[test]
     fn twists_become_rates_of_place_and_angles_and_drifts_their_rates() {
         let (frame, slow, twist) = somewhere();
-        let after = |s: f64| {
-            let rotation = frame.rotation * exp(twist.angular * s);
-            Frame { rotation, position: frame.position }
-        };
+        let after = |s: f64| Frame { rotation: frame.rotation * exp(twist.angular * s), position: frame.position };
+        let from_mean = |s: f64| angles(&(slow.attitude().transpose() * after(s).rotation));
         let (h, axes) = (1e-5, SeaAxes::of(&frame, &slow));
-        let rates = (angles(&after(h).rotation) - angles(&after(-h).rotation)) * (0.5 / h);
+        let rates = (from_mean(h) - from_mean(-h)) * (0.5 / h);
         assert!((rates - axes.twist(&twist).angular).norm() < 1e-9);
         let at = |s: f64| SeaAxes::of(&after(s), &slow).twist(&twist);
         let (change, drift) = ((at(h) - at(-h)) * (0.5 / h), axes.drift(&twist));
@@ -246,6 +260,20 @@ mod tests {
             (change - drift).angular.norm() < 1e-9 && (change - drift).linear.norm() < 1e-9,
             "{change:?} {drift:?}"
         );
+    }
+
+    /// About its attitude on average a hull's twist is what it is, seen from the slow frame.
+    #[test]
+    fn on_average_the_modes_are_those_of_the_twist() {
+        let (frame, _, twist) = somewhere();
+        let (slow, to_world) = (SlowFrame::of(&frame), |v: Vector3| frame.rotation * v);
+        let axes = SeaAxes::of(&frame, &slow);
+        let Twist { angular, linear } = axes.twist(&twist);
+        let seen = |v: Vector3| slow.rotation().transpose_times(to_world(v)).0;
+        let expected = [seen(twist.linear), seen(twist.angular)].concat();
+        for (found, expected) in axes.modes(linear, angular).iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-15, "{found} {expected}");
+        }
     }
 
     #[test]
