@@ -6,7 +6,7 @@
 use super::{Hull, SeaAxes, SlowFilter};
 use crate::dynamics::{Loads, Moment};
 use crate::scalar::Scalar;
-use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
+use crate::spatial::{Matrix3, SpatialInertia, Twist, Vector3, Wrench};
 
 /// What velocity the terms of the added mass take that are quadratic in it, and whether Munk's moment in yaw is one of them.
 ///
@@ -58,7 +58,7 @@ impl<S: Scalar> Hull<S> {
     ) -> Wrench<S> {
         let seen = axes.inertia_in_body(added);
         loads.added_inertia.push((self.frame.body, seen - *added));
-        let slow = self.slow_twist(at);
+        let slow = self.slow_twist(at, &axes.mean);
         let turned = Twist { linear: slow.angular.cross(slow.linear), angular: Vector3::zero() };
         let quadratic = self.cross_momentum(added, &slow) - added.times(&turned);
         let twist = at.links.body_twist(at.model, self.frame.body);
@@ -77,9 +77,8 @@ impl<S: Scalar> Hull<S> {
     }
 
     /// The slow motion of the body's centre of mass through the water, in the axes of the hull on average.
-    fn slow_twist(&self, at: &Moment<'_, S>) -> Twist<S> {
-        let filter = SlowFilter::read(&at.held[self.first_held..]);
-        let (mean, [x, y, turning]) = (filter.frame().attitude(), filter.rates(self.cutoff_rad_s));
+    fn slow_twist(&self, at: &Moment<'_, S>, mean: &Matrix3<S>) -> Twist<S> {
+        let [x, y, turning] = SlowFilter::read(&at.held[self.first_held..]).rates(self.cutoff_rad_s);
         let angular = mean.transpose_times(Vector3::new(S::ZERO, S::ZERO, turning));
         let drift = mean.transpose_times(Vector3::new(x, y, S::ZERO) - self.current);
         Twist { linear: drift - angular.cross(self.frame.origin), angular }

@@ -87,11 +87,6 @@ impl<S: Scalar> SlowFrame<S> {
         Matrix3([[cos, -sin, o], [sin, cos, o], [o, o, i]])
     }
 
-    /// The same with roll and pitch, from the hull's axes on average to the world's.
-    pub fn attitude(&self) -> Matrix3<S> {
-        self.rotation() * self.leaning()
-    }
-
     /// From the hull's axes on average to the slow frame's.
     fn leaning(&self) -> Matrix3<S> {
         let [roll, pitch] = self.lean.map(|angle| angle.sin_cos().into());
@@ -118,6 +113,8 @@ fn heading<S: Scalar>(rotation: &Matrix3<S>) -> S {
 pub struct SeaAxes<S = f64> {
     /// From the axes of the hull on average to the slow frame's.
     leaning: Matrix3<S>,
+    /// From these axes to the world's.
+    pub(super) mean: Matrix3<S>,
     turns: Turns<S>,
     of_forces: Matrix3<S>,
 }
@@ -125,8 +122,10 @@ pub struct SeaAxes<S = f64> {
 impl<S: Scalar> SeaAxes<S> {
     /// Of a hull that stands and heads so.
     pub fn of(hull: &Frame<S>, slow: &SlowFrame<S>) -> Self {
-        let of_forces = slow.attitude().transpose() * hull.rotation;
-        Self { leaning: slow.leaning(), turns: Turns::of(&of_forces), of_forces }
+        let leaning = slow.leaning();
+        let mean = slow.rotation() * leaning;
+        let of_forces = mean.transpose() * hull.rotation;
+        Self { leaning, mean, turns: Turns::of(&of_forces), of_forces }
     }
 
     /// By mode, surge, sway, heave, roll, pitch and yaw along the slow frame's axes: of a force or velocity, and of a moment or
@@ -250,8 +249,8 @@ mod tests {
     fn twists_become_rates_of_place_and_angles_and_drifts_their_rates() {
         let (frame, slow, twist) = somewhere();
         let after = |s: f64| Frame { rotation: frame.rotation * exp(twist.angular * s), position: frame.position };
-        let from_mean = |s: f64| angles(&(slow.attitude().transpose() * after(s).rotation));
         let (h, axes) = (1e-5, SeaAxes::of(&frame, &slow));
+        let from_mean = |s: f64| angles(&(axes.mean.transpose() * after(s).rotation));
         let rates = (from_mean(h) - from_mean(-h)) * (0.5 / h);
         assert!((rates - axes.twist(&twist).angular).norm() < 1e-9);
         let at = |s: f64| SeaAxes::of(&after(s), &slow).twist(&twist);
@@ -279,7 +278,7 @@ mod tests {
     #[test]
     fn a_slow_frame_of_a_hull_has_its_attitude() {
         let (frame, ..) = somewhere();
-        let found = SlowFrame::of(&frame).attitude();
+        let found = SeaAxes::of(&frame, &SlowFrame::of(&frame)).mean;
         for k in 0..3 {
             assert!((found.row(k) - frame.rotation.row(k)).norm() < 1e-15, "{found:?}");
         }
