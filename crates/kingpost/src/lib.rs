@@ -22,9 +22,7 @@ pub mod dynamics;
 
 pub mod sea;
 
-pub mod forces;
-
-pub mod drives;
+pub mod elements;
 
 pub mod integrate;
 pub mod ledger;

@@ -2,8 +2,8 @@
 
 mod loops;
 
-use crate::drives::Drive;
-use crate::forces::{DynamicPositioning, Force};
+use crate::elements::drives::Drive;
+use crate::elements::{DynamicPositioning, Force};
 use crate::ledger;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::plant::Observation;

@@ -1,6 +1,6 @@
 //! The elastic catenary against closed forms, its own energy, and a published mooring.
 
-use kingpost::forces::lines::{Catenary, EndForce, Span};
+use kingpost::elements::lines::{Catenary, EndForce, Span};
 use kingpost::scalar::{Dual, LANES, Lanes, Scalar};
 
 const LENGTH: f64 = 100.0;

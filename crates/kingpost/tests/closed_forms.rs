@@ -3,9 +3,9 @@
 mod common;
 
 use common::closed_forms::{GRAVITY, Pendulum};
-use kingpost::drives::{Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
-use kingpost::forces::hull::HullFrame;
-use kingpost::forces::{Force, Gravity, JointDamping, ViscousDamping};
+use kingpost::elements::drives::{Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use kingpost::elements::hull::HullFrame;
+use kingpost::elements::{Force, Gravity, JointDamping, ViscousDamping};
 use kingpost::model::joint::{Floating, Prismatic, Revolute};
 use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
 use kingpost::plant::Form;

@@ -3,8 +3,8 @@
 mod common;
 
 use common::values;
-use kingpost::drives::{Brake, Drive, Motor, PrescribedMotion, Profile, Pulse};
-use kingpost::forces::{CoulombFriction, Force, JointSpring, JointStop, StopSide};
+use kingpost::elements::drives::{Brake, Drive, Motor, PrescribedMotion, Profile, Pulse};
+use kingpost::elements::{CoulombFriction, Force, JointSpring, JointStop, StopSide};
 use kingpost::model::joint::Prismatic;
 use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
 use kingpost::plant::Form;

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{moored, simulation, values};
-use kingpost::forces::lines::{Catenary, Span};
+use kingpost::elements::lines::{Catenary, Span};
 use kingpost::scenario::read;
 use kingpost::spatial::Vector3;
 

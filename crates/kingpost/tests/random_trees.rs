@@ -5,9 +5,9 @@ mod common;
 
 use common::trees::{Kind, Tree, for_all, smallest_failure};
 use common::{Random, relative_difference};
-use kingpost::drives::{Drive, Motor, PrescribedMotion, Profile};
 use kingpost::dynamics::moving_frame::Variation;
-use kingpost::forces::{CoulombFriction, Force, Gravity, JointDamping, JointSpring, JointStop, StopSide};
+use kingpost::elements::drives::{Drive, Motor, PrescribedMotion, Profile};
+use kingpost::elements::{CoulombFriction, Force, Gravity, JointDamping, JointSpring, JointStop, StopSide};
 use kingpost::model::{Mode, Model};
 use kingpost::plant::Form;
 use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};

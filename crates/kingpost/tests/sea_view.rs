@@ -3,7 +3,7 @@
 mod common;
 
 use common::barge::{BEAM, DRAUGHT, LENGTH, scenario};
-use kingpost::forces::hull::SlowFilter;
+use kingpost::elements::hull::SlowFilter;
 use kingpost::simulation::Simulation;
 use serde_json::json;
 

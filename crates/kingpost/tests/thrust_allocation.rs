@@ -1,7 +1,7 @@
 //! What thrusters share, and what a wave filter passes, against closed forms.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
-use kingpost::forces::dynamic_positioning::{Allocation, Thruster, ThrusterKind, WaveFilter};
+use kingpost::elements::dynamic_positioning::{Allocation, Thruster, ThrusterKind, WaveFilter};
 use kingpost::spatial::Vector3;
 use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 use rand::rngs::StdRng;

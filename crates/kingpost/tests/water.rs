@@ -226,7 +226,7 @@ fn the_waves_of_random_motions_never_give_back_more_than_they_took() {
     // Positive real: the work of the radiation force from rest is never positive.
     let text = barge::database();
     let database = kingpost::sea::database::Database::read(&text).expect("a database");
-    let radiation = kingpost::forces::hull::Radiation::new(&database.radiation.expect("a model"));
+    let radiation = kingpost::elements::hull::Radiation::new(&database.radiation.expect("a model"));
     let noise = kingpost::sea::waves::Noise::new(3);
     for motion in 0..20 {
         let n = radiation.state_count();

@@ -4,7 +4,7 @@ mod common;
 
 use common::{assert_linearised, simulation, values};
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
-use kingpost::forces::flow::DirectionTable;
+use kingpost::elements::flow::DirectionTable;
 use kingpost::scalar::{Dual, LANES, Lanes};
 use kingpost::scenario::read;
 

@@ -1,7 +1,7 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::drives::{Drive, PrescribedMotion};
 use crate::dynamics::Clock;
+use crate::elements::drives::{Drive, PrescribedMotion};
 use crate::integrate::Stage;
 use crate::ledger;
 use crate::model::Mode;

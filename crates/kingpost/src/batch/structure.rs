@@ -1,6 +1,6 @@
 //! When runs may go side by side: everything but the numbers of the mechanics is the same.
 
-use crate::forces::Force;
+use crate::elements::Force;
 use crate::simulation::Setup;
 
 /// A setup without its real numbers, but with those that are no scalar: settings, the times and

@@ -2,7 +2,7 @@
 
 use super::floating::Floating;
 use super::hanging::{HangingLoad, carried};
-use crate::forces::SlackTank;
+use crate::elements::SlackTank;
 use crate::sea::hull::HullTank;
 use crate::spatial::{Matrix3, Vector3};
 use serde::Serialize;

@@ -1,8 +1,8 @@
 //! Loads that hang freely: to the ship their weight acts where they hang from.
 
-use crate::drives::Drive;
 use crate::dynamics::Kinematics;
-use crate::forces::Force;
+use crate::elements::Force;
+use crate::elements::drives::Drive;
 use crate::model::{Attachment, Mode, Model};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;

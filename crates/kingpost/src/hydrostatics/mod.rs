@@ -22,7 +22,7 @@ pub use hanging::HangingLoad;
 pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 
 use crate::dynamics::Kinematics;
-use crate::forces::{Force, Hull, SlackTank};
+use crate::elements::{Force, Hull, SlackTank};
 use crate::model::Model;
 use crate::scenario::{Scenario, ScenarioError, schema};
 use crate::sea::database::Database;

@@ -8,11 +8,11 @@ pub use observation::{Observation, Totals};
 use shares::{Moments, Shares};
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
-use crate::drives::{CylinderReading, Drive};
 use crate::dynamics::loops::{LoopFault, LoopSolver, Projection};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
 use crate::dynamics::{Clock, Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
-use crate::forces::{Force, LineReading, PositioningReading, ThrusterReading, hull::HullReading};
+use crate::elements::drives::{CylinderReading, Drive};
+use crate::elements::{Force, LineReading, PositioningReading, ThrusterReading, hull::HullReading};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{Mode, Model, Node};

@@ -1,11 +1,11 @@
 //! What there is to see of a plant at a state.
 
-use crate::drives::CylinderReading;
 use crate::dynamics::Kinematics;
 use crate::dynamics::inverse::InverseDynamics;
 use crate::dynamics::loops::LoopSolver;
-use crate::forces::hull::HullReading;
-use crate::forces::{LineReading, PositioningReading, ThrusterReading};
+use crate::elements::drives::CylinderReading;
+use crate::elements::hull::HullReading;
+use crate::elements::{LineReading, PositioningReading, ThrusterReading};
 use crate::model::Model;
 use crate::spatial::Vector3;
 

@@ -4,9 +4,9 @@
 //! inputs, then what the forces hold over a step.
 
 use super::Plant;
-use crate::drives::Drive;
 use crate::dynamics::{Clock, LinkKinematics, Moment};
-use crate::forces::Force;
+use crate::elements::Force;
+use crate::elements::drives::Drive;
 use crate::integrate::Stage;
 use crate::model::Model;
 use crate::scalar::Scalar;
@@ -164,8 +164,8 @@ impl<S: Scalar> Plant<S> {
     pub fn state_names(&self) -> Vec<String> {
         let kept = self.drives.iter().filter(|drive| drive.has_state()).filter_map(Drive::cylinder);
         let of_drives = kept.map(|cylinder| format!("{}.wanted_length", cylinder.name));
-        let of = |hull: &crate::forces::Hull<S>| {
-            let names = hull.radiation.iter().flat_map(crate::forces::hull::Radiation::state_names);
+        let of = |hull: &crate::elements::Hull<S>| {
+            let names = hull.radiation.iter().flat_map(crate::elements::hull::Radiation::state_names);
             names.map(|name| format!("{}.{name}", hull.name)).collect::<Vec<_>>()
         };
         let hulls = self.forces.iter().filter_map(Force::hull).flat_map(of);

@@ -20,11 +20,11 @@ pub(super) mod waves;
 
 pub use super::error::FieldError;
 use super::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenario};
-use crate::drives::Drive;
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::moving_frame::Variation;
 use crate::dynamics::pivots::massless_coordinate;
-use crate::forces::{Force, Gravity};
+use crate::elements::drives::Drive;
+use crate::elements::{Force, Gravity};
 use crate::integrate::Tolerances;
 use crate::model::Model;
 use crate::plant::Form;

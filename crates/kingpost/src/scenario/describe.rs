@@ -6,7 +6,7 @@ pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
 
 use super::build::flexible::{owner, shape};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
-use crate::drives::{Cylinder, Drive};
+use crate::elements::drives::{Cylinder, Drive};
 use crate::model::{Attachment, Loop, Model};
 use crate::simulation::Setup;
 use serde::Serialize;

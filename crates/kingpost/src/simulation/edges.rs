@@ -1,6 +1,6 @@
 //! Times at which steps end, because a law changes its form there.
 
-use crate::drives::Drive;
+use crate::elements::drives::Drive;
 use crate::integrate::Interval;
 use crate::scalar::Scalar;
 
@@ -40,7 +40,7 @@ impl Edges {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drives::{Motor, Profile, Pulse};
+    use crate::elements::drives::{Motor, Profile, Pulse};
 
     #[test]
     fn intervals_end_at_edges_and_rounding_makes_none() {

@@ -3,7 +3,7 @@
 use super::{InputError, Simulation, now};
 use crate::dynamics::Kinematics;
 use crate::dynamics::moving_frame::MovingFrame;
-use crate::forces::Force;
+use crate::elements::Force;
 use crate::integrate::{Jacobian, System};
 use crate::ledger;
 use crate::model::JointKind;
@@ -130,7 +130,7 @@ impl Simulation {
     }
 
     /// The same; returns the integrals of each dynamic positioning there too, as
-    /// [`DynamicPositioning::bias`](crate::forces::DynamicPositioning::bias).
+    /// [`DynamicPositioning::bias`](crate::elements::DynamicPositioning::bias).
     ///
     /// # Errors
     /// As [`settle`](Self::settle).

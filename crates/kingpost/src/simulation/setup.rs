@@ -1,7 +1,7 @@
 //! What a simulation is made of.
 
-use crate::drives::Drive;
-use crate::forces::Force;
+use crate::elements::Force;
+use crate::elements::drives::Drive;
 use crate::integrate::{Scheme, Sizes, Tolerances};
 use crate::model::Model;
 use crate::plant::Form;

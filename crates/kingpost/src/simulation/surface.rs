@@ -1,7 +1,7 @@
 //! The sea around the bodies, for a view.
 
 use super::Simulation;
-use crate::forces::Force;
+use crate::elements::Force;
 use crate::sea::waves::WaveField;
 
 impl Simulation {

@@ -2,8 +2,8 @@
 
 use super::ResponseError;
 use crate::dynamics::Kinematics;
-use crate::forces::Hull;
-use crate::forces::hull::{ByHeading, SeaAxes, SlowFrame};
+use crate::elements::Hull;
+use crate::elements::hull::{ByHeading, SeaAxes, SlowFrame};
 use crate::model::Model;
 use crate::scenario::{Scenario, schema};
 use crate::sea::database::Database;

@@ -3,7 +3,7 @@
 use super::super::schema::{self, AngleAxis, History, LengthAxis, PrismaticMode, RevoluteMode};
 use super::FieldError;
 use super::reading::{Gathered, Reading};
-use crate::forces::{CoulombFriction, Force, JointDamping, JointSpring, JointStop, StopSide};
+use crate::elements::{CoulombFriction, Force, JointDamping, JointSpring, JointStop, StopSide};
 use crate::model::{AxisMotion, Mode};
 
 /// An axis of a joint, in rad and N m or in m and N.

@@ -5,7 +5,7 @@ use super::axes::{axes, forces_in_axis};
 use super::flexible::{ELASTIC_AXES, FlexibleBody, carrier};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
-use crate::forces::{Force, JointDamping};
+use crate::elements::{Force, JointDamping};
 use crate::model::joint::{AxisList, Fixed, Floating, Prismatic, Revolute, Spherical};
 use crate::model::{Axis, BodyDescription, Joint, JointKind, Mode, Model, Shape};
 use crate::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, rotation_from_roll_pitch_yaw};

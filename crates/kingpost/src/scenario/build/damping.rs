@@ -3,8 +3,8 @@
 use super::super::schema::{self, Force as ForceSchema, Scenario};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
-use crate::forces::hull::HullFrame;
-use crate::forces::{Force, QuadraticDamping, ViscousDamping};
+use crate::elements::hull::HullFrame;
+use crate::elements::{Force, QuadraticDamping, ViscousDamping};
 use crate::model::Model;
 use crate::spatial::Vector3;
 use core::array;

@@ -3,7 +3,7 @@
 use super::super::schema::Scenario;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, build};
-use crate::forces::{DynamicPositioning, Force};
+use crate::elements::{DynamicPositioning, Force};
 use crate::integrate::{Interval, Stage, System};
 use crate::model::{Mode, Model, Node};
 use crate::plant::Plant;

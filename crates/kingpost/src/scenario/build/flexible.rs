@@ -3,7 +3,7 @@
 use super::super::schema::{self, Flexible, FlexibleDamping, Positive, Scenario, Section as SectionSchema};
 use super::FieldError;
 use super::reading::{Gathered, Reading};
-use crate::forces::{Force, JointDamping, JointSpring};
+use crate::elements::{Force, JointDamping, JointSpring};
 use crate::model::joint::AxisList;
 use crate::model::{Beam, BodyDescription, Joint, JointKind, Mode, Model, Section};
 use crate::spatial::{Frame, Matrix3, Vector3};

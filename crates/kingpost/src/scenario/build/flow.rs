@@ -4,8 +4,8 @@ use super::super::schema::{self, CurrentProfile, Force as ForceSchema, PowerLaw,
 use super::FieldError;
 use super::damping::{current, from_centre, rigid};
 use super::reading::{Gathered, Reading};
-use crate::forces::flow::{DirectionTable, FlowLoad};
-use crate::forces::{Force, hull::HullFrame};
+use crate::elements::flow::{DirectionTable, FlowLoad};
+use crate::elements::{Force, hull::HullFrame};
 use crate::model::Model;
 use crate::spatial::Vector3;
 

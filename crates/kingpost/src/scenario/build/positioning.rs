@@ -5,10 +5,10 @@ use super::FieldError;
 use super::damping::{from_centre, rigid};
 use super::positioning_loop::Loop;
 use super::reading::{Gathered, Reading};
-use crate::forces::dynamic_positioning::{
+use crate::elements::dynamic_positioning::{
     Allocation, DynamicPositioning, Gains, Planar, Target, Thruster, ThrusterKind, WaveFilter,
 };
-use crate::forces::{Force, hull::HullFrame};
+use crate::elements::{Force, hull::HullFrame};
 use crate::model::Model;
 use crate::spatial::Vector3;
 use core::f64::consts::{PI, TAU};
@@ -55,7 +55,7 @@ pub fn build<S: Gathered>(
 
 /// Gives each dynamic positioning its place among the states of forces, behind those of the hulls.
 pub fn place_states<S: Gathered>(forces: &mut [Force<S>]) {
-    let mut first = forces.iter().filter_map(Force::hull).map(crate::forces::Hull::state_count).sum();
+    let mut first = forces.iter().filter_map(Force::hull).map(crate::elements::Hull::state_count).sum();
     for positioning in forces.iter_mut().filter_map(Force::dynamic_positioning_mut) {
         positioning.first_state = first;
         first += positioning.state_count();

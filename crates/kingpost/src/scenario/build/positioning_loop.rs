@@ -57,7 +57,7 @@ impl Loop<'_> {
 /// A root that grows by less than this share of the fastest rate is rounding: a controller without integral has one at 0.
 const ROUNDING: f64 = 1e-6;
 
-/// A section as [`WaveFilter`](crate::forces::dynamic_positioning::WaveFilter) has it.
+/// A section as [`WaveFilter`](crate::elements::dynamic_positioning::WaveFilter) has it.
 struct Section {
     frequency: f64,
     damping_ratio: f64,

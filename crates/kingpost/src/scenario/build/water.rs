@@ -4,10 +4,10 @@ use super::super::schema::{self, Force as ForceSchema, Hydrostatics as Hydrostat
 use super::damping::{current, from_centre};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, gravity_of, known, waves};
-use crate::forces::hull::{
+use crate::elements::hull::{
     Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, Parts, QuadraticTerms, Radiation,
 };
-use crate::forces::{Force, Hull};
+use crate::elements::{Force, Hull};
 use crate::model::{JointKind, Model};
 use crate::scalar::Scalar;
 use crate::sea::database::{Database, SixBySix};

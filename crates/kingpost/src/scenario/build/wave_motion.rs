@@ -4,7 +4,7 @@ use super::super::schema::{self, Scenario};
 use super::reading::{Gathered, Reading};
 use super::water::{check_coverage, gravity, sea_of, water_of};
 use super::{FieldError, waves};
-use crate::drives::WaveMotion;
+use crate::elements::drives::WaveMotion;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::sea::raos::{RaoTable, Response};

@@ -1,6 +1,6 @@
 //! The sea and the hulls in it, to draw.
 
-use crate::forces::{Force, Hull};
+use crate::elements::{Force, Hull};
 use crate::scenario::build::waves::cut_off;
 use crate::scenario::schema::{self, Scenario};
 use crate::sea::database::HullAtRest;

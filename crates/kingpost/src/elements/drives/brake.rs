@@ -1,7 +1,7 @@
 //! A brake: dry friction of a capacity that a lever sets.
 
 use crate::dynamics::Loads;
-use crate::forces::CoulombFriction;
+use crate::elements::CoulombFriction;
 use crate::scalar::Scalar;
 
 /// `tau = -u T v / sqrt(v^2 + v_s^2)` with the capacity T and the application u, from 0 (released)

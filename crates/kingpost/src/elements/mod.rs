@@ -3,6 +3,7 @@
 //! A new force is one new file and one arm in each `match` of [`Force`].
 
 mod coulomb_friction;
+pub mod drives;
 pub mod dynamic_positioning;
 pub mod flow;
 mod gravity;

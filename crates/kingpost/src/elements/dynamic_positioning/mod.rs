@@ -11,7 +11,7 @@ pub use thruster::{Thrust, Thruster, ThrusterKind};
 pub use wave_filter::WaveFilter;
 
 use crate::dynamics::{LinkKinematics, Loads, Moment};
-use crate::forces::hull::HullFrame;
+use crate::elements::hull::HullFrame;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};

@@ -2,7 +2,7 @@
 
 use super::{LineReading, place, pull_at, velocity};
 use crate::dynamics::{LinkKinematics, Loads, Moment};
-use crate::forces::hunt_crossley;
+use crate::elements::hunt_crossley;
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;

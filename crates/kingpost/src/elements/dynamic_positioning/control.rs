@@ -1,7 +1,7 @@
 //! The controller: what force and moment a station asks for.
 
 use crate::dynamics::LinkKinematics;
-use crate::forces::hull::HullFrame;
+use crate::elements::hull::HullFrame;
 use crate::model::Model;
 use crate::scalar::Scalar;
 

@@ -2,7 +2,7 @@
 
 use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads, Moment};
-use crate::forces::hunt_crossley;
+use crate::elements::hunt_crossley;
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
 
