@@ -1,6 +1,8 @@
 //! What is measured.
 
 use crate::Outcome;
+use kingpost::elements::AnyElement;
+use kingpost::elements::drives::Motor;
 use kingpost::integrate::{Interval, Scheme, Sizes, Stage, System};
 use kingpost::plant::Plant;
 use kingpost::scalar::{LANES, Lanes, Scalar};
@@ -85,8 +87,10 @@ struct Forward {
 impl Forward {
     /// The force stands for the drives.
     fn new(Task { setup, q, v, force, .. }: Task) -> Self {
-        let mut plant = Plant::new(setup.model, setup.forces, Vec::new());
-        plant.keeps_ledger = false;
+        let is_motor = |element: &AnyElement| (**element).as_any().is::<Motor>();
+        let elements = setup.elements.into_iter().filter(|element| !is_motor(element)).collect();
+        let mut plant = Plant::new(setup.model, setup.world, elements);
+        plant.keep_ledger(false);
         let v_dot = vec![0.0; v.len()];
         Self { plant, q, v, force, v_dot }
     }
@@ -101,7 +105,7 @@ impl Operation for Forward {
         for _ in 0..times {
             let Self { plant, q, v, force, v_dot } = black_box(&mut *self);
             let interval = Interval { start_s: 0.0, end_s: STEP_S };
-            let stage = Stage { time_s: 0.0, interval, q, v, s: &[], d: &[] };
+            let stage = Stage { time_s: 0.0, interval, q, v, s: &[], d: &[], m: &[] };
             plant.acceleration(stage, Some(force), v_dot);
         }
         Ok(())
@@ -123,8 +127,8 @@ struct Step {
 impl Step {
     /// The plant with its forces and drives.
     fn new(Task { setup, q, v, .. }: Task, scheme: fn(Sizes) -> Scheme) -> Self {
-        let mut plant = Plant::new(setup.model, setup.forces, setup.drives);
-        plant.keeps_ledger = false;
+        let mut plant = Plant::new(setup.model, setup.world, setup.elements);
+        plant.keep_ledger(false);
         let scheme = scheme(plant.sizes());
         let start = State { q, v, ..State::default() };
         Self { plant, scheme, state: start.clone(), start }
@@ -165,8 +169,8 @@ impl SideBySide {
     /// All from one state, but for a thousandth more velocity in each lane.
     fn new(Task { scenario, q, v, .. }: Task, scheme: fn(Sizes) -> Scheme<Lanes>) -> Outcome<Self> {
         let setup = assemble::<Lanes>(&Reading::new(vec![&scenario; LANES]))?;
-        let mut plant = Plant::new(setup.model, setup.forces, setup.drives);
-        plant.keeps_ledger = false;
+        let mut plant = Plant::new(setup.model, setup.world, setup.elements);
+        plant.keep_ledger(false);
         let scheme = scheme(plant.sizes());
         let q = q.into_iter().map(Lanes::constant).collect();
         let faster = |v: f64| Lanes::new(std::array::from_fn(|k| v * (1.0 + 1e-3 * k as f64)));

@@ -35,6 +35,8 @@ pub fn run(error: EngineRunError) -> PyErr {
         EngineRunError::OpenLoop { name, constraint, gap, allowed, .. } => {
             RunError::new_err((message, time_s, name, constraint, gap, allowed))
         }
-        EngineRunError::Step(_) => RunError::new_err((message, time_s)),
+        EngineRunError::Step(_) | EngineRunError::TooManyEvents { .. } | EngineRunError::EventNotAlone { .. } => {
+            RunError::new_err((message, time_s))
+        }
     }
 }

@@ -37,7 +37,9 @@ pub fn run(error: RunError) -> JsValue {
             ("singular_loop", name, constraint, pivot, allowed)
         }
         RunError::OpenLoop { name, constraint, gap, allowed, .. } => ("open_loop", name, constraint, gap, allowed),
-        RunError::Step(_) => return object(&json!({ "kind": "step", "message": message, "time_s": time_s })),
+        RunError::Step(_) | RunError::TooManyEvents { .. } | RunError::EventNotAlone { .. } => {
+            return object(&json!({ "kind": "step", "message": message, "time_s": time_s }));
+        }
     };
     object(&json!({
         "kind": kind,

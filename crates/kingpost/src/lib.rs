@@ -21,6 +21,7 @@ pub mod state;
 pub mod dynamics;
 
 pub mod sea;
+pub mod world;
 
 pub mod elements;
 

@@ -1,94 +1,53 @@
-//! The registry of result channels: names, units, frames and dimensions, in one table.
+//! The registry of result channels: names, units, frames and dimensions.
+//!
+//! Those of the model and of the ledger stand in one table; those of the elements are what their [`Layout`] says.
 
 mod loops;
 
-use crate::elements::drives::Drive;
-use crate::elements::{DynamicPositioning, Force};
+use crate::elements::{Components, Frame as ComponentFrame, Layout, Output, WRENCH};
 use crate::ledger;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::plant::Observation;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Quaternion, Twist, Vector3, Wrench, roll_pitch_yaw};
 use core::marker::PhantomData;
+use indexmap::IndexMap;
 use serde::Serialize;
-
-/// A dimension of a channel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Dimension {
-    /// Bodies by name.
-    Body,
-    /// x, y, z.
-    Axis,
-    /// w, x, y, z.
-    Quaternion,
-    /// Coordinates of all joints but floating ones.
-    Coordinate,
-    /// Joints by name.
-    Joint,
-    /// Force and moment, x, y, z each.
-    Component,
-    /// Named points as `body.point`.
-    Point,
-    /// Closed loops by name.
-    Loop,
-    /// Constraints of closed loops as `loop.constraint`.
-    Constraint,
-    /// Hydraulic cylinders by name.
-    Cylinder,
-    /// Hulls in the water by the name of their force.
-    Hull,
-    /// Lines by the name of their force.
-    Line,
-    /// Loads of wind and current by the name of their force.
-    Flow,
-    /// Dynamic positioning by the name of its force.
-    Station,
-    /// Thrusters as `force.thruster`.
-    Thruster,
-    /// Surge, sway and yaw.
-    Planar,
-}
-
-/// The frame of a vector's components.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Components {
-    /// World axes.
-    World,
-    /// The body's own axes.
-    Body,
-    /// The joint's axes on the child's side.
-    Joint,
-    /// The axes of a closed loop's first attachment.
-    Loop,
-    /// Level axes that turn slowly with the hull.
-    SlowFrame,
-    /// Level axes that turn with the hull's heading.
-    Heading,
-    /// Not a vector.
-    None,
-}
 
 /// One result variable of a model, with its place in a row.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Channel {
     /// Name in a data set.
     pub variable: &'static str,
+    /// What it is, as short as the axis of a plot needs it.
+    pub long_name: String,
     /// What it is.
-    pub long_name: &'static str,
-    /// SI unit.
-    pub unit: &'static str,
+    pub description: &'static str,
+    /// SI unit of all its columns; absent where they differ.
+    pub unit: Option<&'static str>,
+    /// SI unit of each column.
+    pub units: Vec<&'static str>,
     /// Frame of the components.
-    pub frame: Components,
-    /// Dimensions, slowest first.
-    pub dims: Vec<Dimension>,
+    pub frame: ComponentFrame,
+    /// Names of the dimensions, slowest first.
+    pub dims: Vec<&'static str>,
     /// Labels along each dimension.
     pub labels: Vec<Vec<String>>,
+    /// Names of its columns in a flat table: `ship.angular_velocity.x`.
+    pub columns: Vec<String>,
     /// First entry in a row.
     pub offset: usize,
     /// Number of entries.
     pub len: usize,
+}
+
+/// The channels of a model and its elements, in the order of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channels {
+    /// One after another.
+    pub list: Vec<Channel>,
+    /// Place in a row of each number that the elements write.
+    places: Vec<usize>,
 }
 
 /// Everything that a row is computed from.
@@ -107,160 +66,262 @@ pub struct Sample<'a, S = f64> {
 
 struct Entry<S> {
     variable: &'static str,
-    long_name: &'static str,
+    description: &'static str,
     unit: Unit,
-    frame: Components,
+    frame: ComponentFrame,
     dims: &'static [Dimension],
     write: fn(&Sample<'_, S>, &mut Vec<S>),
 }
 
-enum Unit {
-    Plain(&'static str),
-    /// By what the coordinates are: all rotations, all translations, or both.
-    Coordinate([&'static str; 3]),
+/// A dimension of the model's channels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Dimension {
+    /// Bodies by name.
+    Body,
+    /// x, y, z.
+    Axis,
+    /// w, x, y, z.
+    Quaternion,
+    /// Coordinates of all joints but floating ones.
+    Coordinate,
+    /// Joints by name.
+    Joint,
+    /// Force and moment, x, y, z each.
+    Component,
+    /// Named points as `body.point`.
+    Point,
+    /// Closed loops by name.
+    Loop,
+    /// Constraints of closed loops as `loop.constraint`.
+    Constraint,
 }
 
-use Components::{
-    Body as InBody, Heading as InHeading, Joint as InJoint, Loop as InLoop, None as Number, SlowFrame as InSlowFrame,
-    World,
-};
-use Dimension::{
-    Axis, Body, Component, Constraint, Coordinate, Cylinder, Flow, Hull, Joint, Line, Loop, Planar, Point,
-    Quaternion as QuaternionDim, Station, Thruster,
-};
-use Unit::{Coordinate as By, Plain};
+enum Unit {
+    Plain(&'static str),
+    /// Of a force and a moment, by component.
+    Wrench,
+    /// Where a coordinate turns, and where it slides.
+    Coordinate([&'static str; 2]),
+    /// Of a constraint of an angle, and of a length.
+    Constraint([&'static str; 2]),
+}
+
+use ComponentFrame::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, World};
+use Dimension::{Axis, Body, Component, Constraint, Coordinate, Joint, Loop, Point, Quaternion as QuaternionDim};
+use Unit::{Constraint as ByConstraint, Coordinate as By, Plain, Wrench as ForceAndMoment};
 
 struct Table<S>(PhantomData<S>);
 
 #[rustfmt::skip]
 impl<S: Scalar> Table<S> {
-    /// Every channel: the single source of names, units and frames.
-    const ENTRIES: [Entry<S>; 47] = [
-        Entry { variable: "time", long_name: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
-        Entry { variable: "position", long_name: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
+    /// Every channel of the model: the single source of names, units and frames.
+    const OF_MODEL: &[Entry<S>] = &[
+        Entry { variable: "time", description: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
+        Entry { variable: "position", description: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
             write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
-        Entry { variable: "orientation", long_name: "unit quaternion from body to world axes", unit: Plain("1"), frame: World, dims: &[Body, QuaternionDim],
+        Entry { variable: "orientation", description: "unit quaternion from body to world axes", unit: Plain("1"), frame: World, dims: &[Body, QuaternionDim],
             write: |x, out| each_frame(x, out, |frame, out| out.extend(Quaternion::from_matrix(&frame.rotation).0)) },
-        Entry { variable: "roll", long_name: "roll angle, positive port side up", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 0) },
-        Entry { variable: "pitch", long_name: "pitch angle, positive bow down", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 1) },
-        Entry { variable: "yaw", long_name: "yaw angle, positive bow to port", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 2) },
-        Entry { variable: "velocity", long_name: "velocity of the centre of mass", unit: Plain("m/s"), frame: World, dims: &[Body, Axis], write: velocity },
-        Entry { variable: "angular_velocity", long_name: "angular velocity: roll, pitch and yaw rate", unit: Plain("rad/s"), frame: InBody, dims: &[Body, Axis],
+        Entry { variable: "roll", description: "roll angle, positive port side up", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 0) },
+        Entry { variable: "pitch", description: "pitch angle, positive bow down", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 1) },
+        Entry { variable: "yaw", description: "yaw angle, positive bow to port", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 2) },
+        Entry { variable: "velocity", description: "velocity of the centre of mass", unit: Plain("m/s"), frame: World, dims: &[Body, Axis], write: velocity },
+        Entry { variable: "angular_velocity", description: "angular velocity: roll, pitch and yaw rate", unit: Plain("rad/s"), frame: InBody, dims: &[Body, Axis],
             write: |x, out| out.extend(x.observed.bodies.twist.iter().flat_map(|twist| twist.angular.0)) },
-        Entry { variable: "acceleration", long_name: "acceleration of the centre of mass", unit: Plain("m/s^2"), frame: World, dims: &[Body, Axis], write: acceleration },
-        Entry { variable: "joint_position", long_name: "joint angle or extension; the rotation vector of a spherical joint", unit: By(["rad", "m", "rad or m"]), frame: Number, dims: &[Coordinate],
+        Entry { variable: "acceleration", description: "acceleration of the centre of mass", unit: Plain("m/s^2"), frame: World, dims: &[Body, Axis], write: acceleration },
+        Entry { variable: "joint_position", description: "joint angle or extension; the rotation vector of a spherical joint", unit: By(["rad", "m"]), frame: Number, dims: &[Coordinate],
             write: |x, out| each_coordinate(x, out, joint_position) },
-        Entry { variable: "joint_velocity", long_name: "joint rate; the angular velocity of a spherical joint in child axes", unit: By(["rad/s", "m/s", "rad/s or m/s"]), frame: Number, dims: &[Coordinate],
+        Entry { variable: "joint_velocity", description: "joint rate; the angular velocity of a spherical joint in child axes", unit: By(["rad/s", "m/s"]), frame: Number, dims: &[Coordinate],
             write: |x, out| each_coordinate(x, out, |x, c| x.v[c.index]) },
-        Entry { variable: "joint_force", long_name: "force or moment that the joint carries along its coordinate: drive, friction, hold", unit: By(["N m", "N", "N m or N"]), frame: Number,
+        Entry { variable: "joint_force", description: "force or moment that the joint carries along its coordinate: drive, friction, hold", unit: By(["N m", "N"]), frame: Number,
             dims: &[Coordinate], write: |x, out| each_coordinate(x, out, |x, c| x.observed.inverse.joint_wrench[c.body].dot(&x.observed.bodies.columns[c.index])) },
-        Entry { variable: "joint_reaction", long_name: "wrench of the joint on the child, at the joint, in the child's axes, drive included", unit: Plain("N, N m"), frame: InJoint,
+        Entry { variable: "joint_reaction", description: "wrench of the joint on the child, at the joint, in the child's axes, drive included", unit: ForceAndMoment, frame: InJoint,
             dims: &[Joint, Component], write: joint_reaction },
-        Entry { variable: "loop_reaction", long_name: "wrench of the loop on its second body, at the second attachment, in the axes of the first", unit: Plain("N, N m"), frame: InLoop,
+        Entry { variable: "loop_reaction", description: "wrench of the loop on its second body, at the second attachment, in the axes of the first", unit: ForceAndMoment, frame: InLoop,
             dims: &[Loop, Component], write: loops::reaction },
-        Entry { variable: "loop_error", long_name: "what is left open along a constraint; of an angle, its sine", unit: Plain("m or rad"), frame: Number, dims: &[Constraint],
+        Entry { variable: "loop_error", description: "what is left open along a constraint; of an angle, its sine", unit: ByConstraint(["rad", "m"]), frame: Number, dims: &[Constraint],
             write: loops::error },
-        Entry { variable: "cylinder_length", long_name: "length of a cylinder between its pins", unit: Plain("m"), frame: Number, dims: &[Cylinder],
-            write: |x, out| out.extend(x.observed.cylinders.iter().map(|cylinder| cylinder.length)) },
-        Entry { variable: "cylinder_rate", long_name: "rate of a cylinder's length", unit: Plain("m/s"), frame: Number, dims: &[Cylinder],
-            write: |x, out| out.extend(x.observed.cylinders.iter().map(|cylinder| cylinder.rate)) },
-        Entry { variable: "cylinder_force", long_name: "force of a cylinder, positive where it pushes, stops included", unit: Plain("N"), frame: Number, dims: &[Cylinder],
-            write: |x, out| out.extend(x.observed.cylinders.iter().map(|cylinder| cylinder.force)) },
-        Entry { variable: "wave_elevation", long_name: "elevation of the incident waves where the hull is on average", unit: Plain("m"), frame: Number, dims: &[Hull],
-            write: |x, out| out.extend(x.observed.hulls.iter().map(|hull| hull.wave_elevation)) },
-        Entry { variable: "excitation_force", long_name: "force and moment of the incident waves, about the hull's reference point", unit: Plain("N, N m"), frame: InSlowFrame, dims: &[Hull, Component],
-            write: |x, out| out.extend(x.observed.hulls.iter().flat_map(|hull| hull.excitation_force)) },
-        Entry { variable: "drift_force", long_name: "mean and slowly varying force and moment of the waves on a hull, about its reference point", unit: Plain("N, N m"), frame: InSlowFrame, dims: &[Hull, Component],
-            write: |x, out| out.extend(x.observed.hulls.iter().flat_map(|hull| hull.drift_force)) },
-        Entry { variable: "radiation_force", long_name: "force and moment of the waves that the hull has made, added mass apart, about its reference point", unit: Plain("N, N m"), frame: InSlowFrame, dims: &[Hull, Component],
-            write: |x, out| out.extend(x.observed.hulls.iter().flat_map(|hull| hull.radiation_force)) },
-        Entry { variable: "water_kinetic_energy", long_name: "the water's part of the kinetic energy, by the infinite-frequency added mass", unit: Plain("J"), frame: Number, dims: &[Hull],
-            write: |x, out| out.extend(x.observed.hulls.iter().map(|hull| hull.water_kinetic_energy)) },
-        Entry { variable: "line_tension", long_name: "tension of a line at its first end, or its fairlead", unit: Plain("N"), frame: Number, dims: &[Line],
-            write: |x, out| out.extend(x.observed.lines.iter().map(|line| line.tension)) },
-        Entry { variable: "line_end_tension", long_name: "tension of a line at its second end, or its anchor", unit: Plain("N"), frame: Number, dims: &[Line],
-            write: |x, out| out.extend(x.observed.lines.iter().map(|line| line.end_tension)) },
-        Entry { variable: "line_grounded_length", long_name: "unstretched length of a line that lies on the seabed", unit: Plain("m"), frame: Number, dims: &[Line],
-            write: |x, out| out.extend(x.observed.lines.iter().map(|line| line.grounded_length)) },
-        Entry { variable: "flow_force", long_name: "force and moment of wind or current about the reference point of its coefficients", unit: Plain("N, N m"), frame: InBody, dims: &[Flow, Component],
-            write: |x, out| out.extend(x.observed.flow_forces.iter().flatten()) },
-        Entry { variable: "station_error", long_name: "surge and sway from a ship on dynamic positioning to its target, and the heading that lacks", unit: Plain("m, rad"), frame: InHeading, dims: &[Station, Planar],
-            write: |x, out| out.extend(x.observed.positioning.iter().flat_map(|station| station.error)) },
-        Entry { variable: "station_demand", long_name: "force and yaw moment that dynamic positioning asks for, about the point that is kept", unit: Plain("N, N m"), frame: InHeading, dims: &[Station, Planar],
-            write: |x, out| out.extend(x.observed.positioning.iter().flat_map(|station| station.demand)) },
-        Entry { variable: "station_command", long_name: "what of that the thrusters are told to give", unit: Plain("N, N m"), frame: InBody, dims: &[Station, Planar],
-            write: |x, out| out.extend(x.observed.positioning.iter().flat_map(|station| station.command)) },
-        Entry { variable: "station_force", long_name: "force and yaw moment that the thrusters give, about the point that is kept", unit: Plain("N, N m"), frame: InBody, dims: &[Station, Planar],
-            write: |x, out| out.extend(x.observed.positioning.iter().flat_map(|station| station.delivered)) },
-        Entry { variable: "thruster_thrust", long_name: "thrust, negative astern; of an azimuth thruster its length", unit: Plain("N"), frame: Number, dims: &[Thruster],
-            write: |x, out| out.extend(x.observed.thrusters.iter().map(|thruster| thruster.thrust)) },
-        Entry { variable: "thruster_force", long_name: "thrust as a force", unit: Plain("N"), frame: InBody, dims: &[Thruster, Axis],
-            write: |x, out| out.extend(x.observed.thrusters.iter().flat_map(|thruster| [thruster.force[0], thruster.force[1], S::ZERO])) },
-        Entry { variable: "thruster_utilisation", long_name: "thrust as a share of what the thruster can give that way", unit: Plain("1"), frame: Number, dims: &[Thruster],
-            write: |x, out| out.extend(x.observed.thrusters.iter().map(|thruster| thruster.utilisation)) },
-        Entry { variable: "point_position", long_name: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
+        Entry { variable: "point_position", description: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
             write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
-        Entry { variable: "point_velocity", long_name: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
+        Entry { variable: "point_velocity", description: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
             write: |x, out| each_point(x, out, |frame, twist, p| frame.rotation * (twist.linear + twist.angular.cross(p))) },
-        Entry { variable: "kinetic_energy", long_name: "kinetic energy, the water's part included", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.kinetic_energy) },
-        Entry { variable: "potential_energy", long_name: "potential energy", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.potential_energy) },
-        Entry { variable: "work_done", long_name: "work by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(work_done(x)) },
-        Entry { variable: "work_by_drives", long_name: "work by motors, servos and prescribed motions", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
-        Entry { variable: "work_by_outside", long_name: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
-        Entry { variable: "energy_dissipated", long_name: "energy turned into heat", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
-        Entry { variable: "linear_momentum", long_name: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], write: |x, out| out.extend(x.observed.totals.linear_momentum.0) },
-        Entry { variable: "angular_momentum", long_name: "angular momentum about the world's origin, or the held centre", unit: Plain("N m s"), frame: World, dims: &[Axis],
+    ];
+
+    /// Energy and momentum, and what they should be.
+    const OF_LEDGER: &[Entry<S>] = &[
+        Entry { variable: "kinetic_energy", description: "kinetic energy, the water's part included", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.kinetic_energy) },
+        Entry { variable: "potential_energy", description: "potential energy", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.potential_energy) },
+        Entry { variable: "work_done", description: "work by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(work_done(x)) },
+        Entry { variable: "work_by_drives", description: "work by motors, servos and prescribed motions", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
+        Entry { variable: "work_by_outside", description: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
+        Entry { variable: "energy_dissipated", description: "energy turned into heat", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
+        Entry { variable: "linear_momentum", description: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], write: |x, out| out.extend(x.observed.totals.linear_momentum.0) },
+        Entry { variable: "angular_momentum", description: "angular momentum about the world's origin, or the held centre", unit: Plain("N m s"), frame: World, dims: &[Axis],
             write: |x, out| out.extend(x.observed.totals.angular_momentum.0) },
-        Entry { variable: "energy_error", long_name: "energy less what work and heat leave of it", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(energy_error(x)) },
-        Entry { variable: "momentum_error", long_name: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Number, dims: &[], write: |x, out| out.push(momentum_error(x)) },
-        Entry { variable: "linear_momentum_error", long_name: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Number, dims: &[],
+        Entry { variable: "energy_error", description: "energy less what work and heat leave of it", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(energy_error(x)) },
+        Entry { variable: "momentum_error", description: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Number, dims: &[], write: |x, out| out.push(momentum_error(x)) },
+        Entry { variable: "linear_momentum_error", description: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Number, dims: &[],
             write: |x, out| out.push((x.observed.totals.linear_momentum - Vector3::from_slice(&x.s[ledger::LINEAR_MOMENTUM..])).norm()) },
     ];
 }
 
-/// The channels of a model, its drives and forces, in the order of a row.
-pub fn channels<S: Scalar>(model: &Model<S>, drives: &[Drive<S>], forces: &[Force<S>]) -> Vec<Channel> {
-    let mut offset = 0;
-    let place = |entry: &Entry<S>| {
-        let labels: Vec<Vec<String>> =
-            entry.dims.iter().map(|dimension| dimension.labels(model, drives, forces)).collect();
-        let len = labels.iter().map(Vec::len).product();
-        let channel = Channel {
-            variable: entry.variable,
-            long_name: entry.long_name,
-            unit: entry.unit.of(model),
-            frame: entry.frame,
-            dims: entry.dims.to_vec(),
-            labels,
-            offset,
-            len,
-        };
-        offset += len;
-        channel
-    };
-    Table::ENTRIES.iter().map(place).collect()
+impl Channels {
+    /// Of a model and what its elements show: the model's channels, those of the elements, the ledger's.
+    pub fn new<S: Scalar>(model: &Model<S>, layout: &Layout) -> Self {
+        let mut channels = Self { list: Vec::new(), places: Vec::new() };
+        Table::OF_MODEL.iter().for_each(|entry| channels.push(entry.channel(model)));
+        channels.push_outputs(layout);
+        Table::<S>::OF_LEDGER.iter().for_each(|entry| channels.push(entry.channel(model)));
+        channels
+    }
+
+    /// Entries in a row.
+    pub fn columns(&self) -> usize {
+        self.list.last().map_or(0, |channel| channel.offset + channel.len)
+    }
+
+    fn push(&mut self, channel: Channel) {
+        let offset = self.columns();
+        // A model without loops, say, has no channel of them.
+        if channel.len > 0 {
+            self.list.push(Channel { offset, ..channel });
+        }
+    }
+
+    /// Outputs of one variable stand side by side, in the order of their elements.
+    fn push_outputs(&mut self, layout: &Layout) {
+        let mut by_variable: IndexMap<&str, Vec<(usize, &Output)>> = IndexMap::new();
+        let mut written = 0;
+        for (_, output) in &layout.outputs {
+            by_variable.entry(output.variable).or_default().push((written, output));
+            written += output.len();
+        }
+        self.places = vec![0; written];
+        for outputs in by_variable.into_values() {
+            let mut place = self.columns();
+            for (first, output) in &outputs {
+                for k in 0..output.len() {
+                    self.places[first + k] = place + k;
+                }
+                place += output.len();
+            }
+            let outputs: Vec<&Output> = outputs.into_iter().map(|(_, output)| output).collect();
+            self.push(channel_of(&outputs));
+        }
+    }
+
+    /// Appends one row.
+    pub fn write_row<S: Scalar>(&self, sample: &Sample<'_, S>, out: &mut Vec<S>) {
+        let first = out.len();
+        Table::OF_MODEL.iter().for_each(|entry| (entry.write)(sample, out));
+        let outputs = sample.observed.outputs;
+        out.resize(out.len() + outputs.len(), S::ZERO);
+        for (place, value) in self.places.iter().zip(outputs) {
+            out[first + place] = *value;
+        }
+        Table::OF_LEDGER.iter().for_each(|entry| (entry.write)(sample, out));
+    }
 }
 
-/// Appends one row.
-pub fn write_row<S: Scalar>(sample: &Sample<'_, S>, out: &mut Vec<S>) {
-    for entry in &Table::ENTRIES {
-        (entry.write)(sample, out);
+/// One channel of the outputs of one variable.
+fn channel_of(outputs: &[&Output]) -> Channel {
+    let one = outputs[0];
+    let things: Vec<String> = outputs.iter().flat_map(|output| output.labels.clone()).collect();
+    let components = one.components.labels().map(|labels| labels.iter().map(|label| (*label).to_owned()).collect());
+    let columns: Vec<String> = outputs.iter().flat_map(|output| output.columns()).collect();
+    let units: Vec<&'static str> = one.units.iter().copied().cycle().take(columns.len()).collect();
+    Channel {
+        variable: one.variable,
+        long_name: short_name(one.description),
+        description: one.description,
+        unit: common(&units),
+        len: units.len(),
+        units,
+        frame: one.frame,
+        dims: [Some(one.dimension), one.components.dimension()].into_iter().flatten().collect(),
+        labels: [Some(things), components].into_iter().flatten().collect(),
+        columns,
+        offset: 0,
+    }
+}
+
+/// The unit that all columns have.
+fn common(units: &[&'static str]) -> Option<&'static str> {
+    let (first, rest) = units.split_first()?;
+    rest.iter().all(|unit| unit == first).then_some(*first)
+}
+
+/// The first words of a description, for the axis of a plot.
+fn short_name(description: &str) -> String {
+    let ends = [",", ";", ":", " at its ", " where the hull "].into_iter().filter_map(|end| description.find(end));
+    description[..ends.min().unwrap_or(description.len())].to_owned()
+}
+
+impl<S: Scalar> Entry<S> {
+    fn channel(&self, model: &Model<S>) -> Channel {
+        let labels: Vec<Vec<String>> = self.dims.iter().map(|dimension| dimension.labels(model)).collect();
+        let columns = self.columns(&labels);
+        let units = self.unit.of_columns(model, columns.len());
+        Channel {
+            variable: self.variable,
+            long_name: short_name(self.description),
+            description: self.description,
+            unit: common(&units),
+            units,
+            frame: self.frame,
+            dims: self.dims.iter().map(|dimension| dimension.name()).collect(),
+            labels,
+            len: columns.len(),
+            columns,
+            offset: 0,
+        }
+    }
+
+    /// What names a thing stands before the variable, what names a component behind it.
+    fn columns(&self, labels: &[Vec<String>]) -> Vec<String> {
+        let leads = self.dims.first().is_some_and(|dimension| dimension.names_things());
+        let mut columns = vec![if leads { String::new() } else { self.variable.to_owned() }];
+        for (k, along) in labels.iter().enumerate() {
+            let with = |head: &String, label: &String| match k {
+                0 if leads => format!("{label}.{}", self.variable),
+                _ => format!("{head}.{label}"),
+            };
+            columns = columns.iter().flat_map(|head| along.iter().map(move |label| with(head, label))).collect();
+        }
+        columns
     }
 }
 
 impl Dimension {
-    fn labels<S: Scalar>(self, model: &Model<S>, drives: &[Drive<S>], forces: &[Force<S>]) -> Vec<String> {
+    fn name(self) -> &'static str {
+        match self {
+            Body => "body",
+            Axis => "axis",
+            QuaternionDim => "quaternion",
+            Coordinate => "coordinate",
+            Joint => "joint",
+            Component => "component",
+            Point => "point",
+            Loop => "loop",
+            Constraint => "constraint",
+        }
+    }
+
+    fn names_things(self) -> bool {
+        !matches!(self, Axis | QuaternionDim | Component)
+    }
+
+    fn labels<S: Scalar>(self, model: &Model<S>) -> Vec<String> {
         let fixed = |labels: &[&str]| labels.iter().map(|s| (*s).to_owned()).collect();
         match self {
             Body => model.bodies.iter().map(|body| body.name.clone()).collect(),
-            Axis => fixed(&["x", "y", "z"]),
+            Axis => fixed(Components::Axis.labels().unwrap_or_default()),
             QuaternionDim => fixed(&["w", "x", "y", "z"]),
             Coordinate => {
                 let names = model.coordinate_names();
                 joint_coordinates(model).map(|c| names[c.index].clone()).collect()
             }
             Joint => model.joints.iter().map(|joint| joint.name.clone()).collect(),
-            Component => fixed(&["force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"]),
+            Component => fixed(Components::Wrench.labels().unwrap_or_default()),
             Point => {
                 let names = |body: &crate::model::Body<S>| {
                     body.points.iter().map(|(point, _)| format!("{}.{point}", body.name)).collect::<Vec<_>>()
@@ -269,34 +330,25 @@ impl Dimension {
             }
             Loop => loops::names(model),
             Constraint => model.constraint_names(),
-            Hull => forces.iter().filter_map(Force::hull).map(|hull| hull.name.clone()).collect(),
-            Line => forces.iter().filter_map(Force::line).map(str::to_owned).collect(),
-            Flow => forces.iter().filter_map(Force::flow_load).map(|load| load.name.clone()).collect(),
-            Station => {
-                forces.iter().filter_map(Force::dynamic_positioning).map(|station| station.name.clone()).collect()
-            }
-            Thruster => forces.iter().filter_map(Force::dynamic_positioning).flat_map(thruster_names).collect(),
-            Planar => fixed(&["surge", "sway", "yaw"]),
-            Cylinder => drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.name.clone()).collect(),
         }
     }
 }
 
-fn thruster_names<S: Scalar>(station: &DynamicPositioning<S>) -> impl Iterator<Item = String> + '_ {
-    station.allocation.thrusters().iter().map(|thruster| format!("{}.{}", station.name, thruster.name))
-}
-
 impl Unit {
-    fn of<S: Scalar>(&self, model: &Model<S>) -> &'static str {
+    /// Of each of so many columns.
+    fn of_columns<S: Scalar>(&self, model: &Model<S>, columns: usize) -> Vec<&'static str> {
         match self {
-            Plain(unit) => unit,
-            By([rotation, translation, both]) => {
-                let slides = |c: JointCoordinate<'_, S>| c.motion() == Some(AxisMotion::Translation);
-                match (joint_coordinates(model).any(|c| !slides(c)), joint_coordinates(model).any(slides)) {
-                    (true, true) => both,
-                    (false, true) => translation,
-                    _ => rotation,
-                }
+            Plain(unit) => vec![unit; columns],
+            ForceAndMoment => WRENCH.iter().copied().cycle().take(columns).collect(),
+            By([turns, slides]) => joint_coordinates(model)
+                .map(|c| if c.motion() == Some(AxisMotion::Translation) { *slides } else { *turns })
+                .collect(),
+            ByConstraint([angle, length]) => {
+                let constraints = model.loops.iter().flat_map(|closed| &closed.constraints);
+                let turns = |(_, constraint): &(String, crate::model::Constraint<S>)| {
+                    matches!(constraint, crate::model::Constraint::Perpendicular { .. })
+                };
+                constraints.map(|constraint| if turns(constraint) { *angle } else { *length }).collect()
             }
         }
     }

@@ -11,10 +11,12 @@ pub struct State<S = f64> {
     pub q: Vec<S>,
     /// Velocities.
     pub v: Vec<S>,
-    /// Continuous extra states: the ledger's integrals, then those of forces and drives.
+    /// Continuous extra states: the ledger's integrals, then those of the elements.
     pub s: Vec<S>,
-    /// Discrete states, which change between steps only: the values of the inputs.
+    /// Discrete numbers, which change between steps only: the values of the inputs, then those of the elements.
     pub d: Vec<S>,
+    /// Modes of the elements, which change between steps only.
+    pub m: Vec<i64>,
     /// What the integrator carries from step to step.
     pub memory: Vec<S>,
 }
@@ -57,14 +59,14 @@ pub enum SnapshotError {
 }
 
 const MAGIC: [u8; 7] = *b"kingpst";
-const VERSION: u8 = 1;
+const VERSION: u8 = 2;
 
 /// Bytes before the numbers: the magic word and the version.
 const HEADER: usize = MAGIC.len() + 1;
 
 /// Words before the parts: the fingerprint and the steps.
 const LEAD: usize = 2;
-const PARTS: [&str; 5] = ["q", "v", "s", "d", "memory"];
+const PARTS: [&str; 6] = ["q", "v", "s", "d", "memory", "m"];
 
 impl<S: Copy> State<S> {
     fn parts(&self) -> [&Vec<S>; 5] {
@@ -75,12 +77,13 @@ impl<S: Copy> State<S> {
         [&mut self.q, &mut self.v, &mut self.s, &mut self.d, &mut self.memory]
     }
 
-    /// Takes over the numbers of a state of the same shape; allocates nothing.
+    /// Takes over the numbers of another state; allocates nothing where that has the same shape.
     pub fn copy_from(&mut self, other: &Self) {
         self.steps = other.steps;
         for (part, other) in self.parts_mut().into_iter().zip(other.parts()) {
-            part.copy_from_slice(other);
+            part.clone_from(other);
         }
+        self.m.clone_from(&other.m);
     }
 }
 
@@ -96,6 +99,8 @@ impl State {
             bytes.extend((part.len() as u64).to_le_bytes());
             bytes.extend(part.iter().flat_map(|x| x.to_le_bytes()));
         }
+        bytes.extend((self.m.len() as u64).to_le_bytes());
+        bytes.extend(self.m.iter().flat_map(|mode| mode.to_le_bytes()));
         bytes
     }
 
@@ -111,6 +116,10 @@ impl State {
                 *x = f64::from_bits(*bits);
             }
         }
+        numbers.next();
+        for (mode, bits) in self.m.iter_mut().zip(numbers) {
+            *mode = *bits as i64;
+        }
         Ok(())
     }
 
@@ -121,7 +130,8 @@ impl State {
         }
         let word = |w: &[u8]| w.iter().rev().fold(0, |sum, byte| (sum << 8) | u64::from(*byte));
         let words: Vec<u64> = bytes[HEADER..].chunks_exact(8).map(word).collect();
-        let lengths = self.parts().map(Vec::len);
+        let [q, v, s, d, memory] = self.parts().map(Vec::len);
+        let lengths = [q, v, s, d, memory, self.m.len()];
         let allowed = HEADER + 8 * (LEAD + lengths.iter().map(|n| n + 1).sum::<usize>());
         let wrong_length = SnapshotError::Length { found: bytes.len(), allowed };
         let found = *words.first().ok_or(wrong_length.clone())?;
@@ -151,6 +161,7 @@ mod tests {
             v: vec![f64::MIN_POSITIVE],
             s: vec![3.5; 3],
             d: vec![],
+            m: vec![-3],
             memory: vec![2.0],
         }
     }
@@ -158,7 +169,7 @@ mod tests {
     #[test]
     fn a_snapshot_gives_back_the_same_bits() {
         let mut other = state();
-        other.q[1] = 9.0;
+        (other.q[1], other.m[0]) = (9.0, 4);
         other.restore(&state().snapshot(5), 5).unwrap();
         assert_eq!(other, state());
         assert!(other.q[1].is_sign_negative());
@@ -170,7 +181,7 @@ mod tests {
         let before = other.clone();
         let refused = other.restore(&state().snapshot(5), 5);
         assert_eq!(refused, Err(SnapshotError::Shape { part: "v", found: 1, allowed: 2 }));
-        assert_eq!(other.restore(b"nonsense", 5), Err(SnapshotError::Format { allowed: 1 }));
+        assert_eq!(other.restore(b"nonsense", 5), Err(SnapshotError::Format { allowed: 2 }));
         let short = &state().snapshot(5)[..28];
         assert!(matches!(other.restore(short, 5), Err(SnapshotError::Length { .. })));
         let foreign = other.restore(&state().snapshot(4), 5);

@@ -3,14 +3,15 @@
 mod common;
 
 use common::closed_forms::{GRAVITY, Pendulum};
-use kingpost::elements::drives::{Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use kingpost::elements::drives::{Motor, PrescribedMotion, Profile, Pulse, Servo};
 use kingpost::elements::hull::HullFrame;
-use kingpost::elements::{Force, Gravity, JointDamping, ViscousDamping};
+use kingpost::elements::{AnyElement, Gravity, JointDamping, ViscousDamping};
 use kingpost::model::joint::{Floating, Prismatic, Revolute};
 use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
 use kingpost::plant::Form;
 use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};
 use kingpost::spatial::{Frame, SpatialInertia, Symmetric3, Vector3};
+use kingpost::world::World;
 
 fn body(name: &str, parent: Option<usize>, kind: JointKind, mass: f64, moments: [f64; 3]) -> BodyDescription {
     let joint = Joint { name: name.to_owned(), kind, mode: Mode::Free };
@@ -20,8 +21,8 @@ fn body(name: &str, parent: Option<usize>, kind: JointKind, mass: f64, moments: 
 
 fn simulation(
     bodies: Vec<BodyDescription>,
-    forces: Vec<Force>,
-    drives: Vec<Drive>,
+    mut elements: Vec<AnyElement>,
+    drives: Vec<AnyElement>,
     step_s: f64,
     (q, v): (Vec<f64>, Vec<f64>),
 ) -> Simulation {
@@ -33,7 +34,8 @@ fn simulation(
         rate_limit: 1e4,
         form: Form::Recursive,
     };
-    Simulation::new(Setup { model: Model::new(bodies), forces, drives, inputs: Vec::new(), settings, q, v })
+    elements.extend(drives);
+    Simulation::new(Setup { model: Model::new(bodies), world: World::calm(), elements, settings, q, v })
 }
 
 fn hinge(axis: [f64; 3], to_child: [f64; 3]) -> JointKind {
@@ -64,7 +66,7 @@ fn a_thrown_body_flies_on_a_parabola_and_precesses_as_euler_says() {
     // (Landau & Lifshitz, Mechanics, 36.6).
     let moments = [2.0, 2.0, 3.0];
     let start = (vec![0.0, 0.0, 10.0, 1.0, 0.0, 0.0, 0.0], vec![3.0, -1.0, 20.0, 0.4, 0.0, 5.0]);
-    let gravity = Force::Gravity(Gravity { acceleration: GRAVITY });
+    let gravity = Box::new(Gravity { acceleration: GRAVITY });
     let mut simulation =
         simulation(vec![body("top", None, floating(), 4.0, moments)], vec![gravity], vec![], 0.005, start);
     simulation.step(400).unwrap();
@@ -84,7 +86,7 @@ fn a_compound_pendulum_swings_with_the_elliptic_period() {
     let exact = Pendulum::new(moment + mass * length * length, mass * length, amplitude);
     let period = exact.period_s();
     let joint = hinge([0.0, 1.0, 0.0], [0.0, 0.0, -length]);
-    let gravity = Force::Gravity(Gravity { acceleration: GRAVITY });
+    let gravity = Box::new(Gravity { acceleration: GRAVITY });
     let bodies = vec![body("bob", None, joint, mass, [moment; 3])];
     let mut simulation = simulation(bodies, vec![gravity], vec![], period / 2000.0, (vec![amplitude], vec![0.0]));
     for part in 1..=8 {
@@ -105,7 +107,7 @@ fn viscous_damping_lets_a_rate_decay_exponentially() {
     let damped = |start| {
         let (place, current) = (HullFrame { body: 0, origin: Vector3::zero() }, Vector3::zero());
         let damping = ViscousDamping { place, linear, angular, matrix: None, current };
-        let damping = Force::ViscousDamping(Box::new(damping));
+        let damping = Box::new(damping);
         simulation(vec![body("ship", None, floating(), 8.0, [2.0; 3])], vec![damping], vec![], 0.005, start)
     };
     let mut turning = damped(start);
@@ -122,8 +124,8 @@ fn viscous_damping_lets_a_rate_decay_exponentially() {
 #[test]
 fn a_slide_under_a_constant_force_with_friction_reaches_its_terminal_speed() {
     let (mass, force, damping) = (5.0, 20.0, 4.0);
-    let motor = Drive::Motor(Motor { coordinate: 0, effort: force, profile: Profile::constant(), input: None });
-    let friction = Force::JointDamping(JointDamping { coordinate: 0, damping });
+    let motor = Box::new(Motor { coordinate: 0, effort: force, profile: Profile::constant(), lever: None });
+    let friction = Box::new(JointDamping { coordinate: 0, damping });
     let bodies = vec![body("cart", None, slide([1.0, 0.0, 0.0]), mass, [1.0; 3])];
     let mut simulation = simulation(bodies, vec![friction], vec![motor], 0.005, (vec![0.0], vec![0.0]));
     simulation.step(400).unwrap();
@@ -136,10 +138,11 @@ fn a_slide_under_a_constant_force_with_friction_reaches_its_terminal_speed() {
 fn a_servo_holds_an_arm_up_with_the_droop_of_its_stiffness() {
     // Horizontal arm: k (target - q) = m g l cos(q) at rest; positive about y lowers an arm along x.
     let (mass, length, stiffness) = (10.0, 2.0, 5e4);
-    let servo =
-        |limit: f64| Drive::Servo(Servo { position: 0, coordinate: 0, target: 0.0, stiffness, damping: 4e3, limit });
+    let servo = |limit: f64| -> AnyElement {
+        Box::new(Servo { position: 0, coordinate: 0, target: 0.0, stiffness, damping: 4e3, limit })
+    };
     let arm = || vec![body("arm", None, hinge([0.0, 1.0, 0.0], [length, 0.0, 0.0]), mass, [1.0; 3])];
-    let gravity = || vec![Force::Gravity(Gravity { acceleration: GRAVITY })];
+    let gravity = || -> Vec<AnyElement> { vec![Box::new(Gravity { acceleration: GRAVITY })] };
     let mut held = simulation(arm(), gravity(), vec![servo(1e4)], 0.002, (vec![0.0], vec![0.0]));
     held.step(2000).unwrap();
     let droop = held.state().q[0];
@@ -160,8 +163,7 @@ fn a_prescribed_joint_follows_its_rate_and_its_drive_does_the_work() {
     let mut arm = body("arm", Some(0), hinge([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), 3.0, [0.5; 3]);
     arm.joint.mode = Mode::Prescribed;
     let bodies = vec![body("cart", None, slide([0.0, 1.0, 0.0]), 5.0, [1.0; 3]), arm];
-    let mut simulation =
-        simulation(bodies, vec![], vec![Drive::Prescribed(motion)], 0.005, (vec![0.0; 2], vec![0.0; 2]));
+    let mut simulation = simulation(bodies, vec![], vec![Box::new(motion)], 0.005, (vec![0.0; 2], vec![0.0; 2]));
     simulation.step(80).unwrap();
     assert!((simulation.state().v[1] - 2.0).abs() < 1e-12);
     assert!((simulation.state().q[1] - (0.2 + 0.4)).abs() < 1e-12);

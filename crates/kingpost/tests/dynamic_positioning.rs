@@ -313,10 +313,10 @@ fn positioning_is_linearised_exactly() {
         assert_eq!(most > 0.999, weak, "{most}");
         let linear = Linearizer::new(&scenario).unwrap().at(&ship);
         let setup = scenario.setup().unwrap();
-        let mut plant = Plant::new(setup.model, setup.forces, setup.drives);
+        let mut plant = Plant::new(setup.model, setup.world, setup.elements);
         let (at, n) = (ship.stage(), ship.state().v.len());
         let free = plant.model.free_coordinates();
-        let extras = plant.state_names().len();
+        let extras = plant.layout().states.len();
         assert_eq!(linear.states.len(), 2 * free.len() + extras);
         assert_eq!(linear.accelerations().len(), free.len());
         let ledger = at.s.len() - extras;

@@ -298,8 +298,8 @@ fn derivatives_by_differences_agree_with_dual_numbers() {
     let mut linearizer = Linearizer::new(&scenario).unwrap();
     let free: Vec<usize> = linearizer.positions().collect();
     let exact = linearizer.at(&simulation).a;
-    let Setup { model, forces, drives, .. } = scenario.setup().unwrap();
-    let mut plant = Plant::new(model, forces, drives);
+    let Setup { model, world, elements, .. } = scenario.setup().unwrap();
+    let mut plant = Plant::new(model, world, elements);
     let (at, n) = (simulation.stage(), simulation.state().v.len());
     let mut found = Jacobian::new(plant.sizes());
     plant.jacobian(at.q, &vec![0.0; n], at, &mut found);

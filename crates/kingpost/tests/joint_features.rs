@@ -3,19 +3,20 @@
 mod common;
 
 use common::values;
-use kingpost::elements::drives::{Brake, Drive, Motor, PrescribedMotion, Profile, Pulse};
-use kingpost::elements::{CoulombFriction, Force, JointSpring, JointStop, StopSide};
+use kingpost::elements::drives::{Brake, Motor, PrescribedMotion, Profile, Pulse};
+use kingpost::elements::{AnyElement, CoulombFriction, JointSpring, JointStop, StopSide};
 use kingpost::model::joint::Prismatic;
 use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
 use kingpost::plant::Form;
-use kingpost::simulation::{Input, SchemeName, Settings, Setup, Simulation};
+use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};
 use kingpost::spatial::{Frame, SpatialInertia, Symmetric3, Vector3};
+use kingpost::world::World;
 
 const MASS: f64 = 3.0;
 const STEP_S: f64 = 1e-4;
 
 /// A mass on a slide along x, at `q` with the speed `v`.
-fn slide(mode: Mode, forces: Vec<Force>, drives: Vec<Drive>, inputs: Vec<Input>, q: f64, v: f64) -> Setup {
+fn slide(mode: Mode, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
     let prismatic = Prismatic::new(Frame::identity(), Vector3::new(1.0, 0.0, 0.0), Vector3::zero());
     let body = BodyDescription {
         name: "mass".to_owned(),
@@ -33,7 +34,7 @@ fn slide(mode: Mode, forces: Vec<Force>, drives: Vec<Drive>, inputs: Vec<Input>,
         rate_limit: 1e4,
         form: Form::Recursive,
     };
-    Setup { model: Model::new(vec![body]), forces, drives, inputs, settings, q: vec![q], v: vec![v] }
+    Setup { model: Model::new(vec![body]), world: World::calm(), elements, settings, q: vec![q], v: vec![v] }
 }
 
 /// Steps on by a time and checks that energy and heat are accounted for to `tolerance`, J.
@@ -47,8 +48,8 @@ fn run(simulation: &mut Simulation, seconds: f64, tolerance: f64) -> (f64, f64) 
 #[test]
 fn a_mass_on_a_spring_swings_about_its_rest_as_a_cosine() {
     let (stiffness, rest, start) = (48.0, 0.4, 1.0);
-    let spring = Force::JointSpring(JointSpring { position: 0, coordinate: 0, stiffness, rest });
-    let mut simulation = Simulation::new(slide(Mode::Free, vec![spring], vec![], vec![], start, 0.0));
+    let spring = Box::new(JointSpring { position: 0, coordinate: 0, stiffness, rest });
+    let mut simulation = Simulation::new(slide(Mode::Free, vec![spring], start, 0.0));
     let (q, v) = run(&mut simulation, 1.3, 1e-11);
     let (w, a) = ((stiffness / MASS).sqrt(), start - rest);
     assert!((q - rest - a * (w * 1.3).cos()).abs() < 1e-12, "{q}");
@@ -63,8 +64,7 @@ fn a_stop_gives_back_the_speed_that_hunt_and_crossley_derive() {
     for (side, direction) in [(StopSide::Upper, 1.0), (StopSide::Lower, -1.0)] {
         for speed in [0.05, 0.8, 6.0] {
             let stop = JointStop { position: 0, coordinate: 0, side, limit: 0.2 * direction, stiffness, dissipation };
-            let setup =
-                slide(Mode::Free, vec![Force::JointStop(stop)], vec![], vec![], 0.1 * direction, speed * direction);
+            let setup = slide(Mode::Free, vec![Box::new(stop)], 0.1 * direction, speed * direction);
             let mut simulation = Simulation::new(setup);
             // To the limit, through the contact of about half a period, and some way back.
             // Entry and exit fall within a step, where the stiffness jumps: k u h^2 / m of speed is lost.
@@ -87,7 +87,7 @@ fn a_stop_never_pulls() {
     // Drawn out of the stop faster than it can follow, the mass feels nothing.
     let stop =
         JointStop { position: 0, coordinate: 0, side: StopSide::Upper, limit: 0.0, stiffness: 1e4, dissipation: 1.0 };
-    let setup = slide(Mode::Free, vec![Force::JointStop(stop)], vec![], vec![], 0.01, -2.0);
+    let setup = slide(Mode::Free, vec![Box::new(stop)], 0.01, -2.0);
     let mut simulation = Simulation::new(setup);
     let (_, v) = run(&mut simulation, 0.01, 1e-11);
     assert!((v + 2.0).abs() < 1e-14, "{v}");
@@ -98,12 +98,12 @@ fn coulomb_friction_slows_a_slide_as_its_smoothed_law_integrates() {
     // m v' = -T v / sqrt(v^2 + s^2) integrates to G(v) = G(v0) - T t / m with
     // G(v) = sqrt(v^2 + s^2) + s ln(v / (s + sqrt(v^2 + s^2))).
     let (friction, smoothing, start) = (6.0, 0.05, 2.0);
-    let force = Force::CoulombFriction(CoulombFriction { coordinate: 0, friction, smoothing });
+    let force = Box::new(CoulombFriction { coordinate: 0, friction, smoothing });
     let g = |v: f64| {
         let root = v.hypot(smoothing);
         root + smoothing * (v / (smoothing + root)).ln()
     };
-    let mut simulation = Simulation::new(slide(Mode::Free, vec![force], vec![], vec![], 0.0, start));
+    let mut simulation = Simulation::new(slide(Mode::Free, vec![force], 0.0, start));
     for seconds in [0.5, 0.95, 1.05] {
         let more = seconds - simulation.time_s();
         let (_, v) = run(&mut simulation, more, 1e-9);
@@ -116,8 +116,8 @@ fn coulomb_friction_slows_a_slide_as_its_smoothed_law_integrates() {
 }
 
 /// The slide with a rotor of `J n^2` = 5 kg.
-fn geared(mode: Mode, drives: Vec<Drive>) -> Setup {
-    let mut setup = slide(mode, vec![], drives, vec![], 0.0, 0.0);
+fn geared(mode: Mode, drives: Vec<AnyElement>) -> Setup {
+    let mut setup = slide(mode, drives, 0.0, 0.0);
     setup.model.rotor_inertia[0] = 5.0;
     setup
 }
@@ -125,8 +125,8 @@ fn geared(mode: Mode, drives: Vec<Drive>) -> Setup {
 #[test]
 fn a_rotor_behind_a_gear_is_accelerated_with_the_mass() {
     for form in [Form::Recursive, Form::MovingFrame(kingpost::dynamics::moving_frame::Variation::Restricted)] {
-        let motor = Motor { coordinate: 0, effort: 20.0, profile: Profile::constant(), input: None };
-        let mut setup = geared(Mode::Free, vec![Drive::Motor(motor)]);
+        let motor = Motor { coordinate: 0, effort: 20.0, profile: Profile::constant(), lever: None };
+        let mut setup = geared(Mode::Free, vec![Box::new(motor)]);
         setup.settings.form = form;
         let mut simulation = Simulation::new(setup);
         let (q, v) = run(&mut simulation, 0.8, 1e-10);
@@ -146,7 +146,7 @@ fn the_drive_of_a_prescribed_motion_turns_the_rotor_too() {
     let pulse = Pulse { rise_s: 0.2, hold_s: 5.0, reverse_s: 0.0 };
     let motion = PrescribedMotion { coordinate: 0, rate: 1.5, profile: Profile::pulse(pulse) };
     for form in [Form::Recursive, Form::MovingFrame(kingpost::dynamics::moving_frame::Variation::Restricted)] {
-        let mut setup = geared(Mode::Prescribed, vec![Drive::Prescribed(motion.clone())]);
+        let mut setup = geared(Mode::Prescribed, vec![Box::new(motion.clone())]);
         setup.settings.form = form;
         let mut simulation = Simulation::new(setup);
         run(&mut simulation, 0.5, 1e-10);
@@ -158,12 +158,12 @@ fn the_drive_of_a_prescribed_motion_turns_the_rotor_too() {
 #[test]
 fn a_brake_holds_against_less_than_its_capacity_and_makes_heat_only() {
     let friction = CoulombFriction { coordinate: 0, friction: 50.0, smoothing: 0.01 };
-    let brake = || Drive::Brake(Brake { friction, input: Some(0) });
-    let push = || Drive::Motor(Motor { coordinate: 0, effort: 30.0, profile: Profile::constant(), input: None });
-    let lever = |value| Input { name: "brake".to_owned(), unit: "1", lower: 0.0, upper: 1.0, value };
+    let brake = || -> AnyElement { Box::new(Brake { friction, lever: Some("brake".to_owned()) }) };
+    let push =
+        || -> AnyElement { Box::new(Motor { coordinate: 0, effort: 30.0, profile: Profile::constant(), lever: None }) };
     let at = |value: f64| {
-        let mut simulation =
-            Simulation::new(slide(Mode::Free, vec![], vec![brake(), push()], vec![lever(value)], 0.0, 0.0));
+        let mut simulation = Simulation::new(slide(Mode::Free, vec![brake(), push()], 0.0, 0.0));
+        simulation.set_input("brake", value).unwrap();
         // The creep sets in over m s / T = 0.6 ms: (h / 0.6 ms)^4 of 0.2 mJ.
         let (_, v) = run(&mut simulation, 1.0, 1e-7);
         (v, values(&mut simulation, "work_by_drives")[0], values(&mut simulation, "energy_dissipated")[0])

@@ -6,11 +6,12 @@ mod common;
 use common::trees::{Kind, Tree, for_all, smallest_failure};
 use common::{Random, relative_difference};
 use kingpost::dynamics::moving_frame::Variation;
-use kingpost::elements::drives::{Drive, Motor, PrescribedMotion, Profile};
-use kingpost::elements::{CoulombFriction, Force, Gravity, JointDamping, JointSpring, JointStop, StopSide};
+use kingpost::elements::drives::{Motor, PrescribedMotion, Profile};
+use kingpost::elements::{AnyElement, CoulombFriction, Gravity, JointDamping, JointSpring, JointStop, StopSide};
 use kingpost::model::{Mode, Model};
 use kingpost::plant::Form;
 use kingpost::simulation::{SchemeName, Settings, Setup, Simulation};
+use kingpost::world::World;
 use proptest::prelude::*;
 use proptest::test_runner::TestError;
 
@@ -19,16 +20,16 @@ const STEP_S: f64 = 2e-4;
 const STEPS: usize = 50;
 
 /// Friction, a spring or a stop on a coordinate that is an angle or an extension.
-fn axis_forces(random: &mut Random, model: &Model, coordinate: usize) -> Vec<Force> {
+fn axis_forces(random: &mut Random, model: &Model, coordinate: usize) -> Vec<AnyElement> {
     let Some((_, position)) = model.axis_coordinate(coordinate) else { return Vec::new() };
     let mut some = |upper: f64| random.uniform(0.1, upper);
     match coordinate % 4 {
-        0 => vec![Force::CoulombFriction(CoulombFriction { coordinate, friction: some(2.0), smoothing: some(0.5) })],
-        1 => vec![Force::JointSpring(JointSpring { position, coordinate, stiffness: some(9.0), rest: some(1.0) })],
+        0 => vec![Box::new(CoulombFriction { coordinate, friction: some(2.0), smoothing: some(0.5) })],
+        1 => vec![Box::new(JointSpring { position, coordinate, stiffness: some(9.0), rest: some(1.0) })],
         2 => [StopSide::Lower, StopSide::Upper]
-            .map(|side| {
+            .map(|side| -> AnyElement {
                 let (limit, stiffness, dissipation) = (some(0.2), some(90.0), some(0.5));
-                Force::JointStop(JointStop { position, coordinate, side, limit, stiffness, dissipation })
+                Box::new(JointStop { position, coordinate, side, limit, stiffness, dissipation })
             })
             .to_vec(),
         _ => Vec::new(),
@@ -39,20 +40,19 @@ fn axis_forces(random: &mut Random, model: &Model, coordinate: usize) -> Vec<For
 fn setup(tree: &Tree, form: Form) -> Setup {
     let model = tree.model();
     let (q, v) = tree.state(&model);
-    let mut forces = vec![Force::Gravity(Gravity { acceleration: 9.81 })];
-    let mut drives = Vec::new();
+    let mut elements: Vec<AnyElement> = vec![Box::new(Gravity { acceleration: 9.81 })];
     for (coordinate, mode) in model.modes.iter().enumerate() {
         let (body, _) = model.owner(coordinate).expect("every coordinate is of a joint");
         let mut random = tree.0[body].random(coordinate as u64 + 10);
         let (effort, damping, profile) = (random.uniform(-5.0, 5.0), random.uniform(0.0, 1.0), Profile::constant());
         match mode {
             Mode::Free => {
-                forces.push(Force::JointDamping(JointDamping { coordinate, damping }));
-                forces.extend(axis_forces(&mut random, &model, coordinate));
-                drives.push(Drive::Motor(Motor { coordinate, effort, profile, input: None }));
+                elements.push(Box::new(JointDamping { coordinate, damping }));
+                elements.extend(axis_forces(&mut random, &model, coordinate));
+                elements.push(Box::new(Motor { coordinate, effort, profile, lever: None }));
             }
             Mode::Prescribed => {
-                drives.push(Drive::Prescribed(PrescribedMotion { coordinate, rate: v[coordinate], profile }));
+                elements.push(Box::new(PrescribedMotion { coordinate, rate: v[coordinate], profile }));
             }
             Mode::Held => {}
         }
@@ -65,7 +65,7 @@ fn setup(tree: &Tree, form: Form) -> Setup {
         rate_limit: 1e6,
         form,
     };
-    Setup { model, forces, drives, inputs: Vec::new(), settings, q, v }
+    Setup { model, world: World::calm(), elements, settings, q, v }
 }
 
 fn channel(simulation: &mut Simulation, variable: &str) -> f64 {

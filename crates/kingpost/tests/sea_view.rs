@@ -4,6 +4,7 @@ mod common;
 
 use common::barge::{BEAM, DRAUGHT, LENGTH, scenario};
 use kingpost::elements::hull::SlowFilter;
+use kingpost::ledger;
 use kingpost::simulation::Simulation;
 use serde_json::json;
 
@@ -34,9 +35,8 @@ fn the_surface_is_the_wave_that_the_hull_feels() {
     let mut simulation = Simulation::new(scenario(&[(SWELL, json!(true))]).setup().expect("it builds"));
     for _ in 0..20 {
         simulation.step(25).expect("it runs");
-        // What the filter of the slow frame holds over the step.
-        let d = &simulation.state().d;
-        let [x, y] = SlowFilter::read(&d[d.len() - SlowFilter::<f64>::LEN..]).frame().position;
+        // The filter's states are the first of the only element that has any.
+        let [x, y] = SlowFilter::read(&simulation.state().s[ledger::COUNT..]).frame().position;
         let mut row = Vec::new();
         simulation.write_row(&mut row);
         let channel = simulation.channels().iter().find(|channel| channel.variable == "wave_elevation");

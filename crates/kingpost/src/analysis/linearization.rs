@@ -1,7 +1,6 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::dynamics::Clock;
-use crate::elements::drives::{Drive, PrescribedMotion};
+use crate::elements::Situation;
 use crate::integrate::Stage;
 use crate::ledger;
 use crate::model::Mode;
@@ -81,8 +80,8 @@ pub struct Linearizer {
     inputs: Vec<String>,
     /// What each state is.
     along: Vec<Along>,
-    /// The laws of the prescribed coordinates, with their names.
-    prescribed: Vec<(String, PrescribedMotion<Number>)>,
+    /// The prescribed coordinates, with their names.
+    prescribed: Vec<(usize, String)>,
 }
 
 impl Linearizer {
@@ -92,16 +91,16 @@ impl Linearizer {
     /// A scenario that does not build.
     pub fn new(scenario: &Scenario) -> Result<Self, ScenarioError> {
         let setup = scenario.setup_over::<Number>()?;
-        let inputs: Vec<String> = setup.inputs.iter().map(|input| input.name.clone()).collect();
-        let plant = Plant::new(setup.model, setup.forces, setup.drives);
+        let plant = Plant::new(setup.model, setup.world, setup.elements);
+        let inputs: Vec<String> = plant.layout().inputs.iter().map(|input| input.name.clone()).collect();
         let (states, along) = states(&plant);
         let prescribed = prescribed(&plant);
-        Ok(Self { tangent: Tangent::new(plant, inputs.len()), states, inputs, along, prescribed })
+        Ok(Self { tangent: Tangent::new(plant), states, inputs, along, prescribed })
     }
 
     /// The same without the sea's waves, and with what is prescribed held.
     pub fn at_rest(mut self) -> Self {
-        self.tangent.set_at_rest(true);
+        self.tangent.set_situation(Situation::AtRest);
         self
     }
 
@@ -138,6 +137,7 @@ impl Linearizer {
                 }
             }
         }
+        let moving = self.moving(at);
         Linearization {
             states: self.states.clone(),
             inputs: self.inputs.clone(),
@@ -145,30 +145,22 @@ impl Linearizer {
             b: derivatives.columns(n, m).into_owned(),
             rates,
             time_s: at.time_s,
-            moving: self.moving(at),
+            moving,
         }
     }
 
     /// Prescribed coordinates that have a rate at a stage, or an acceleration.
-    fn moving(&self, at: Stage<'_>) -> Vec<String> {
-        let Stage { time_s, interval, .. } = at;
-        let clock = Clock { time_s, middle_s: interval.middle_s() };
-        let moves = |motion: &PrescribedMotion<Number>| {
-            let rates = [at.v[motion.coordinate], motion.rate_at(clock).value, motion.acceleration_at(clock).value];
-            rates.iter().any(|rate| *rate != 0.0)
-        };
-        self.prescribed.iter().filter(|(_, motion)| moves(motion)).map(|(name, _)| name.clone()).collect()
+    fn moving(&mut self, at: Stage<'_>) -> Vec<String> {
+        let (rates, accelerations) = self.tangent.prescribed(at.interval, at.v.len());
+        let moves = |i: usize| at.v[i] != 0.0 || rates[i] != 0.0 || accelerations[i] != 0.0;
+        self.prescribed.iter().filter(|(i, _)| moves(*i)).map(|(_, name)| name.clone()).collect()
     }
 }
 
-/// The laws of a plant's prescribed coordinates, with the coordinates' names.
-fn prescribed(plant: &Plant<Number>) -> Vec<(String, PrescribedMotion<Number>)> {
-    let names = plant.model.coordinate_names();
-    let motion = |drive: &Drive<Number>| match drive {
-        Drive::Prescribed(motion) => Some((names[motion.coordinate].clone(), motion.clone())),
-        _ => None,
-    };
-    plant.drives.iter().filter_map(motion).collect()
+/// The prescribed coordinates of a plant, with their names.
+fn prescribed(plant: &Plant<Number>) -> Vec<(usize, String)> {
+    let names = plant.model.coordinate_names().into_iter().enumerate();
+    names.filter(|(i, _)| plant.model.modes[*i] == Mode::Prescribed).collect()
 }
 
 /// Names and meaning of the states of a plant: those of drives and forces stand behind the ledger's
@@ -178,7 +170,7 @@ fn states(plant: &Plant<Number>) -> (Vec<String>, Vec<Along>) {
     let free: Vec<usize> = (0..names.len()).filter(|&i| model.modes[i] == Mode::Free).collect();
     let positions = free.iter().map(|&i| (names[i].clone(), Along::Position(i)));
     let rates = free.iter().map(|&i| (format!("{}{RATE}", names[i]), Along::Velocity(i)));
-    let extras = plant.state_names().into_iter().enumerate();
+    let extras = plant.layout().states.iter().cloned().enumerate();
     let extras = extras.map(|(i, name)| (name, Along::Extra(ledger::COUNT + i)));
     positions.chain(rates).chain(extras).unzip()
 }

@@ -7,8 +7,9 @@
 mod side_by_side;
 mod structure;
 
+use crate::elements::Layout;
 use crate::plant::Form;
-use crate::results::{Channel, channels};
+use crate::results::{Channel, Channels};
 use crate::scalar::LANES;
 use crate::scenario::{Files, Scenario, ScenarioError, read_with};
 use crate::simulation::{Run, SchemeName, Setup, Simulation};
@@ -83,9 +84,7 @@ pub fn run(
     let pool = pool.map_err(|_| BatchError::Threads(threads))?;
     pool.install(|| {
         let members = members(text, file, files, variants)?;
-        let channels = members
-            .first()
-            .map_or_else(Vec::new, |member| channels(&member.setup.model, &member.setup.drives, &member.setup.forces));
+        let channels = members.first().map_or_else(Vec::new, Member::channels);
         let done = AtomicUsize::new(0);
         let run_group = |group: &[usize]| {
             let runs = run_group(group, &members, &|| progress(done.load(Ordering::Relaxed)));
@@ -111,6 +110,10 @@ struct Member {
 }
 
 impl Member {
+    fn channels(&self) -> Vec<Channel> {
+        Channels::new(&self.setup.model, &Layout::new(&self.setup.elements, 0)).list
+    }
+
     /// The run by itself.
     fn simulation(&self) -> Simulation {
         self.scenario.simulation().unwrap_or_else(|_| Simulation::new(self.setup.clone()))
@@ -126,9 +129,8 @@ fn members(text: &str, file: &str, files: &Files, variants: &[Variant]) -> Resul
         Ok(Member { scenario, setup, structure })
     };
     let members: Vec<Member> = variants.par_iter().enumerate().map(member).collect::<Result<_, _>>()?;
-    let names = |member: &Member| channels(&member.setup.model, &member.setup.drives, &member.setup.forces);
-    if let Some(first) = members.first().map(names)
-        && let Some(run) = members.par_iter().position_first(|member| names(member) != first)
+    if let Some(first) = members.first().map(Member::channels)
+        && let Some(run) = members.par_iter().position_first(|member| member.channels() != first)
     {
         return Err(BatchError::Channels { run });
     }

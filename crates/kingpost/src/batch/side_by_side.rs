@@ -35,7 +35,12 @@ pub(super) fn run(scenarios: &[&Scenario], mut alone: Vec<Simulation>, go_on: &d
             return None;
         }
     }
-    let run = |(rows, simulation): (Vec<f64>, &Simulation)| Run { rows, columns: simulation.columns(), status: Ok(()) };
+    let run = |(rows, simulation): (Vec<f64>, &Simulation)| Run {
+        rows,
+        columns: simulation.columns(),
+        events: Vec::new(),
+        status: Ok(()),
+    };
     Some(rows.into_iter().zip(&alone).map(run).collect())
 }
 
@@ -72,4 +77,5 @@ fn take_lane(state: &mut State, together: &State<Lanes>, k: usize) {
     lane(&together.s, &mut state.s);
     lane(&together.d, &mut state.d);
     lane(&together.memory, &mut state.memory);
+    state.m.copy_from_slice(&together.m);
 }

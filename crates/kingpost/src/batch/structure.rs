@@ -1,6 +1,7 @@
 //! When runs may go side by side: everything but the numbers of the mechanics is the same.
 
-use crate::elements::Force;
+use crate::elements::hull::Hull;
+use crate::elements::of_kind;
 use crate::simulation::Setup;
 
 /// A setup without its real numbers, but with those that are no scalar: settings, the times and
@@ -16,12 +17,12 @@ pub(super) struct Structure {
 
 impl Structure {
     pub(super) fn of(setup: &Setup) -> Self {
-        let histories: Vec<_> = setup.drives.iter().map(|drive| (drive.edges(), drive.profile())).collect();
+        let histories: Vec<_> = setup.elements.iter().map(|element| element.next_edge_s(0.0, &[])).collect();
         Self {
             shape: without_numbers(&format!("{setup:?}")),
             settings: format!("{:?}", setup.settings),
             histories: format!("{histories:?}"),
-            hulls: format!("{:?}", setup.forces.iter().filter_map(Force::hull).collect::<Vec<_>>()),
+            hulls: format!("{:?}", of_kind::<f64, Hull>(&setup.elements).collect::<Vec<_>>()),
         }
     }
 }

@@ -9,6 +9,7 @@
 //! Nothing here knows where loads come from: they arrive as one struct, [`Loads`].
 
 mod ball;
+mod clock;
 mod drift;
 pub mod energy;
 pub mod forward;
@@ -17,11 +18,10 @@ mod kinematics;
 mod link_kinematics;
 mod loads;
 pub mod loops;
-mod moment;
 pub mod moving_frame;
 pub mod pivots;
 
+pub use clock::Clock;
 pub use kinematics::Kinematics;
 pub use link_kinematics::LinkKinematics;
 pub use loads::{Loads, Power};
-pub use moment::{Clock, Moment};

@@ -1,5 +1,6 @@
 //! Dry friction along one axis of a joint.
 
+use super::{Element, Moment};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
@@ -14,6 +15,12 @@ pub struct CoulombFriction<S = f64> {
     pub friction: S,
     /// v_s, rad/s or m/s, greater than 0.
     pub smoothing: S,
+}
+
+impl<S: Scalar> Element<S> for CoulombFriction<S> {
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        self.apply(at.v, loads);
+    }
 }
 
 impl<S: Scalar> CoulombFriction<S> {

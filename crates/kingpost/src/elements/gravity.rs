@@ -1,7 +1,7 @@
 //! Weight: `-m g` along the world's z on every body (eq. 59).
 
-use crate::dynamics::{LinkKinematics, Loads};
-use crate::model::Model;
+use super::{Element, Moment};
+use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
@@ -12,9 +12,10 @@ pub struct Gravity<S = f64> {
     pub acceleration: S,
 }
 
-impl<S: Scalar> Gravity<S> {
+impl<S: Scalar> Element<S> for Gravity<S> {
     /// Adds each body's weight at its centre of mass.
-    pub fn apply(&self, model: &Model<S>, links: &LinkKinematics<S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let Moment { model, links, .. } = *at;
         for (i, body) in model.bodies.iter().enumerate() {
             let weight = Vector3::new(S::ZERO, S::ZERO, -(body.mass * self.acceleration));
             let force = links.to_body_axes(model, i, weight);
@@ -23,7 +24,8 @@ impl<S: Scalar> Gravity<S> {
     }
 
     /// `sum m g z`, J, with z measured from the world's origin.
-    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let Moment { model, links, .. } = *at;
         let height = |body: usize| links.body_frame(model, body).position[2];
         model.bodies.iter().enumerate().fold(S::ZERO, |sum, (i, body)| sum + body.mass * self.acceleration * height(i))
     }

@@ -1,5 +1,6 @@
 //! Viscous friction in a joint with one degree of freedom.
 
+use super::{Element, Moment};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
@@ -12,10 +13,10 @@ pub struct JointDamping<S = f64> {
     pub damping: S,
 }
 
-impl<S: Scalar> JointDamping<S> {
+impl<S: Scalar> Element<S> for JointDamping<S> {
     /// Adds the friction and the heat that it makes.
-    pub fn apply(&self, v: &[S], loads: &mut Loads<S>) {
-        let rate = v[self.coordinate];
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let rate = at.v[self.coordinate];
         let friction = self.damping * rate;
         loads.force[self.coordinate] -= friction;
         loads.power.dissipated += friction * rate;

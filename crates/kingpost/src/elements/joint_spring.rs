@@ -1,5 +1,6 @@
 //! A linear spring along one axis of a joint.
 
+use super::{Element, Moment};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
@@ -16,15 +17,15 @@ pub struct JointSpring<S = f64> {
     pub rest: S,
 }
 
-impl<S: Scalar> JointSpring<S> {
+impl<S: Scalar> Element<S> for JointSpring<S> {
     /// Adds the spring's force.
-    pub fn apply(&self, q: &[S], loads: &mut Loads<S>) {
-        loads.force[self.coordinate] -= self.stiffness * (q[self.position] - self.rest);
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        loads.force[self.coordinate] -= self.stiffness * (at.q[self.position] - self.rest);
     }
 
     /// Energy stored, J.
-    pub fn potential_energy(&self, q: &[S]) -> S {
-        let stretch = q[self.position] - self.rest;
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let stretch = at.q[self.position] - self.rest;
         self.stiffness * stretch * stretch * S::constant(0.5)
     }
 }

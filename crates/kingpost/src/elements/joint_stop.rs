@@ -1,5 +1,6 @@
 //! A stop at the end of an axis' travel.
 
+use super::{Element, Moment};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
@@ -42,21 +43,23 @@ pub fn hunt_crossley<S: Scalar>(stiffness: S, dissipation: S, depth: S, speed: S
     (elastic * (S::ONE + excess), elastic * speed * excess)
 }
 
-impl<S: Scalar> JointStop<S> {
+impl<S: Scalar> Element<S> for JointStop<S> {
     /// Adds the stop's force, and the heat that it makes.
-    pub fn apply(&self, q: &[S], v: &[S], loads: &mut Loads<S>) {
-        let (outwards, depth) = (self.outwards(), self.depth(q));
-        let (force, heat) = hunt_crossley(self.stiffness, self.dissipation, depth, outwards * v[self.coordinate]);
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let (outwards, depth) = (self.outwards(), self.depth(at.q));
+        let (force, heat) = hunt_crossley(self.stiffness, self.dissipation, depth, outwards * at.v[self.coordinate]);
         loads.force[self.coordinate] -= outwards * force;
         loads.power.dissipated += heat;
     }
 
     /// Energy stored, J.
-    pub fn potential_energy(&self, q: &[S]) -> S {
-        let depth = self.depth(q);
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let depth = self.depth(at.q);
         self.stiffness * depth * depth * S::constant(0.5)
     }
+}
 
+impl<S: Scalar> JointStop<S> {
     fn outwards(&self) -> S {
         match self.side {
             StopSide::Lower => -S::ONE,

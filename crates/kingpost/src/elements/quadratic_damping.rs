@@ -1,7 +1,8 @@
 //! Drag that grows with the square of the speed: of a hull's bilges in roll, of its sides in sway.
 
 use super::hull::HullFrame;
-use crate::dynamics::{Loads, Moment};
+use super::{Element, Moment};
+use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
@@ -20,9 +21,9 @@ pub struct QuadraticDamping<S = f64> {
     pub current: Vector3<S>,
 }
 
-impl<S: Scalar> QuadraticDamping<S> {
+impl<S: Scalar> Element<S> for QuadraticDamping<S> {
     /// Adds the drag, the heat that it makes, and the work of the current.
-    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let (through, stream) = self.place.through_water(at, self.current);
         let wrench =
             Wrench { moment: against(self.angular, through.angular), force: against(self.linear, through.linear) };

@@ -1,7 +1,8 @@
 //! The free surface of a tank that is neither empty nor full.
 
 use super::hull::HullFrame;
-use crate::dynamics::{LinkKinematics, Loads, Moment};
+use super::{Element, Moment};
+use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::sea::hull::BoxTank;
@@ -32,20 +33,26 @@ pub struct SlackTank<S = f64> {
     pub gravity: S,
 }
 
-impl<S: Scalar> SlackTank<S> {
+impl<S: Scalar> Element<S> for SlackTank<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
     /// Adds the moment of the liquid that has moved.
-    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let vertical = self.vertical(at.model, at.links);
         let moment = vertical.cross(self.tank.shift(vertical)) * (self.density * self.gravity);
         loads.wrenches.push((self.place.body, Wrench { moment, force: Vector3::zero() }));
     }
 
     /// Energy of the liquid less that where it lies upright, J: never positive.
-    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
-        let vertical = self.vertical(model, links);
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let vertical = self.vertical(at.model, at.links);
         vertical.dot(self.tank.shift(vertical)) * self.density * self.gravity
     }
+}
 
+impl<S: Scalar> SlackTank<S> {
     /// n, in the body's axes.
     fn vertical(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Vector3<S> {
         links.to_body_axes(model, self.place.body, Vector3::new(S::ZERO, S::ZERO, S::ONE))

@@ -1,7 +1,8 @@
 //! Damping in proportion to a body's rates: of a hull in the water, or the paper's in its place.
 
 use super::hull::HullFrame;
-use crate::dynamics::{Loads, Moment};
+use super::{Element, Moment};
+use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3, Wrench};
 
@@ -21,9 +22,9 @@ pub struct ViscousDamping<S = f64> {
     pub current: Vector3<S>,
 }
 
-impl<S: Scalar> ViscousDamping<S> {
+impl<S: Scalar> Element<S> for ViscousDamping<S> {
     /// Adds the damping, the heat that it makes, and the work of the current.
-    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let (through, stream) = self.place.through_water(at, self.current);
         let along = |c: Vector3<S>, rate: Vector3<S>| Vector3(core::array::from_fn(|i| c[i] * rate[i]));
         let mut wrench =

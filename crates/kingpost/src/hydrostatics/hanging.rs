@@ -1,8 +1,8 @@
 //! Loads that hang freely: to the ship their weight acts where they hang from.
 
 use crate::dynamics::Kinematics;
-use crate::elements::Force;
-use crate::elements::drives::Drive;
+use crate::elements::drives::{Brake, Cylinder, Motor, PrescribedMotion, Servo, WaveMotion};
+use crate::elements::{JointSpring, SpringLine, of_kind};
 use crate::model::{Attachment, Mode, Model};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
@@ -37,28 +37,20 @@ pub(super) struct Restraints {
 
 impl Restraints {
     pub(super) fn of(setup: &Setup) -> Self {
-        let by_springs = setup.forces.iter().filter_map(|force| match force {
-            Force::JointSpring(spring) => Some(spring.coordinate),
-            _ => None,
-        });
-        let one = |coordinate: usize| coordinate..coordinate + 1;
-        let by_drives = setup.drives.iter().flat_map(|drive| match drive {
-            Drive::Motor(motor) => one(motor.coordinate),
-            Drive::Servo(servo) => one(servo.coordinate),
-            Drive::Brake(brake) => one(brake.friction.coordinate),
-            Drive::Prescribed(motion) => one(motion.coordinate),
-            Drive::WaveMotion(motion) => motion.coordinates(),
-            Drive::Cylinder(_) => 0..0,
-        });
+        let elements = &setup.elements;
+        let by_springs = of_kind(elements).map(|spring: &JointSpring| spring.coordinate);
+        let by_motors = of_kind(elements).map(|motor: &Motor| motor.coordinate);
+        let by_servos = of_kind(elements).map(|servo: &Servo| servo.coordinate);
+        let by_brakes = of_kind(elements).map(|brake: &Brake| brake.friction.coordinate);
+        let prescribed = of_kind(elements).map(|motion: &PrescribedMotion| motion.coordinate);
+        let with_waves = of_kind(elements).flat_map(WaveMotion::<f64>::coordinates);
+        let driven = by_motors.chain(by_servos).chain(by_brakes).chain(prescribed).chain(with_waves);
         let loops = setup.model.loops.iter().map(|closed| [&closed.first, &closed.second]);
-        let cylinders = setup.drives.iter().filter_map(Drive::cylinder);
-        let lines = setup.forces.iter().filter_map(|force| match force {
-            Force::SpringLine(line) => Some([&line.first, &line.second]),
-            _ => None,
-        });
-        let ends = loops.chain(cylinders.map(|cylinder| [&cylinder.first, &cylinder.second])).chain(lines);
+        let cylinders = of_kind(elements).map(|cylinder: &Cylinder| [&cylinder.first, &cylinder.second]);
+        let lines = of_kind(elements).map(|line: &SpringLine| [&line.first, &line.second]);
+        let ends = loops.chain(cylinders).chain(lines);
         Self {
-            coordinates: by_springs.chain(by_drives).collect(),
+            coordinates: by_springs.chain(driven).collect(),
             bodies: ends.flatten().filter_map(|end: &Attachment| end.body).collect(),
         }
     }

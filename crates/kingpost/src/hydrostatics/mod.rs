@@ -22,7 +22,7 @@ pub use hanging::HangingLoad;
 pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 
 use crate::dynamics::Kinematics;
-use crate::elements::{Force, Hull, SlackTank};
+use crate::elements::{AnyElement, Gravity, Hull, SlackTank, of_kind};
 use crate::model::Model;
 use crate::scenario::{Scenario, ScenarioError, schema};
 use crate::sea::database::Database;
@@ -124,14 +124,14 @@ impl Scenario {
     pub fn hydrostatic_report_at(&self, simulation: &Simulation) -> Result<HydrostaticReport, HydrostaticsError> {
         let setup = self.setup()?;
         let mut report = HydrostaticReport::default();
-        let hulls: Vec<Hull> = setup.forces.iter().filter_map(|force| force.hull().cloned()).collect();
+        let hulls: Vec<Hull> = of_kind(&setup.elements).cloned().collect();
         let hulls = hulls.iter().filter_map(|hull| Some((hull, self.database_of(&hull.name)?)));
         let hulls: Vec<(&Hull, &Database)> = hulls.collect();
         if hulls.is_empty() {
             return Ok(report);
         }
-        let (model, restraints, gravity) = (setup.model.clone(), Restraints::of(&setup), gravity(&setup.forces));
-        let slack_tanks: Vec<&SlackTank> = setup.forces.iter().filter_map(Force::slack_tank).collect();
+        let (model, restraints, gravity) = (setup.model.clone(), Restraints::of(&setup), gravity(&setup.elements));
+        let slack_tanks: Vec<&SlackTank> = of_kind(&setup.elements).collect();
         let slack_tanks = &slack_tanks;
         let now = kinematics(&model, &simulation.state().q);
         for &(hull, database) in &hulls {
@@ -183,7 +183,6 @@ fn kinematics(model: &Model, q: &[f64]) -> Kinematics {
     at
 }
 
-fn gravity(forces: &[Force]) -> f64 {
-    let acts = |force: &Force| if let Force::Gravity(gravity) = force { Some(gravity.acceleration) } else { None };
-    forces.iter().filter_map(acts).sum()
+fn gravity(elements: &[AnyElement]) -> f64 {
+    of_kind(elements).map(|gravity: &Gravity| gravity.acceleration).sum()
 }

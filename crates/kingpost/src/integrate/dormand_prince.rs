@@ -76,7 +76,7 @@ impl<S: Scalar> DormandPrince<S> {
         }
     }
 
-    /// Numbers that the state's memory holds beside `discrete` discrete states.
+    /// Numbers that the state's memory holds beside `discrete` discrete numbers and modes.
     pub fn memory_len(&self, discrete: usize) -> usize {
         let (velocities, extras) = (self.v.len(), self.s.len());
         HEAD + self.q.len() + velocities + extras + STAGES * (2 * velocities + extras) + discrete
@@ -97,10 +97,7 @@ impl<S: Scalar> DormandPrince<S> {
         while self.inner.end_s < interval.end_s {
             self.inner_step(system, edge_s, state)?;
         }
-        self.dense_output(system, interval.end_s, &state.d);
-        state.q.copy_from_slice(&self.stages.q);
-        state.v.copy_from_slice(&self.stages.v);
-        state.s.copy_from_slice(&self.stages.s);
+        self.hand_out(system, interval.end_s, state);
         if self.inner.end_s == edge_s {
             // The rates at an edge are of the law that ends there.
             self.inner.start_s = edge_s;
@@ -109,16 +106,44 @@ impl<S: Scalar> DormandPrince<S> {
         Ok(())
     }
 
-    /// Whether the state is where the last inner step has it.
+    /// Moves q, v and s of a state to a time within the inner step that its memory holds, by dense output; returns whether
+    /// there is one.
+    pub fn interpolate<Y: System<S>>(&mut self, system: &Y, time_s: f64, state: &mut State<S>) -> bool {
+        self.load(state);
+        let Interval { start_s, end_s } = self.inner;
+        let is_within = start_s < end_s && (start_s..=end_s).contains(&time_s);
+        if is_within {
+            self.hand_out(system, time_s, state);
+        }
+        is_within
+    }
+
+    fn hand_out<Y: System<S>>(&mut self, system: &Y, time_s: f64, state: &mut State<S>) {
+        self.dense_output(system, time_s);
+        state.q.copy_from_slice(&self.stages.q);
+        state.v.copy_from_slice(&self.stages.v);
+        state.s.copy_from_slice(&self.stages.s);
+    }
+
+    /// Whether the state is where the last inner step has it. The rates of coordinates that are not free are given over time;
+    /// that they differ by rounding changes no law.
     fn continues<Y: System<S>>(&mut self, system: &Y, time_s: f64, state: &State<S>) -> bool {
         let Interval { start_s, end_s } = self.inner;
-        let discrete = &state.memory[state.memory.len() - state.d.len()..];
-        if start_s == end_s || !(start_s..=end_s).contains(&time_s) || *discrete != *state.d {
+        if start_s == end_s || !(start_s..=end_s).contains(&time_s) || !self.same_discrete(state) {
             return false;
         }
-        self.dense_output(system, time_s, &state.d);
+        self.dense_output(system, time_s);
         let Stages { q, v, s, .. } = &self.stages;
-        (q, v, s) == (&state.q, &state.v, &state.s)
+        let same_rates = (0..v.len()).all(|i| v[i] == state.v[i] || !system.is_free(i));
+        same_rates && (q, s) == (&state.q, &state.s)
+    }
+
+    /// Whether the discrete numbers and modes are those that the memory was written with.
+    fn same_discrete(&self, state: &State<S>) -> bool {
+        let (modes, numbers) = (state.m.len(), state.d.len());
+        let (_, held) = state.memory.split_at(state.memory.len() - numbers - modes);
+        let of_modes = state.m.iter().map(|mode| S::constant(*mode as f64));
+        held.iter().copied().eq(state.d.iter().copied().chain(of_modes))
     }
 
     /// An inner step of no length at the state, with its first stage.
@@ -127,19 +152,19 @@ impl<S: Scalar> DormandPrince<S> {
         self.q.copy_from_slice(&state.q);
         self.v.copy_from_slice(&state.v);
         self.s.copy_from_slice(&state.s);
-        let State { q, v, s, d, .. } = state;
-        self.stages.begin(system, Stage { time_s: interval.start_s, interval, q, v, s, d });
+        let State { q, v, s, d, m, .. } = state;
+        self.stages.begin(system, Stage { time_s: interval.start_s, interval, q, v, s, d, m });
     }
 
     /// The next inner step: tried shorter and shorter until its error is within the tolerances.
     fn inner_step<Y: System<S>>(&mut self, system: &mut Y, edge_s: f64, state: &State<S>) -> Result<(), StepError> {
-        self.move_to_end(system, &state.d);
+        self.move_to_end(system);
         let Self { controller, inner, q, v, s, stages } = self;
         let start_s = inner.end_s;
         loop {
             let interval = controller.interval(start_s, edge_s);
             let h = interval.end_s - start_s;
-            let base = Stage { time_s: start_s, interval, q, v, s, d: &state.d };
+            let base = Stage { time_s: start_s, interval, q, v, s, d: &state.d, m: &state.m };
             stages.go_on(system, base);
             let error = error(stages, controller.tolerances, h, v);
             if controller.accepts(interval, error)? {
@@ -150,11 +175,11 @@ impl<S: Scalar> DormandPrince<S> {
     }
 
     /// Makes the end of the last inner step the base of the next; its last stage the first.
-    fn move_to_end<Y: System<S>>(&mut self, system: &Y, d: &[S]) {
+    fn move_to_end<Y: System<S>>(&mut self, system: &Y) {
         if self.inner.start_s == self.inner.end_s {
             return;
         }
-        self.dense_output(system, self.inner.end_s, d);
+        self.dense_output(system, self.inner.end_s);
         let Self { q, v, s, stages, .. } = self;
         q.copy_from_slice(&stages.q);
         v.copy_from_slice(&stages.v);
@@ -166,11 +191,11 @@ impl<S: Scalar> DormandPrince<S> {
     }
 
     /// q, v, s of the stages at a time within the inner step.
-    fn dense_output<Y: System<S>>(&mut self, system: &Y, time_s: f64, d: &[S]) {
+    fn dense_output<Y: System<S>>(&mut self, system: &Y, time_s: f64) {
         let Self { inner, q, v, s, stages, .. } = self;
         let h = inner.end_s - inner.start_s;
         let theta = if time_s == inner.end_s { 1.0 } else { (time_s - inner.start_s) / h };
-        let base = Stage { time_s: inner.start_s, interval: *inner, q, v, s, d };
+        let base = Stage { time_s: inner.start_s, interval: *inner, q, v, s, d: &[], m: &[] };
         stages.combine(&dense_weights(theta), h, system, base);
     }
 
@@ -200,7 +225,9 @@ impl<S: Scalar> DormandPrince<S> {
             numbers.copy_from_slice(part);
             to = rest;
         }
-        to.copy_from_slice(&state.d);
+        let (numbers, modes) = to.split_at_mut(state.d.len());
+        numbers.copy_from_slice(&state.d);
+        modes.iter_mut().zip(&state.m).for_each(|(held, mode)| *held = S::constant(*mode as f64));
     }
 
     /// What the memory holds of the inner step: its base and the rates of its stages.

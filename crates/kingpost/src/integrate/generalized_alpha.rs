@@ -105,9 +105,9 @@ impl<S: Scalar> GeneralizedAlpha<S> {
     /// Rates at the start, algorithmic ones, and what is known of those at the end.
     fn begin<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &State<S>) {
         let (rule, h) = (self.rule, interval.end_s - interval.start_s);
-        let State { q, v, s, d, memory, .. } = state;
+        let State { q, v, s, d, m, memory, .. } = state;
         let (v_dot, s_dot) = self.rates.split_at_mut(v.len());
-        system.rates(Stage { time_s: interval.start_s, interval, q, v, s, d }, v_dot, s_dot);
+        system.rates(Stage { time_s: interval.start_s, interval, q, v, s, d, m }, v_dot, s_dot);
         self.a0.copy_from_slice(&self.rates);
         accumulate(&mut self.a0, h, &memory[..self.rates.len()]);
         self.a1.fill(S::ZERO);

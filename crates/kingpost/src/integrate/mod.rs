@@ -115,8 +115,10 @@ pub struct Stage<'a, S = f64> {
     pub v: &'a [S],
     /// Extra states.
     pub s: &'a [S],
-    /// Discrete states, constant over a step.
+    /// Discrete numbers, constant over a step.
     pub d: &'a [S],
+    /// Modes, constant over a step.
+    pub m: &'a [i64],
 }
 
 /// `sum += k b`, entry by entry.

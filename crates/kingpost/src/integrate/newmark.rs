@@ -47,8 +47,8 @@ impl<S: Scalar> Newmark<S> {
     ) -> Result<(), StepError> {
         let Self { beta, gamma, a0, s_dot0, newton } = self;
         let h = interval.end_s - interval.start_s;
-        let State { q, v, s, d, .. } = &*state;
-        system.rates(Stage { time_s: interval.start_s, interval, q, v, s, d }, a0, s_dot0);
+        let State { q, v, s, d, m, .. } = &*state;
+        system.rates(Stage { time_s: interval.start_s, interval, q, v, s, d, m }, a0, s_dot0);
         newton.v_dot.copy_from_slice(a0);
         newton.v_start.copy_from_slice(v);
         accumulate(&mut newton.v_start, h * (1.0 - *gamma), a0);

@@ -209,7 +209,7 @@ impl<S: Scalar> Newton<S> {
 
     fn differentiate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
         let Self { xi, q, v, jacobian, .. } = self;
-        let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s: &state.s, d: &state.d };
+        let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s: &state.s, d: &state.d, m: &state.m };
         system.jacobian(&state.q, xi, at, jacobian);
     }
 
@@ -229,7 +229,7 @@ impl<S: Scalar> Newton<S> {
     /// `change = f - v'`.
     fn evaluate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
         let Self { v_dot, s_dot, q, v, change, .. } = self;
-        let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s: &state.s, d: &state.d };
+        let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s: &state.s, d: &state.d, m: &state.m };
         system.rates(at, change, s_dot);
         change.iter_mut().zip(v_dot).for_each(|(change, v_dot)| *change -= *v_dot);
     }

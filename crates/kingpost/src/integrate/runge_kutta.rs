@@ -109,8 +109,8 @@ impl<S: Scalar> ExplicitRungeKutta<S> {
     /// Moves the state over the interval. Extra states take the weights of v.
     pub fn step<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &mut State<S>) {
         let stages = &mut self.stages;
-        let State { q, v, s, d, .. } = &*state;
-        let base = Stage { time_s: interval.start_s, interval, q, v, s, d };
+        let State { q, v, s, d, m, .. } = &*state;
+        let base = Stage { time_s: interval.start_s, interval, q, v, s, d, m };
         stages.begin(system, base);
         stages.go_on(system, base);
         stages.combine(stages.tableau.b, interval.end_s - interval.start_s, system, base);

@@ -68,7 +68,7 @@ impl<S: Scalar> Scheme<S> {
     }
 
     /// Numbers that the state's memory must hold for this scheme, all zero at first, beside
-    /// `discrete` discrete states.
+    /// `discrete` discrete numbers and modes.
     pub fn memory_len(&self, discrete: usize) -> usize {
         match self {
             Self::DormandPrince(scheme) => scheme.memory_len(discrete),
@@ -76,6 +76,15 @@ impl<S: Scalar> Scheme<S> {
             Self::GeneralizedAlpha(scheme) => scheme.memory_len(),
             Self::ImplicitMidpoint(scheme) => scheme.memory_len(),
             _ => 0,
+        }
+    }
+
+    /// Moves q, v and s of a state back to a time within the step that ended there, where the scheme has dense output;
+    /// returns whether it has.
+    pub fn interpolate<Y: System<S>>(&mut self, system: &Y, time_s: f64, state: &mut State<S>) -> bool {
+        match self {
+            Self::DormandPrince(scheme) => scheme.interpolate(system, time_s, state),
+            _ => false,
         }
     }
 

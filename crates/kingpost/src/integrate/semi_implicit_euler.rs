@@ -30,8 +30,8 @@ impl<S: Scalar> SemiImplicitEuler<S> {
     /// Moves the state over the interval.
     pub fn step<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &mut State<S>) {
         let h = interval.end_s - interval.start_s;
-        let State { q, v, s, d, .. } = state;
-        let stage = Stage { time_s: interval.start_s, interval, q, v, s, d };
+        let State { q, v, s, d, m, .. } = state;
+        let stage = Stage { time_s: interval.start_s, interval, q, v, s, d, m };
         system.rates(stage, &mut self.v_dot, &mut self.s_dot);
         accumulate(v, h, &self.v_dot);
         accumulate(s, h, &self.s_dot);

@@ -1,22 +1,25 @@
-//! The right-hand side: model, forces and drives put together for an integrator.
+//! The right-hand side: model, world and elements put together for an integrator.
 
+mod between_steps;
 mod observation;
-mod shares;
+mod scene;
+mod settling;
 mod tangent;
 
 pub use observation::{Observation, Totals};
-use shares::{Moments, Shares};
+use scene::Scene;
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
 use crate::dynamics::loops::{LoopFault, LoopSolver, Projection};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
 use crate::dynamics::{Clock, Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
-use crate::elements::drives::{CylinderReading, Drive};
-use crate::elements::{Force, LineReading, PositioningReading, ThrusterReading, hull::HullReading};
+use crate::elements::{AnyElement, Layout, Situation};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{Mode, Model, Node};
 use crate::scalar::Scalar;
+use crate::state::State;
+use crate::world::World;
 
 /// Which form of the equations of motion is solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,34 +31,32 @@ pub enum Form {
     MovingFrame(Variation),
 }
 
-/// Model, forces and drives, with the working memory to evaluate them.
+/// Model, world and elements, with the working memory to evaluate them.
 #[derive(Clone, Debug)]
-pub struct Plant<S = f64> {
+pub struct Plant<S: Scalar = f64> {
     /// The mechanical model.
     pub model: Model<S>,
-    /// Loads on bodies.
-    pub forces: Vec<Force<S>>,
-    /// What moves the joints.
-    pub drives: Vec<Drive<S>>,
+    /// What is outside.
+    pub world: World<S>,
+    elements: Vec<AnyElement<S>>,
+    /// Where everything stands that the elements declare.
+    layout: Layout,
     form: Form,
     /// How the matrices' form solves; that form is there for plain numbers only.
     solve_matrices: Option<SolveMatrices<S>>,
-    /// Whether the ledger's integrals are stepped.
-    pub keeps_ledger: bool,
-    /// Whether there are no waves, and what moves as prescribed is held.
-    at_rest: bool,
+    situation: Situation,
     links: LinkKinematics<S>,
     bodies: Kinematics<S>,
     loads: Loads<S>,
     work: forward::Workspace<S>,
     inverse: InverseDynamics<S>,
     loops: LoopSolver<S>,
-    cylinders: Vec<CylinderReading<S>>,
-    hulls: Vec<HullReading<S>>,
-    lines: Vec<LineReading<S>>,
-    flow_forces: Vec<[S; 6]>,
-    positioning: Vec<PositioningReading<S>>,
-    thrusters: Vec<ThrusterReading<S>>,
+    /// What the elements show, one after another.
+    outputs: Vec<S>,
+    /// Rates that elements prescribe beside the accelerations, which a stage does not need.
+    prescribed_rates: Vec<S>,
+    /// The state as it was before an element changes it.
+    seen: State<S>,
     rotation_rates: Vec<bool>,
     /// Evaluations of the right-hand side so far.
     pub evaluations: u64,
@@ -64,7 +65,7 @@ pub struct Plant<S = f64> {
 
 /// Exact derivatives, which are there for plain numbers only.
 #[derive(Clone, Debug)]
-struct Exact<S> {
+struct Exact<S: Scalar> {
     tangent: Box<Tangent>,
     jacobian: DifferentiateExactly<S>,
 }
@@ -77,62 +78,66 @@ type SolveMatrices<S> = fn(&mut Plant<S>, q: &[S], v: &[S], v_dot: &mut [S]);
 
 impl<S: Scalar> Plant<S> {
     /// Puts a plant together, its equations in the recursive form.
-    pub fn new(model: Model<S>, forces: Vec<Force<S>>, drives: Vec<Drive<S>>) -> Self {
+    pub fn new(model: Model<S>, world: World<S>, elements: Vec<AnyElement<S>>) -> Self {
         let turns = |node: &Node<S>| {
             let first = node.kind.quaternion().map_or(usize::MAX, |(_, rates)| rates);
             (0..node.kind.velocity_count()).map(move |k| k >= first)
         };
         let rotation_rates = model.tree.nodes.iter().flat_map(turns).collect();
+        let layout = Layout::new(&elements, ledger::COUNT);
+        let outputs = layout.outputs.iter().map(|(_, output)| output.len()).sum();
         Self {
             links: LinkKinematics::new(&model),
             bodies: Kinematics::new(&model.tree),
-            loads: Loads::with_room_for(&model, forces.len() + 2 * (drives.len() + model.constraint_count())),
+            loads: Loads::with_room_for(&model, 2 * (elements.len() + model.constraint_count())),
             work: forward::Workspace::new(&model),
             inverse: InverseDynamics::new(&model),
             loops: LoopSolver::new(&model),
-            cylinders: Vec::with_capacity(drives.len()),
-            hulls: Vec::with_capacity(forces.len()),
-            lines: Vec::with_capacity(forces.len()),
-            flow_forces: Vec::with_capacity(forces.len()),
-            positioning: Vec::new(),
-            thrusters: Vec::new(),
+            outputs: Vec::with_capacity(outputs),
+            prescribed_rates: vec![S::ZERO; model.velocity_count],
+            seen: State::default(),
             rotation_rates,
             evaluations: 0,
             model,
-            forces,
-            drives,
+            world,
+            elements,
+            layout,
             form: Form::default(),
             solve_matrices: None,
             exact: None,
-            keeps_ledger: true,
-            at_rest: false,
+            situation: Situation::Running,
         }
+    }
+
+    /// Steps the ledger's integrals, or leaves them out of s.
+    pub fn keep_ledger(&mut self, keeps: bool) {
+        self.layout.ledger = if keeps { ledger::COUNT } else { 0 };
+    }
+
+    /// What acts on the model.
+    pub fn elements(&self) -> &[AnyElement<S>] {
+        &self.elements
+    }
+
+    /// Where everything stands that the elements declare.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
     }
 
     /// Kinematics of the links and loads at a stage.
     fn evaluate_loads(&mut self, at: Stage<'_, S>) {
         self.links.update(&self.model, at.q, at.v);
-        let (shares, at_rest) = (self.shares(), self.at_rest);
-        let Self { model, links, forces, drives, loads, .. } = self;
+        let Self { model, world, links, elements, layout, situation, loads, prescribed_rates, .. } = self;
         loads.clear();
-        let moments = shares.moments(model, links, at);
-        for force in forces.iter_mut() {
-            force.apply(&moments.of_forces, loads);
+        let scene = Scene::new(layout, world, model, links, *situation, at);
+        for (i, element) in elements.iter_mut().enumerate() {
+            element.loads(&scene.of(i), loads);
         }
-        for drive in
-            drives.iter().filter(|drive| !(at_rest && matches!(drive, Drive::Prescribed(_) | Drive::WaveMotion(_))))
-        {
-            drive.apply(&moments.of_drives, loads);
-        }
-    }
-
-    /// How s and d are shared.
-    fn shares(&self) -> Shares {
-        Shares {
-            ledger: if self.keeps_ledger { ledger::COUNT } else { 0 },
-            drives: self.drives.iter().filter(|drive| drive.has_state()).count(),
-            forces: self.forces.iter().map(Force::state_count).sum(),
-            held: self.held_count(),
+        // At rest what moves as prescribed is held.
+        if *situation == Situation::Running {
+            for &i in &layout.prescribing {
+                elements[i].prescribe(scene.shared.clock, prescribed_rates, &mut loads.acceleration);
+            }
         }
     }
 
@@ -160,37 +165,14 @@ impl<S: Scalar> Plant<S> {
         self.accelerate(at.q, at.v, v_dot);
         self.bodies.update(&self.model.tree, at.q, at.v);
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
-        let totals = self.totals_here(at.q, at.v);
-        let shares = self.shares();
-        let Self { model, links, bodies, inverse, loops, forces, drives, .. } = self;
-        let Self { cylinders, hulls, lines, flow_forces, positioning, thrusters, .. } = self;
-        let Moments { of_drives, of_forces } = shares.moments(model, links, at);
-        cylinders.clear();
-        cylinders.extend(drives.iter().filter_map(Drive::cylinder).map(|cylinder| cylinder.reading(&of_drives)));
-        hulls.clear();
-        hulls.extend(forces.iter_mut().filter_map(Force::hull_mut).map(|hull| hull.reading(&of_forces)));
-        flow_forces.clear();
-        flow_forces.extend(forces.iter().filter_map(Force::flow_load).map(|load| load.reading(&of_forces)));
-        lines.clear();
-        lines.extend(forces.iter().filter_map(|force| force.line_reading(&of_forces)));
-        let stations = || forces.iter().filter_map(Force::dynamic_positioning);
-        positioning.clear();
-        positioning.extend(stations().map(|station| station.reading(&of_forces)));
-        thrusters.clear();
-        thrusters.extend(stations().flat_map(|station| station.thruster_readings(&of_forces)));
-        Observation {
-            model,
-            bodies,
-            inverse,
-            loops,
-            cylinders,
-            hulls,
-            lines,
-            flow_forces,
-            positioning,
-            thrusters,
-            totals,
+        let totals = self.totals_here(at);
+        let Self { model, world, links, bodies, inverse, loops, elements, layout, situation, outputs, .. } = self;
+        let scene = Scene::new(layout, world, model, links, *situation, at);
+        outputs.clear();
+        for (i, element) in elements.iter_mut().enumerate() {
+            element.outputs(&scene.of(i), outputs);
         }
+        Observation { model, bodies, inverse, loops, outputs, totals }
     }
 
     /// Frames and twists of the bodies at a state.
@@ -208,17 +190,14 @@ impl<S: Scalar> Plant<S> {
         self.accelerate(at.q, at.v, v_dot);
     }
 
-    /// Gives prescribed coordinates the rate that they have at the start of an interval.
-    pub fn prescribe(&self, interval: Interval, v: &mut [S]) {
-        let middle_s = interval.middle_s();
-        for drive in &self.drives {
-            if let Drive::WaveMotion(motion) = drive {
-                v[motion.coordinates()].copy_from_slice(&motion.at(interval.start_s).rates);
-            }
-            if let Drive::Prescribed(motion) = drive {
-                v[motion.coordinate] = motion.rate_at(Clock { time_s: interval.start_s, middle_s });
-            }
+    /// Gives prescribed coordinates the rate that they have at the start of an interval; returns their accelerations.
+    pub fn prescribe(&mut self, interval: Interval, v: &mut [S]) -> &[S] {
+        let clock = Clock { time_s: interval.start_s, middle_s: interval.middle_s() };
+        self.loads.acceleration.fill(S::ZERO);
+        for &i in &self.layout.prescribing {
+            self.elements[i].prescribe(clock, v, &mut self.loads.acceleration);
         }
+        &self.loads.acceleration
     }
 
     /// Begins to watch the closed loops: how far they are from a singular position is measured
@@ -249,24 +228,23 @@ impl<S: Scalar> Plant<S> {
         loops.close(&mut Projection { model, links, work, loads }, q, v)
     }
 
-    /// Energy and momentum at a state.
-    pub fn totals(&mut self, q: &[S], v: &[S]) -> Totals<S> {
-        self.links.update(&self.model, q, v);
-        self.bodies.update(&self.model.tree, q, v);
-        self.totals_here(q, v)
+    /// Energy and momentum at a stage.
+    pub fn totals(&mut self, at: Stage<'_, S>) -> Totals<S> {
+        self.links.update(&self.model, at.q, at.v);
+        self.bodies.update(&self.model.tree, at.q, at.v);
+        self.totals_here(at)
     }
 
     /// The same, where the kinematics stands.
-    fn totals_here(&mut self, q: &[S], v: &[S]) -> Totals<S> {
-        let Self { model, forces, drives, links, bodies, .. } = self;
-        let stored = drives.iter().fold(S::ZERO, |sum, drive| sum + drive.potential_energy(model, links));
-        let centre = ledger::reference_point(model, q);
+    fn totals_here(&mut self, at: Stage<'_, S>) -> Totals<S> {
+        let Self { model, world, elements, layout, situation, links, bodies, .. } = self;
+        let centre = ledger::reference_point(model, at.q);
         let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
+        let scene = Scene::new(layout, world, model, links, *situation, at);
+        let stored = elements.iter_mut().enumerate().map(|(i, element)| element.potential_energy(&scene.of(i)));
         Totals {
-            kinetic_energy: energy::kinetic_energy(&model.tree, bodies) + energy::rotor_energy(model, v),
-            potential_energy: forces
-                .iter_mut()
-                .fold(stored, |sum, force| sum + force.potential_energy(model, links, q)),
+            kinetic_energy: energy::kinetic_energy(&model.tree, bodies) + energy::rotor_energy(model, at.v),
+            potential_energy: stored.fold(S::ZERO, |sum, energy| sum + energy),
             linear_momentum,
             angular_momentum,
         }
@@ -274,27 +252,6 @@ impl<S: Scalar> Plant<S> {
 
     fn tangent_mut(&mut self) -> Option<&mut Tangent> {
         self.exact.as_mut().map(|exact| &mut *exact.tangent)
-    }
-
-    /// The extra states for a run that begins here: the ledger's entries, those of the drives, those of the forces.
-    pub fn open_ledger(&mut self, q: &[S], v: &[S]) -> Vec<S> {
-        let mut s = vec![S::ZERO; ledger::COUNT];
-        let totals = self.totals(q, v);
-        s[ledger::INITIAL_ENERGY] = totals.kinetic_energy + totals.potential_energy;
-        totals.linear_momentum.write_to(&mut s[ledger::LINEAR_MOMENTUM..]);
-        totals.angular_momentum.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
-        let cylinders = self.drives.iter().filter_map(Drive::cylinder);
-        s.extend(cylinders.filter_map(|cylinder| cylinder.first_state(&self.model, &self.links)));
-        let shares = self.shares();
-        s.resize(shares.extras(), S::ZERO);
-        let of_forces = s.len() - shares.forces;
-        for hull in self.forces.iter().filter_map(Force::hull) {
-            hull.first_states(&self.model, &self.links, &mut s[of_forces..]);
-        }
-        for positioning in self.forces.iter().filter_map(Force::dynamic_positioning) {
-            positioning.first_states(&self.model, &self.links, &mut s[of_forces..]);
-        }
-        s
     }
 }
 
@@ -350,7 +307,7 @@ impl<S: Scalar> System<S> for Plant<S> {
         Sizes {
             positions: self.model.position_count,
             velocities: self.model.velocity_count,
-            extras: self.shares().extras(),
+            extras: self.layout.extras(),
         }
     }
 
@@ -358,8 +315,18 @@ impl<S: Scalar> System<S> for Plant<S> {
         self.evaluations += 1;
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
-        let s_dot = self.shares().state_rates(self, at, s_dot);
-        if !self.keeps_ledger {
+        let (s_dot, of_elements) = s_dot.split_at_mut(self.layout.ledger);
+        if !of_elements.is_empty() {
+            let Self { model, world, elements, layout, situation, links, .. } = self;
+            let scene = Scene::new(layout, world, model, links, *situation, at);
+            for (i, element) in elements.iter_mut().enumerate() {
+                let own = layout.shares[i].states.clone();
+                if !own.is_empty() {
+                    element.rates(&scene.of(i), &mut of_elements[own]);
+                }
+            }
+        }
+        if s_dot.is_empty() {
             return;
         }
         let Self { model, links, bodies, loads, work, inverse, form, .. } = self;

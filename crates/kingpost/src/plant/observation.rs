@@ -3,9 +3,6 @@
 use crate::dynamics::Kinematics;
 use crate::dynamics::inverse::InverseDynamics;
 use crate::dynamics::loops::LoopSolver;
-use crate::elements::drives::CylinderReading;
-use crate::elements::hull::HullReading;
-use crate::elements::{LineReading, PositioningReading, ThrusterReading};
 use crate::model::Model;
 use crate::spatial::Vector3;
 
@@ -19,18 +16,8 @@ pub struct Observation<'a, S = f64> {
     pub inverse: &'a InverseDynamics<S>,
     /// Constraints of the closed loops, and what they carry.
     pub loops: &'a LoopSolver<S>,
-    /// The hydraulic cylinders, in the order of the drives.
-    pub cylinders: &'a [CylinderReading<S>],
-    /// The sea at the hulls, in the order of the forces.
-    pub hulls: &'a [HullReading<S>],
-    /// The lines, in the order of the forces.
-    pub lines: &'a [LineReading<S>],
-    /// Loads of wind and current, in the order of the forces: force (N), then moment (N m).
-    pub flow_forces: &'a [[S; 6]],
-    /// Dynamic positioning, in the order of the forces.
-    pub positioning: &'a [PositioningReading<S>],
-    /// The thrusters of each, one after another.
-    pub thrusters: &'a [ThrusterReading<S>],
+    /// What the elements show, one after another.
+    pub outputs: &'a [S],
     /// Energy and momentum.
     pub totals: Totals<S>,
 }

@@ -1,7 +1,8 @@
 //! Exact derivatives of the right-hand side, by dual numbers.
 
 use super::Plant;
-use crate::integrate::{Jacobian, Sizes, Stage, System};
+use crate::elements::Situation;
+use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::model::Mode;
 use crate::scalar::{Dual, Scalar};
 
@@ -43,8 +44,8 @@ pub struct Tangent {
 }
 
 impl Tangent {
-    /// Takes over a plant with so many inputs.
-    pub fn new(plant: Plant<Number>, inputs: usize) -> Self {
+    /// Takes over a plant.
+    pub fn new(plant: Plant<Number>) -> Self {
         let Sizes { positions, velocities, extras } = plant.sizes();
         let zeros = |n| vec![Number::ZERO; n];
         Self {
@@ -53,7 +54,7 @@ impl Tangent {
             xi: zeros(velocities),
             v: zeros(velocities),
             s: zeros(extras),
-            d: zeros(inputs + plant.held_count()),
+            d: zeros(plant.layout().discrete()),
             plant,
             xi_dot: zeros(velocities),
             v_dot: zeros(velocities),
@@ -61,21 +62,23 @@ impl Tangent {
         }
     }
 
-    /// As [`Plant::set_at_rest`].
-    pub fn set_at_rest(&mut self, at_rest: bool) {
-        self.plant.set_at_rest(at_rest);
+    /// As [`Plant::set_situation`].
+    pub fn set_situation(&mut self, situation: Situation) {
+        self.plant.set_situation(situation);
     }
 
-    /// As [`Plant::set_settling`].
-    pub fn set_settling(&mut self, settling: bool) {
-        self.plant.set_settling(settling);
+    /// As [`Plant::set_trims`].
+    pub fn set_trims(&mut self, trims: &[Vec<f64>]) {
+        let constant = |trim: &Vec<f64>| trim.iter().map(|entry| Number::constant(*entry)).collect();
+        self.plant.set_trims(&trims.iter().map(constant).collect::<Vec<_>>());
     }
 
-    /// As [`Plant::set_biases`].
-    pub fn set_biases<S: Scalar>(&mut self, biases: &[[S; 3]]) {
-        let biases: Vec<[Number; 3]> =
-            biases.iter().map(|bias| bias.map(|entry| Number::constant(entry.value()))).collect();
-        self.plant.set_biases(&biases);
+    /// Rates and accelerations that elements prescribe at the start of an interval, by coordinate of v; 0 for others.
+    pub fn prescribed(&mut self, interval: Interval, coordinates: usize) -> (Vec<f64>, Vec<f64>) {
+        let plain = |from: &[Number]| from.iter().map(|number| number.value).collect();
+        let mut rates = vec![Number::ZERO; coordinates];
+        let accelerations = self.plant.prescribe(interval, &mut rates);
+        (plain(&rates), plain(accelerations))
     }
 
     /// Begins to watch the closed loops at q, as [`Plant::watch_loops`].
@@ -108,7 +111,7 @@ impl Tangent {
         self.plant.retract(&self.base, &self.xi, &mut self.q);
         self.plant.dexp_inverse(&self.xi, &self.v, &mut self.xi_dot);
         let (q, v, s, d) = (&self.q, &self.v, &self.s, &self.d);
-        let stage = Stage { time_s: at.time_s, interval: at.interval, q, v, s, d };
+        let stage = Stage { time_s: at.time_s, interval: at.interval, q, v, s, d, m: at.m };
         self.plant.rates(stage, &mut self.v_dot, &mut self.s_dot);
     }
 

@@ -32,6 +32,8 @@ pub trait Scalar:
     + Sync
     + 'static
 {
+    /// Whether it is one number without derivatives.
+    const IS_PLAIN: bool = false;
     /// Additive identity.
     const ZERO: Self;
     /// Multiplicative identity.
@@ -81,6 +83,7 @@ pub trait Scalar:
 }
 
 impl Scalar for f64 {
+    const IS_PLAIN: bool = true;
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
 

@@ -23,13 +23,14 @@ use super::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenar
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::moving_frame::Variation;
 use crate::dynamics::pivots::massless_coordinate;
-use crate::elements::drives::Drive;
-use crate::elements::{Force, Gravity};
+use crate::elements::drives::WaveMotion;
+use crate::elements::{AnyElement, Gravity, Layout, of_kind};
 use crate::integrate::Tolerances;
 use crate::model::Model;
 use crate::plant::Form;
-use crate::results::channels;
+use crate::results::Channels;
 use crate::simulation::{SchemeName, Settings, Setup};
+use crate::world::World;
 use reading::{Gathered, Reading};
 
 /// Numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
@@ -71,17 +72,15 @@ fn open<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldErro
     let bodies::Bodies { model, mut q, mut v, forces: in_joints } = bodies::build(scenario)?;
     let model = loops::build(scenario, model)?;
     let (model, in_water) = water::build(scenario, model)?;
-    let mut forces = forces(scenario, &model)?;
-    forces.extend(in_joints);
-    forces.extend(in_water);
-    positioning::place_states(&mut forces);
-    let drives::Drives { drives, inputs } = drives::build(scenario, &model, &mut v)?;
-    for drive in &drives {
-        if let Drive::WaveMotion(motion) = drive {
-            q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(0.0).positions);
-        }
+    let mut elements = forces(scenario, &model)?;
+    elements.extend(in_joints);
+    elements.extend(in_water);
+    elements.extend(drives::build(scenario, &model, &mut v)?);
+    for motion in of_kind::<S, WaveMotion<S>>(&elements) {
+        q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(0.0).positions);
     }
-    let setup = Setup { model, forces, drives, inputs, settings, q, v };
+    let world = World { waves: water::waves(scenario)? };
+    let setup = Setup { model, world, elements, settings, q, v };
     lines::check_start(&setup)?;
     Ok(setup)
 }
@@ -144,7 +143,7 @@ fn scheme(given: &schema::SimulationSettings) -> Result<SchemeName, FieldError> 
 /// What a run records must fit in memory.
 fn check_recording(setup: &Setup) -> Result<(), FieldError> {
     let Settings { step_s, duration_s, record_every_s, .. } = setup.settings;
-    let columns: usize = channels(&setup.model, &setup.drives, &setup.forces).iter().map(|channel| channel.len).sum();
+    let columns = Channels::new(&setup.model, &Layout::new(&setup.elements, 0)).columns();
     let rows = duration_s / record_every_s.max(step_s);
     if rows * columns as f64 > MOST_NUMBERS {
         let least = duration_s * columns as f64 / MOST_NUMBERS;
@@ -155,8 +154,8 @@ fn check_recording(setup: &Setup) -> Result<(), FieldError> {
 }
 
 /// The forces that are on, on bodies that are there.
-fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result<Vec<Force<S>>, FieldError> {
-    let mut forces = Vec::new();
+fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+    let mut forces: Vec<AnyElement<S>> = Vec::new();
     for (name, force) in &scenario.first().forces {
         let all = scenario.part(|scenario| &scenario.forces[name]);
         match force {
@@ -164,7 +163,7 @@ fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result
                 if gravity.enabled {
                     let acceleration = all.kind(gravity_of);
                     let acceleration = acceleration.number(|gravity| gravity.acceleration_m_s2.get());
-                    forces.push(Force::Gravity(Gravity { acceleration }));
+                    forces.push(Box::new(Gravity { acceleration }));
                 }
             }
             ForceSchema::ViscousDamping(_) => forces.extend(damping::viscous(scenario, name, model)?),

@@ -6,7 +6,8 @@ pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
 
 use super::build::flexible::{owner, shape};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
-use crate::elements::drives::{Cylinder, Drive};
+use crate::elements::drives::Cylinder;
+use crate::elements::of_kind;
 use crate::model::{Attachment, Loop, Model};
 use crate::simulation::Setup;
 use serde::Serialize;
@@ -134,7 +135,7 @@ impl Scenario {
     pub fn describe(&self) -> Result<Description, super::ScenarioError> {
         let setup = self.setup()?;
         let (sea, hulls) = (afloat::sea(self, &setup), afloat::hulls(self, &setup));
-        let Setup { model, drives, .. } = setup;
+        let Setup { model, elements, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
             modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
@@ -169,7 +170,7 @@ impl Scenario {
             bodies: model.bodies.iter().zip(&model.tree.nodes).map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
             loops: model.loops.iter().map(|closed| describe_loop(&model, closed)).collect(),
-            cylinders: drives.iter().filter_map(Drive::cylinder).map(|c| describe_cylinder(&model, c)).collect(),
+            cylinders: of_kind(&elements).map(|c| describe_cylinder(&model, c)).collect(),
             sea,
             hulls,
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),

@@ -66,6 +66,27 @@ pub enum RunError {
         /// What is allowed.
         allowed: f64,
     },
+    /// An element answers events faster than time goes on.
+    #[error(
+        "stuck at {} s: {element} had {what} more than {allowed} times in one step, allowed: {allowed}",
+        shown(*time_s)
+    )]
+    TooManyEvents {
+        /// When, s.
+        time_s: f64,
+        /// The element.
+        element: String,
+        /// What happens.
+        what: &'static str,
+        /// How often it may.
+        allowed: usize,
+    },
+    /// An event in a run that carries others beside it, or derivatives: its time is not theirs.
+    #[error("event before {} s: found runs side by side or derivatives, allowed: one run", shown(*time_s))]
+    EventNotAlone {
+        /// End of the step that it is in, s.
+        time_s: f64,
+    },
     /// The scheme cannot make a step.
     #[error(transparent)]
     Step(#[from] StepError),
@@ -97,6 +118,8 @@ impl RunError {
             Self::Diverged { time_s, .. }
             | Self::SingularLoop { time_s, .. }
             | Self::OpenLoop { time_s, .. }
+            | Self::TooManyEvents { time_s, .. }
+            | Self::EventNotAlone { time_s }
             | Self::Step(StepError::NotConverged { time_s, .. } | StepError::Collapsed { time_s, .. }) => *time_s,
         }
     }

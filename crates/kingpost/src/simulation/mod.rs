@@ -1,30 +1,34 @@
 //! A run: the plant, an integrator and the state, stepped in time and recorded.
 
-mod edges;
 mod errors;
+mod events;
 mod recording;
 mod settle;
 mod setup;
-mod surface;
 
+pub use crate::elements::Input;
 pub use errors::{InputError, RunError};
+pub use events::Happened;
 pub use settle::{Equilibrium, Instability, NoEquilibrium};
-pub use setup::{Input, SchemeName, Settings, Setup};
+pub use setup::{SchemeName, Settings, Setup};
 
 use crate::dynamics::moving_frame::MovingFrame;
-use crate::integrate::{Scheme, Stage, System};
+use crate::integrate::{Interval, Scheme, Stage, System};
 use crate::model::{Mode, Model};
 use crate::plant::{Number, Plant, Tangent};
-use crate::results::{self, Channel, Sample};
+use crate::results::{Channel, Channels, Sample};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Quaternion};
 use crate::state::{SnapshotError, State};
-use edges::Edges;
 use errors::check_array;
+use events::Watch;
 pub(crate) use recording::Recording;
 
 /// Steps after which a run reports progress even if no row is due.
 pub const PROGRESS_STEPS: u64 = 10_000;
+
+/// Edges closer than this share of a step are at the same time.
+const EDGE_SLACK: f64 = 1e-9;
 
 /// Closed loops of a state from outside may be open by less than this, m or rad: the next step
 /// closes them.
@@ -37,6 +41,8 @@ pub struct Run<S = f64> {
     pub rows: Vec<S>,
     /// Entries in a row.
     pub columns: usize,
+    /// What happened, in order of time.
+    pub events: Vec<Happened>,
     /// An error leaves the rows that came before it.
     pub status: Result<(), RunError>,
 }
@@ -52,18 +58,17 @@ pub struct Run<S = f64> {
 /// # Ok::<(), kingpost::scenario::ScenarioError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Simulation<S = f64> {
+pub struct Simulation<S: Scalar = f64> {
     plant: Plant<S>,
     scheme: Scheme<S>,
     settings: Settings,
-    inputs: Vec<Input>,
-    channels: Vec<Channel>,
+    channels: Channels,
     state: State<S>,
     initial: State<S>,
     /// The state before the step under way: what is kept when that step diverges.
     last_good: State<S>,
     v_dot: Vec<S>,
-    edges: Edges,
+    watch: Watch<S>,
     /// Of the setup: a snapshot carries it.
     fingerprint: u64,
 }
@@ -73,20 +78,19 @@ impl<S: Scalar> Simulation<S> {
     /// settings say: the other forms are for plain numbers.
     pub fn recursive(setup: Setup<S>) -> Self {
         let fingerprint = setup.fingerprint();
-        let Setup { model, forces, drives, inputs, settings, q, v } = setup;
-        let edges = Edges::new(&drives, settings.step_s);
-        let channels = results::channels(&model, &drives, &forces);
-        let mut plant = Plant::new(model, forces, drives);
-        let mut d = inputs.iter().map(|input| S::constant(input.value)).collect();
-        plant.first_held(&q, &v, &mut d);
-        let s = plant.open_ledger(&q, &v);
-        plant.watch_loops(&q, &v);
+        let Setup { model, world, elements, settings, q, v, .. } = setup;
+        let mut plant = Plant::new(model, world, elements);
+        let channels = Channels::new(&plant.model, plant.layout());
+        let inputs: Vec<S> = plant.layout().inputs.iter().map(|input| S::constant(input.value)).collect();
         let v_dot = vec![S::ZERO; v.len()];
+        let mut state = State { q, v, ..State::default() };
+        plant.begin(0.0, &inputs, &mut state);
+        plant.watch_loops(&state.q, &state.v);
         let scheme: Scheme<S> = settings.scheme.scheme(plant.sizes(), settings.step_s);
-        let memory = vec![S::ZERO; scheme.memory_len(d.len())];
-        let state = State { steps: 0, q, v, s, d, memory };
+        state.memory = vec![S::ZERO; scheme.memory_len(state.d.len() + state.m.len())];
+        let watch = Watch::new(plant.layout().watched.len(), &state);
         let (initial, last_good) = (state.clone(), state.clone());
-        Self { plant, scheme, settings, inputs, channels, state, initial, last_good, v_dot, edges, fingerprint }
+        Self { plant, scheme, settings, channels, state, initial, last_good, v_dot, watch, fingerprint }
     }
 
     /// Time, s.
@@ -106,7 +110,22 @@ impl<S: Scalar> Simulation<S> {
 
     /// Where the right-hand side stands: at the start of the next interval.
     pub fn stage(&self) -> Stage<'_, S> {
-        now(&self.settings, &self.edges, &self.state)
+        stage(self.interval(), &self.state)
+    }
+
+    /// The next interval: to the end of the next step, or to where a law changes its form before.
+    fn interval(&self) -> Interval {
+        let start_s = self.time_s();
+        let end_s = start_s + self.settings.step_s;
+        Interval { start_s, end_s: self.next_edge_s(start_s, end_s).min(end_s) }
+    }
+
+    /// The next time after `start_s` at which a law changes its form or an element samples, s; infinite where there is
+    /// none. One that is within rounding of `start_s` has passed, one that is so close to `end_s` falls on it.
+    fn next_edge_s(&self, start_s: f64, end_s: f64) -> f64 {
+        let slack_s = EDGE_SLACK * self.settings.step_s;
+        let edge_s = self.plant.next_edge_s(start_s + slack_s, &self.state.m);
+        if (edge_s - end_s).abs() <= slack_s { end_s } else { edge_s }
     }
 
     /// `q` moved by the local coordinates `xi`, as a scheme moves it.
@@ -145,6 +164,12 @@ impl<S: Scalar> Simulation<S> {
     /// Back to time 0.
     pub fn reset(&mut self) {
         self.state.copy_from(&self.initial);
+        self.watch.forget_after(0.0);
+    }
+
+    /// What has happened so far, in order of time.
+    pub fn events(&self) -> &[Happened] {
+        self.watch.happened()
     }
 
     /// Takes `n` steps; allocates nothing. On an error the state stays at the last good step.
@@ -157,27 +182,27 @@ impl<S: Scalar> Simulation<S> {
             let advanced = self.advance(start, end);
             if let Err(error) = advanced.and_then(|()| self.check(end)) {
                 self.state.copy_from(&self.last_good);
+                self.watch.forget_after(start);
                 return Err(error);
             }
         }
         Ok(())
     }
 
-    /// One step, cut where a law changes its form.
+    /// One step, cut where a law changes its form, an element samples or an event happens.
     fn advance(&mut self, start_s: f64, end_s: f64) -> Result<(), RunError> {
         let mut from = start_s;
+        self.watch.begin_step();
         while from < end_s {
-            let interval = self.edges.interval(from, end_s);
+            let edge_s = self.next_edge_s(from, end_s);
+            let interval = Interval { start_s: from, end_s: edge_s.min(end_s) };
             self.plant.prescribe(interval, &mut self.state.v);
-            let edge_s = self.edges.next(from, end_s);
-            self.scheme.step(&mut self.plant, interval, edge_s, &mut self.state)?;
+            from = self.step_to_event(interval, edge_s)?;
             let State { q, v, .. } = &mut self.state;
             let closed = self.plant.close_loops(q, v);
             closed.map_err(|fault| RunError::of_loop(end_s, &self.plant.model, fault))?;
-            from = interval.end_s;
+            self.plant.sample(from, &mut self.state);
         }
-        let State { q, v, d, .. } = &mut self.state;
-        self.plant.hold(end_s - start_s, q, v, d);
         Ok(())
     }
 
@@ -234,31 +259,31 @@ impl<S: Scalar> Simulation<S> {
                 recording.written(self.time_s());
             }
             if status.is_err() {
-                return Run { rows, columns, status };
+                return Run { rows, columns, events: self.events().to_vec(), status };
             }
             if !progress(self.time_s()) {
                 break;
             }
         }
-        Run { rows, columns, status: Ok(()) }
+        Run { rows, columns, events: self.events().to_vec(), status: Ok(()) }
     }
 
     /// The channels of a row.
     pub fn channels(&self) -> &[Channel] {
-        &self.channels
+        &self.channels.list
     }
 
     /// Entries in a row.
     pub fn columns(&self) -> usize {
-        self.channels.last().map_or(0, |channel| channel.offset + channel.len)
+        self.channels.columns()
     }
 
     /// Appends the values of all channels now.
     pub fn write_row(&mut self, out: &mut Vec<S>) {
-        let State { q, v, s, .. } = &self.state;
-        let at = now(&self.settings, &self.edges, &self.state);
+        let at = stage(self.interval(), &self.state);
         let observed = self.plant.observe(at, &mut self.v_dot);
-        results::write_row(&Sample { time_s: at.time_s, q, v, s, observed }, out);
+        let Stage { time_s, q, v, s, .. } = at;
+        self.channels.write_row(&Sample { time_s, q, v, s, observed }, out);
     }
 }
 
@@ -266,10 +291,10 @@ impl Simulation {
     /// Gives an implicit scheme exact derivatives, from the same setup over dual numbers; without,
     /// it takes differences.
     pub fn differentiate_with(&mut self, setup: Setup<Number>) {
-        let Setup { model, forces, drives, inputs, q, v, .. } = setup;
-        let mut plant = Plant::new(model, forces, drives);
+        let Setup { model, world, elements, q, v, .. } = setup;
+        let mut plant = Plant::new(model, world, elements);
         plant.watch_loops(&q, &v);
-        self.plant.differentiate_with(Tangent::new(plant, inputs.len()));
+        self.plant.differentiate_with(Tangent::new(plant));
     }
 
     /// Puts a simulation together at time 0.
@@ -291,6 +316,11 @@ impl Simulation {
         bodies.world.iter().flat_map(pose).collect()
     }
 
+    /// Elevation of the incident waves now, m, at every crossing of the lines x and y, world, m: along the first x first.
+    pub fn surface(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
+        self.plant.world.elevations_m(x, y, self.time_s())
+    }
+
     /// Replaces q, v and, where given, s. Without s the ledger begins anew here. The rate of a
     /// prescribed coordinate holds until the next step, which sets it as prescribed.
     pub fn set_state(&mut self, q: &[f64], v: &[f64], s: Option<&[f64]>) -> Result<(), InputError> {
@@ -308,13 +338,12 @@ impl Simulation {
             let constraint = self.plant.model.constraint_names().swap_remove(constraint);
             return Err(InputError::OpenLoop { constraint, found, allowed: LARGEST_GAP_GIVEN });
         }
-        next.s = match s {
-            Some(s) => s.to_vec(),
-            None => self.plant.open_ledger(&next.q, v),
-        };
-        check_array("s", &next.s, self.state.s.len())?;
-        next.d.truncate(self.inputs.len());
-        self.plant.first_held(&next.q, v, &mut next.d);
+        let inputs = self.state.d[..self.plant.layout().inputs.len()].to_vec();
+        self.plant.begin(self.time_s(), &inputs, &mut next);
+        if let Some(s) = s {
+            check_array("s", s, self.state.s.len())?;
+            next.s.copy_from_slice(s);
+        }
         next.memory.fill(0.0);
         self.state = next;
         Ok(())
@@ -350,23 +379,25 @@ impl Simulation {
         let mut next = self.state.clone();
         next.restore(bytes, self.fingerprint)?;
         self.state = next;
+        self.watch.forget_after(self.time_s());
         Ok(())
     }
 
     /// The table of inputs with their values now.
     pub fn inputs(&self) -> Vec<Input> {
         let now = |(input, value): (&Input, &f64)| Input { value: *value, ..input.clone() };
-        self.inputs.iter().zip(&self.state.d).map(now).collect()
+        self.plant.layout().inputs.iter().zip(&self.state.d).map(now).collect()
     }
 
     /// Sets an input from the next step on.
     pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), InputError> {
-        let Some(i) = self.inputs.iter().position(|input| input.name == name) else {
-            let names: Vec<&str> = self.inputs.iter().map(|input| input.name.as_str()).collect();
+        let inputs = &self.plant.layout().inputs;
+        let Some(i) = inputs.iter().position(|input| input.name == name) else {
+            let names: Vec<&str> = inputs.iter().map(|input| input.name.as_str()).collect();
             let allowed = if names.is_empty() { "none: no drive has a lever".to_owned() } else { names.join(", ") };
             return Err(InputError::Unknown { found: name.to_owned(), allowed });
         };
-        let Input { lower, upper, .. } = self.inputs[i];
+        let Input { lower, upper, .. } = inputs[i];
         if !(lower..=upper).contains(&value) {
             return Err(InputError::Range { name: name.to_owned(), found: value, lower, upper });
         }
@@ -388,14 +419,14 @@ impl Simulation {
             check_array("tau", tau, free.len())?;
             free.iter().zip(tau).for_each(|(&i, tau)| everywhere[i] = *tau);
         }
-        let at = now(&self.settings, &self.edges, &self.state);
+        let at = stage(self.interval(), &self.state);
         self.plant.acceleration(at, Some(&everywhere), &mut self.v_dot);
         Ok(free.iter().map(|&i| self.v_dot[i]).collect())
     }
 
     /// Every matrix of the moving frame method now.
     pub fn moving_frame(&mut self) -> MovingFrame {
-        let at = now(&self.settings, &self.edges, &self.state);
+        let at = stage(self.interval(), &self.state);
         self.plant.matrices(at)
     }
 
@@ -410,9 +441,8 @@ impl Simulation {
     }
 }
 
-/// Where the right-hand side stands between two steps: at the start of the next interval.
-fn now<'a, S>(settings: &Settings, edges: &Edges, state: &'a State<S>) -> Stage<'a, S> {
-    let time_s = state.steps as f64 * settings.step_s;
-    let interval = edges.interval(time_s, time_s + settings.step_s);
-    Stage { time_s, interval, q: &state.q, v: &state.v, s: &state.s, d: &state.d }
+/// The right-hand side at the start of an interval.
+fn stage<S>(interval: Interval, state: &State<S>) -> Stage<'_, S> {
+    let State { q, v, s, d, m, .. } = state;
+    Stage { time_s: interval.start_s, interval, q, v, s, d, m }
 }

@@ -1,11 +1,10 @@
 //! Where a model rests: free coordinates, rates zero, at which nothing accelerates.
 
-use super::{InputError, Simulation, now};
+use super::{InputError, Simulation, stage};
 use crate::dynamics::Kinematics;
 use crate::dynamics::moving_frame::MovingFrame;
-use crate::elements::Force;
+use crate::elements::Situation;
 use crate::integrate::{Jacobian, System};
-use crate::ledger;
 use crate::model::JointKind;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
@@ -25,8 +24,8 @@ const SMALLEST_SHARE: f64 = 1e-9;
 /// A body is pushed along the water that accelerates there by more than this share of the largest acceleration.
 const SMALLEST_PUSH: f64 = 1e-3;
 
-/// A ship on dynamic positioning that is less than this off its target is there, m or rad.
-const ON_STATION: f64 = 1e-8;
+/// What holds the model has taken over where it is less than this off, m or rad.
+const TAKEN_OVER: f64 = 1e-8;
 
 /// The least square of a rate of growth that counts, 1/s^2, and the least share of the largest entry of A.
 const GROWS: [f64; 2] = [1e-6, 1e-8];
@@ -87,14 +86,14 @@ pub enum NoEquilibrium {
         /// The floating body that something pushes along the water and nothing holds there, if there is one.
         adrift: Option<String>,
     },
-    /// Thrusters that have not what holds their ship.
+    /// What has to hold the model in place is too weak.
     #[error(
-        "no equilibrium: dynamic positioning {name} takes {utilisation:.3} of what a thruster has, allowed: at most 1"
+        "no equilibrium: {name} would have to give {utilisation:.3} times the most that it can, allowed: at most 1"
     )]
-    Thrusters {
-        /// The dynamic positioning.
+    Overloaded {
+        /// The element.
         name: String,
-        /// What the thruster most in use would have to give, of what it can.
+        /// What its part most in use would have to give, of what that can.
         utilisation: f64,
     },
     /// A state that the simulation refuses.
@@ -119,35 +118,33 @@ impl Simulation {
     /// zero modes, such as the heading of a free ship, nothing moves. Where there are closed loops
     /// the moves are tangent to them, `J dx = 0` by multipliers, and each ends with the loops closed.
     ///
-    /// Ships on dynamic positioning rest where they are to be: what holds them there is in the integrals
-    /// of the controller, found by the method of multipliers (each time the ship rests, what its thrusters
-    /// give is handed over), and the thrusters give it.
+    /// What an integral holds rests where it is to be: what holds it there is found by the method of
+    /// multipliers (each time the model rests, it is handed over to the integral).
     ///
     /// # Errors
     /// Nothing at which all accelerations vanish was found; the simulation stands where it stood.
     pub fn settle(&mut self) -> Result<Equilibrium, NoEquilibrium> {
-        self.settle_with_biases().map(|(found, _)| found)
+        self.settle_with_trims().map(|(found, _)| found)
     }
 
-    /// The same; returns the integrals of each dynamic positioning there too, as
-    /// [`DynamicPositioning::bias`](crate::elements::DynamicPositioning::bias).
+    /// The same; returns there too what each element that holds the model has found, as
+    /// [`Plant::trims`](crate::plant::Plant::trims).
     ///
     /// # Errors
     /// As [`settle`](Self::settle).
-    pub fn settle_with_biases(&mut self) -> Result<(Equilibrium, Vec<[f64; 3]>), NoEquilibrium> {
+    pub fn settle_with_trims(&mut self) -> Result<(Equilibrium, Vec<Vec<f64>>), NoEquilibrium> {
         let mut there = self.clone();
-        there.plant.set_settling(true);
+        there.plant.set_situation(Situation::Settling);
         let found = there.settle_at_rest()?;
         self.set_state(&there.state.q, &there.state.v, Some(&there.state.s))?;
-        Ok((found, there.plant.biases()))
+        Ok((found, there.plant.trims()))
     }
 
     fn settle_at_rest(&mut self) -> Result<Equilibrium, NoEquilibrium> {
         let still = vec![0.0; self.state.v.len()];
-        // Of the extra states those of the drives stay: they say where a lever has led them.
-        let kept = self.state.s[ledger::COUNT..][..self.plant.drive_state_count()].to_vec();
+        let kept = self.kept_states();
         self.set_state(&self.state.q.clone(), &still, None)?;
-        self.keep_drive_states(&kept);
+        self.restore_kept(&kept);
         let (names, free) = (self.coordinates(), self.plant.model.free_coordinates());
         let mut last: Option<LastMove> = None;
         let mut iterations = 0;
@@ -160,9 +157,9 @@ impl Simulation {
                 continue;
             }
             if residual < AT_REST {
-                self.check_thrusters(&still)?;
+                self.check_utilisation(&still)?;
                 self.set_state(&self.state.q.clone(), &still, None)?;
-                self.keep_drive_states(&kept);
+                self.restore_kept(&kept);
                 let instability = self.capsized().or_else(|| linear.growth(&self.moving_frame(), &names));
                 return Ok(Equilibrium { iterations, residual, instability });
             }
@@ -184,17 +181,16 @@ impl Simulation {
         }
     }
 
-    /// Hands what holds ships on dynamic positioning over to the integrals; returns whether one was off its target.
+    /// Lets the elements take over what holds the model; returns whether one was off.
     fn take_over(&mut self, still: &[f64]) -> bool {
-        let before = self.plant.biases();
+        let before = self.plant.trims();
         let off = self.plant.take_over(&self.state.q, still);
-        off > ON_STATION && self.plant.biases() != before
+        off > TAKEN_OVER && self.plant.trims() != before
     }
 
-    fn check_thrusters(&mut self, still: &[f64]) -> Result<(), NoEquilibrium> {
+    fn check_utilisation(&mut self, still: &[f64]) -> Result<(), NoEquilibrium> {
         let overloaded = self.plant.overloaded(&self.state.q, still);
-        overloaded
-            .map_or(Ok(()), |(name, utilisation)| Err(NoEquilibrium::Thrusters { name: name.to_owned(), utilisation }))
+        overloaded.map_or(Ok(()), |(name, utilisation)| Err(NoEquilibrium::Overloaded { name, utilisation }))
     }
 
     /// The first hull that has capsized.
@@ -202,22 +198,30 @@ impl Simulation {
         let Self { plant, state, .. } = self;
         let mut at = Kinematics::new(&plant.model.tree);
         at.update(&plant.model.tree, &state.q, &state.v);
-        plant.forces.iter().filter_map(Force::hull).find_map(|hull| {
-            let upwards = at.world[hull.frame.body].rotation.column(2)[2];
+        plant.elements().iter().filter_map(|element| element.keeps_afloat()).find_map(|body| {
+            let upwards = at.world[body].rotation.column(2)[2];
             let lean_deg = libm::acos(upwards.clamp(-1.0, 1.0)).to_degrees();
-            let hull = plant.model.bodies[hull.frame.body].name.clone();
+            let hull = plant.model.bodies[body].name.clone();
             (lean_deg > MOST_LEAN_DEG).then_some(Instability::Capsized { hull, lean_deg })
         })
     }
 
-    fn keep_drive_states(&mut self, kept: &[f64]) {
-        self.state.s[ledger::COUNT..][..kept.len()].copy_from_slice(kept);
+    /// Entries of s that stay: they say where a hand has led an element.
+    fn kept_states(&self) -> Vec<(usize, f64)> {
+        let layout = self.plant.layout();
+        let kept = (0..layout.shares.len()).filter(|&element| layout.shares[element].keeps_states);
+        kept.flat_map(|element| layout.states_of(element)).map(|i| (i, self.state.s[i])).collect()
+    }
+
+    fn restore_kept(&mut self, kept: &[(usize, f64)]) {
+        kept.iter().for_each(|&(i, value)| self.state.s[i] = value);
     }
 
     /// Accelerations of the free coordinates here, and their derivatives along those.
     fn linear_here(&mut self, free: &[usize]) -> Linear {
-        let Self { plant, settings, edges, state, v_dot, .. } = self;
-        let (at, evaluations) = (now(settings, edges, state), plant.evaluations);
+        let interval = self.interval();
+        let Self { plant, state, v_dot, .. } = self;
+        let (at, evaluations) = (stage(interval, state), plant.evaluations);
         let (mut jacobian, still) = (Jacobian::new(plant.sizes()), vec![0.0; at.v.len()]);
         plant.jacobian(at.q, &still, at, &mut jacobian);
         plant.rates(at, v_dot, &mut vec![0.0; at.s.len()]);
@@ -249,7 +253,7 @@ impl Simulation {
     /// the last of Newton's moves is made; `None` where it is singular.
     pub fn compliance(&self) -> Option<DMatrix<f64>> {
         let mut there = self.clone();
-        there.plant.set_settling(true);
+        there.plant.set_situation(Situation::Settling);
         let free = there.plant.model.free_coordinates();
         let (linear, j) = (there.linear_here(&free), there.moving_frame().j);
         let inverse = linear.bordered(&j, linear.largest_delta()).try_inverse()?;

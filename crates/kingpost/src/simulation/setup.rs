@@ -1,12 +1,11 @@
 //! What a simulation is made of.
 
-use crate::elements::Force;
-use crate::elements::drives::Drive;
+use crate::elements::AnyElement;
 use crate::integrate::{Scheme, Sizes, Tolerances};
 use crate::model::Model;
 use crate::plant::Form;
 use crate::scalar::Scalar;
-use serde::Serialize;
+use crate::world::World;
 
 /// The integration schemes by name, with their settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,32 +53,15 @@ pub struct Settings {
     pub form: Form,
 }
 
-/// A value that a hand or a controller sets from outside, held over each step.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Input {
-    /// Name: that of the drive that it works on.
-    pub name: String,
-    /// Unit of the value.
-    pub unit: &'static str,
-    /// Smallest value.
-    pub lower: f64,
-    /// Largest value.
-    pub upper: f64,
-    /// The value now.
-    pub value: f64,
-}
-
 /// Everything that a simulation is made of.
 #[derive(Clone, Debug)]
-pub struct Setup<S = f64> {
+pub struct Setup<S: Scalar = f64> {
     /// The mechanical model.
     pub model: Model<S>,
-    /// Loads on bodies.
-    pub forces: Vec<Force<S>>,
-    /// What moves the joints.
-    pub drives: Vec<Drive<S>>,
-    /// The table of inputs with their first values.
-    pub inputs: Vec<Input>,
+    /// What is outside.
+    pub world: World<S>,
+    /// What acts on the model or reads it.
+    pub elements: Vec<AnyElement<S>>,
     /// Time stepping and recording.
     pub settings: Settings,
     /// Initial positions.

@@ -2,8 +2,8 @@
 
 use super::ResponseError;
 use crate::dynamics::Kinematics;
-use crate::elements::Hull;
 use crate::elements::hull::{ByHeading, SeaAxes, SlowFrame};
+use crate::elements::{Hull, of_kind};
 use crate::model::Model;
 use crate::scenario::{Scenario, schema};
 use crate::sea::database::Database;
@@ -32,7 +32,7 @@ impl<'a> WaveLoads<'a> {
     /// Of a simulation at rest.
     pub(super) fn new(scenario: &'a Scenario, rest: &mut Simulation, free: &[usize]) -> Result<Self, ResponseError> {
         let setup = scenario.setup()?;
-        let hulls = setup.forces.iter().filter_map(|force| force.hull());
+        let hulls = of_kind::<f64, Hull>(&setup.elements);
         let twists = twists(rest.model(), &rest.state().q, free);
         let matrices = rest.moving_frame();
         let bordered = bordered(&matrices.m_star, &matrices.j).lu();

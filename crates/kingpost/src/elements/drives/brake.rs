@@ -1,7 +1,7 @@
 //! A brake: dry friction of a capacity that a lever sets.
 
 use crate::dynamics::Loads;
-use crate::elements::CoulombFriction;
+use crate::elements::{CoulombFriction, Declaration, Element, Input, Moment};
 use crate::scalar::Scalar;
 
 /// `tau = -u T v / sqrt(v^2 + v_s^2)` with the capacity T and the application u, from 0 (released)
@@ -10,15 +10,20 @@ use crate::scalar::Scalar;
 pub struct Brake<S = f64> {
     /// Its friction when set.
     pub friction: CoulombFriction<S>,
-    /// The input that sets it, where a lever does; a brake without one is set.
-    pub input: Option<usize>,
+    /// Name of the input that sets it, where a lever does; a brake without one is set.
+    pub lever: Option<String>,
 }
 
-impl<S: Scalar> Brake<S> {
+impl<S: Scalar> Element<S> for Brake<S> {
+    fn declare(&self) -> Declaration {
+        let inputs = self.lever.iter().map(|name| Input::lever(name, 0.0, 1.0)).collect();
+        Declaration { inputs, ..Declaration::default() }
+    }
+
     /// Adds the friction and the heat that it makes.
-    pub fn apply(&self, v: &[S], inputs: &[S], loads: &mut Loads<S>) {
-        let applied = self.input.map_or(S::ONE, |input| inputs[input]);
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let applied = at.inputs.first().copied().unwrap_or(S::ONE);
         let friction = self.friction.friction * applied;
-        CoulombFriction { friction, ..self.friction }.apply(v, loads);
+        CoulombFriction { friction, ..self.friction }.apply(at.v, loads);
     }
 }

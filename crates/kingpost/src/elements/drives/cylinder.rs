@@ -1,8 +1,8 @@
 //! A hydraulic cylinder between two pins: it keeps a length, or goes to another at a limited speed.
 
 use crate::dynamics::loops::Row;
-use crate::dynamics::{LinkKinematics, Loads, Moment};
-use crate::elements::hunt_crossley;
+use crate::dynamics::{LinkKinematics, Loads};
+use crate::elements::{Declaration, Element, Input, Moment, Output, Own, hunt_crossley};
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
 
@@ -45,7 +45,7 @@ pub struct Cylinder<S = f64> {
     /// Length at the start, m.
     pub start: S,
     /// When the length wanted arrives, s: the law changes its form there.
-    pub arrival_s: Vec<f64>,
+    pub arrival_s: Option<f64>,
 }
 
 /// What a cylinder is after.
@@ -55,24 +55,8 @@ pub enum Aim<S = f64> {
     Hold,
     /// This length, from the start on, m.
     Length(S),
-    /// What a lever leads to: the input, from -1 to 1, is the share of the speed.
-    Lever {
-        /// The input.
-        input: usize,
-        /// The length wanted, among the extra states of the drives.
-        state: usize,
-    },
-}
-
-/// A cylinder at one moment.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CylinderReading<S = f64> {
-    /// Length between the pins, m.
-    pub length: S,
-    /// Its rate, m/s.
-    pub rate: S,
-    /// Force, positive where it pushes, stops included, N.
-    pub force: S,
+    /// What a lever leads to: the input, from -1 to 1, is the share of the speed; the length wanted is a state.
+    Lever,
 }
 
 /// The forces of a cylinder.
@@ -83,9 +67,34 @@ struct Forces<S> {
     heat: S,
 }
 
-impl<S: Scalar> Cylinder<S> {
+impl<S: Scalar> Element<S> for Cylinder<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let number = |variable, description, unit| Output::number(variable, description, "cylinder", &self.name, unit);
+        let by_lever = self.aim == Aim::Lever;
+        Declaration {
+            states: by_lever.then(|| "wanted_length".to_owned()).into_iter().collect(),
+            inputs: by_lever.then(|| Input::lever(&self.name, -1.0, 0.0)).into_iter().collect(),
+            outputs: vec![
+                number("cylinder_length", "length of a cylinder between its pins", &["m"]),
+                number("cylinder_rate", "rate of a cylinder's length", &["m/s"]),
+                number("cylinder_force", "force of a cylinder, positive where it pushes, stops included", &["N"]),
+            ],
+            keeps_states: true,
+            ..Declaration::default()
+        }
+    }
+
+    /// The length wanted is first the length here, m.
+    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        own.states.fill(self.length(at.model, at.links));
+    }
+
     /// Adds the force, and the work and heat that it makes.
-    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let Forces { line, drive, stops, heat } = self.forces(at);
         loads.power.drives += drive * line.rate;
         loads.power.dissipated += heat;
@@ -94,44 +103,44 @@ impl<S: Scalar> Cylinder<S> {
         }
     }
 
-    /// Length, rate and force.
-    pub fn reading(&self, at: &Moment<'_, S>) -> CylinderReading<S> {
+    /// Rate of the length wanted: within the stroke the lever's share of the speed, and no further.
+    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+        let (Some(rate), [lever], [wanted]) = (rates.first_mut(), at.inputs, at.states) else { return };
+        let speed = self.speed_limit * *lever;
+        let up = || wanted.select_less(self.stroke[1], || speed, || S::ZERO);
+        let down = || self.stroke[0].select_less(*wanted, || speed, || S::ZERO);
+        *rate = speed.select_below(0.0, down, up);
+    }
+
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let Forces { line, drive, stops, .. } = self.forces(at);
-        CylinderReading { length: line.residual, rate: line.rate, force: drive + stops }
+        out.extend([line.residual, line.rate, drive + stops]);
+    }
+
+    fn next_edge_s(&self, after_s: f64, _modes: &[i64]) -> f64 {
+        self.arrival_s.filter(|arrival| *arrival > after_s).unwrap_or(f64::INFINITY)
     }
 
     /// Energy in the stops, J.
-    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
-        let square = self.depths(self.length(model, links)).iter().fold(S::ZERO, |sum, depth| sum + *depth * *depth);
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let square =
+            self.depths(self.length(at.model, at.links)).iter().fold(S::ZERO, |sum, depth| sum + *depth * *depth);
         self.stop_stiffness * square * S::constant(0.5)
     }
+}
 
+impl<S: Scalar> Cylinder<S> {
     /// Takes the length here as that of the start. Where the length wanted arrives at one time in
     /// all lanes, steps end there.
-    pub fn begin(&mut self, model: &Model<S>, links: &LinkKinematics<S>) {
+    pub fn start_at(&mut self, model: &Model<S>, links: &LinkKinematics<S>) {
         self.start = self.length(model, links);
         if let Aim::Length(length) = self.aim {
             let way = length - self.start;
             let way = way.select_below(0.0, || -way, || way);
             let arrival = way / self.speed_limit;
             let first = arrival.value();
-            self.arrival_s = if arrival.all(|time| time == first) { vec![first] } else { Vec::new() };
+            self.arrival_s = arrival.all(|time| time == first).then_some(first);
         }
-    }
-
-    /// The first value of the length wanted, where it is an extra state: the length here, m.
-    pub fn first_state(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Option<S> {
-        matches!(self.aim, Aim::Lever { .. }).then(|| self.length(model, links))
-    }
-
-    /// Rate of the length wanted, where it is an extra state, and which: within the stroke the
-    /// lever's share of the speed, and no further.
-    pub fn state_rate(&self, inputs: &[S], states: &[S]) -> Option<(usize, S)> {
-        let Aim::Lever { input, state } = self.aim else { return None };
-        let (speed, wanted) = (self.speed_limit * inputs[input], states[state]);
-        let up = || wanted.select_less(self.stroke[1], || speed, || S::ZERO);
-        let down = || self.stroke[0].select_less(wanted, || speed, || S::ZERO);
-        Some((state, speed.select_below(0.0, down, up)))
     }
 
     /// The line between the pins: the row of J of their distance.
@@ -148,7 +157,7 @@ impl<S: Scalar> Cylinder<S> {
     fn wanted(&self, at: &Moment<'_, S>) -> S {
         let aim = match self.aim {
             Aim::Hold => return self.start,
-            Aim::Lever { state, .. } => return at.states[state],
+            Aim::Lever => return at.states.first().copied().unwrap_or(self.start),
             Aim::Length(length) => length,
         };
         let reach = self.speed_limit * S::constant(at.clock.time_s);

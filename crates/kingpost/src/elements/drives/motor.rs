@@ -1,7 +1,8 @@
 //! A motor: torque (or force) on a joint's coordinate, its reaction on the parent (eq. 59).
 
 use super::Profile;
-use crate::dynamics::{Clock, Loads};
+use crate::dynamics::Loads;
+use crate::elements::{Declaration, Element, Input, Moment};
 use crate::scalar::Scalar;
 
 /// A torque or force history on one coordinate.
@@ -13,16 +14,25 @@ pub struct Motor<S = f64> {
     pub effort: S,
     /// Over time, from -1 to 1.
     pub profile: Profile,
-    /// The input that scales it, where a lever drives it.
-    pub input: Option<usize>,
+    /// Name of the input that scales it, where a lever drives it.
+    pub lever: Option<String>,
 }
 
-impl<S: Scalar> Motor<S> {
+impl<S: Scalar> Element<S> for Motor<S> {
+    fn declare(&self) -> Declaration {
+        let inputs = self.lever.iter().map(|name| Input::lever(name, -1.0, 0.0)).collect();
+        Declaration { inputs, ..Declaration::default() }
+    }
+
     /// Adds the torque and the work that it does.
-    pub fn apply(&self, clock: Clock, v: &[S], inputs: &[S], loads: &mut Loads<S>) {
-        let lever = self.input.map_or(S::ONE, |input| inputs[input]);
-        let effort = self.effort * S::constant(self.profile.value(clock)) * lever;
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let lever = at.inputs.first().copied().unwrap_or(S::ONE);
+        let effort = self.effort * S::constant(self.profile.value(at.clock)) * lever;
         loads.force[self.coordinate] += effort;
-        loads.power.drives += effort * v[self.coordinate];
+        loads.power.drives += effort * at.v[self.coordinate];
+    }
+
+    fn next_edge_s(&self, after_s: f64, _modes: &[i64]) -> f64 {
+        self.profile.next_edge_s(after_s)
     }
 }

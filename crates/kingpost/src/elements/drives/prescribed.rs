@@ -1,7 +1,8 @@
 //! A prescribed motion: the joint's rate is given, the force follows.
 
 use super::Profile;
-use crate::dynamics::{Clock, Loads};
+use crate::dynamics::Clock;
+use crate::elements::{Declaration, Element};
 use crate::scalar::Scalar;
 
 /// The rate of one coordinate over time. The profile must be continuous: a jump would take an
@@ -16,12 +17,22 @@ pub struct PrescribedMotion<S = f64> {
     pub profile: Profile,
 }
 
-impl<S: Scalar> PrescribedMotion<S> {
-    /// Hands over the acceleration; its work is counted once the joint force is known.
-    pub fn apply(&self, clock: Clock, loads: &mut Loads<S>) {
-        loads.acceleration[self.coordinate] = self.acceleration_at(clock);
+impl<S: Scalar> Element<S> for PrescribedMotion<S> {
+    fn declare(&self) -> Declaration {
+        Declaration { prescribes: true, ..Declaration::default() }
     }
 
+    fn prescribe(&self, clock: Clock, rates: &mut [S], accelerations: &mut [S]) {
+        rates[self.coordinate] = self.rate_at(clock);
+        accelerations[self.coordinate] = self.acceleration_at(clock);
+    }
+
+    fn next_edge_s(&self, after_s: f64, _modes: &[i64]) -> f64 {
+        self.profile.next_edge_s(after_s)
+    }
+}
+
+impl<S: Scalar> PrescribedMotion<S> {
     /// The rate, rad/s or m/s.
     pub fn rate_at(&self, clock: Clock) -> S {
         self.rate * S::constant(self.profile.value(clock))

@@ -72,6 +72,12 @@ impl Profile {
         self.piece(clock).slope_per_s
     }
 
+    /// The first edge after a time, s; infinite where there is none.
+    pub fn next_edge_s(&self, after_s: f64) -> f64 {
+        let first = self.edges.partition_point(|&edge| edge <= after_s);
+        self.edges.get(first).copied().unwrap_or(f64::INFINITY)
+    }
+
     /// Where one piece ends and the next begins, s, in order.
     pub fn edges(&self) -> &[f64] {
         &self.edges

@@ -1,6 +1,7 @@
 //! A position servo: holds a crane up against gravity, as far as its limit goes.
 
 use crate::dynamics::Loads;
+use crate::elements::{Element, Moment};
 use crate::scalar::Scalar;
 
 /// `tau = k (target - q) - c v`, clipped to the limit.
@@ -20,11 +21,11 @@ pub struct Servo<S = f64> {
     pub limit: S,
 }
 
-impl<S: Scalar> Servo<S> {
+impl<S: Scalar> Element<S> for Servo<S> {
     /// Adds the torque and the work that it does.
-    pub fn apply(&self, q: &[S], v: &[S], loads: &mut Loads<S>) {
-        let rate = v[self.coordinate];
-        let wanted = self.stiffness * (self.target - q[self.position]) - self.damping * rate;
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let rate = at.v[self.coordinate];
+        let wanted = self.stiffness * (self.target - at.q[self.position]) - self.damping * rate;
         let effort = wanted.clipped(-self.limit, self.limit);
         loads.force[self.coordinate] += effort;
         loads.power.drives += effort * rate;

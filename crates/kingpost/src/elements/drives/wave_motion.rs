@@ -1,6 +1,7 @@
 //! A body that moves as the waves say, by response amplitude operators.
 
-use crate::dynamics::Loads;
+use crate::dynamics::Clock;
+use crate::elements::{Declaration, Element};
 use crate::scalar::Scalar;
 use crate::sea::waves::ramp;
 use core::f64::consts::TAU;
@@ -30,12 +31,19 @@ pub struct SixMotions<S> {
     pub accelerations: [S; 6],
 }
 
-impl<S: Scalar> WaveMotion<S> {
-    /// Hands over the accelerations; their work is counted once the joint forces are known.
-    pub fn apply(&self, time_s: f64, loads: &mut Loads<S>) {
-        loads.acceleration[self.coordinates()].copy_from_slice(&self.at(time_s).accelerations);
+impl<S: Scalar> Element<S> for WaveMotion<S> {
+    fn declare(&self) -> Declaration {
+        Declaration { prescribes: true, ..Declaration::default() }
     }
 
+    fn prescribe(&self, clock: Clock, rates: &mut [S], accelerations: &mut [S]) {
+        let motion = self.at(clock.time_s);
+        rates[self.coordinates()].copy_from_slice(&motion.rates);
+        accelerations[self.coordinates()].copy_from_slice(&motion.accelerations);
+    }
+}
+
+impl<S: Scalar> WaveMotion<S> {
     /// Where its coordinates stand in v.
     pub fn coordinates(&self) -> core::ops::Range<usize> {
         self.velocities..self.velocities + 6

@@ -10,8 +10,9 @@ pub use control::{Deviation, Gains, Planar, Target};
 pub use thruster::{Thrust, Thruster, ThrusterKind};
 pub use wave_filter::WaveFilter;
 
-use crate::dynamics::{LinkKinematics, Loads, Moment};
+use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::hull::HullFrame;
+use crate::elements::{Components, Declaration, Element, Frame, Moment, Output, Own, Settling, Situation};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
@@ -49,35 +50,6 @@ pub struct DynamicPositioning<S = f64> {
     pub allocation: Allocation<S>,
     /// b where a run begins: force along x and y of the world, N, and moment, N m.
     pub bias: [S; 3],
-    /// Whether an equilibrium is sought: thrusts then follow the error at once, and without limits.
-    pub settling: bool,
-    /// First of its states among those of forces.
-    pub first_state: usize,
-}
-
-/// Dynamic positioning at one moment: force along the ship and athwartships, N, and yaw moment, N m, about the point
-/// that is kept.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PositioningReading<S = f64> {
-    /// Surge and sway, m, and yaw, rad, that lack.
-    pub error: Planar<S>,
-    /// What the controller asks for.
-    pub demand: Planar<S>,
-    /// What of that the thrusters are told to give.
-    pub command: Planar<S>,
-    /// What they give.
-    pub delivered: Planar<S>,
-}
-
-/// A thruster at one moment.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ThrusterReading<S = f64> {
-    /// Along and athwart the hull, N.
-    pub force: [S; 2],
-    /// With its sign, or its length where the thruster turns, N.
-    pub thrust: S,
-    /// Of what the thruster can give that way.
-    pub utilisation: S,
 }
 
 /// While an equilibrium is sought, what has an integral is held by this many times K_p.
@@ -92,10 +64,35 @@ struct Asked<S> {
     command: Planar<S>,
 }
 
-impl<S: Scalar> DynamicPositioning<S> {
-    /// Adds the thrusts, and their work.
-    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
-        let wrench = if self.settling {
+impl<S: Scalar> Element<S> for DynamicPositioning<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        Declaration { states: self.state_names(), outputs: self.declared_outputs(), ..Declaration::default() }
+    }
+
+    /// Nothing of the filter and the thrusts is on its way.
+    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        let at = self.target.deviation(&self.place, at.model, at.links);
+        let (proportional, integral) = (self.gains.proportional(&at), at.from_world(self.bias));
+        let command = self.allocation.limited(core::array::from_fn(|k| proportional[k] + integral[k]));
+        let (of_bias, rest) = own.states.split_at_mut(self.bias.len());
+        let (of_filter, of_thrusts) = rest.split_at_mut(self.filter.state_count());
+        of_bias.copy_from_slice(&self.bias);
+        self.filter.settled_states(proportional, of_filter);
+        let mut first = 0;
+        for (i, thruster) in self.allocation.thrusters().iter().enumerate() {
+            let count = thruster.components();
+            of_thrusts[first..first + count].copy_from_slice(&self.allocation.thrust(i, command)[..count]);
+            first += count;
+        }
+    }
+
+    /// Adds the thrusts, and their work. While an equilibrium is sought they follow the error at once, without limits.
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let wrench = if at.situation == Situation::Settling {
             let command = self.settling_command(at.model, at.links);
             self.wrench(|i, _| self.allocation.thrust(i, command))
         } else {
@@ -107,15 +104,9 @@ impl<S: Scalar> DynamicPositioning<S> {
         loads.wrenches.push((self.place.body, wrench));
     }
 
-    /// Number of its extra states.
-    pub fn state_count(&self) -> usize {
-        self.bias.len() + self.filter.state_count() + self.allocation.components()
-    }
-
-    /// Writes the rates of its extra states.
-    pub fn state_rates(&self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
         let Asked { at: deviation, proportional, demand, command } = self.asked(at);
-        let (of_bias, rest) = rates[self.first_state..][..self.state_count()].split_at_mut(self.bias.len());
+        let (of_bias, rest) = rates.split_at_mut(self.bias.len());
         let (of_filter, of_thrusts) = rest.split_at_mut(self.filter.state_count());
         let integral = self.gains.integral_rate(&deviation, demand, command);
         of_bias.copy_from_slice(&deviation.to_world(integral));
@@ -131,38 +122,53 @@ impl<S: Scalar> DynamicPositioning<S> {
         }
     }
 
-    /// Writes its extra states where a run begins: nothing of the filter and the thrusts is on its way.
-    pub fn first_states(&self, model: &Model<S>, links: &LinkKinematics<S>, states: &mut [S]) {
-        let at = self.target.deviation(&self.place, model, links);
-        let (proportional, integral) = (self.gains.proportional(&at), at.from_world(self.bias));
-        let command = self.allocation.limited(core::array::from_fn(|k| proportional[k] + integral[k]));
-        let (of_bias, rest) = states[self.first_state..][..self.state_count()].split_at_mut(self.bias.len());
-        let (of_filter, of_thrusts) = rest.split_at_mut(self.filter.state_count());
-        of_bias.copy_from_slice(&self.bias);
-        self.filter.settled_states(proportional, of_filter);
-        let mut first = 0;
-        for (i, thruster) in self.allocation.thrusters().iter().enumerate() {
-            let count = thruster.components();
-            of_thrusts[first..first + count].copy_from_slice(&self.allocation.thrust(i, command)[..count]);
-            first += count;
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        let Asked { at: deviation, demand, command, .. } = self.asked(at);
+        let thrusts = self.thrusts(at);
+        let Wrench { moment, force } = self.wrench(|_, first| thrust_at(thrusts, first));
+        for planar in [deviation.error, demand, command, [force[0], force[1], moment[2]]] {
+            out.extend(planar);
         }
-    }
-
-    /// Names of its extra states.
-    pub fn state_names(&self) -> Vec<String> {
-        let integrals = ["x", "y", "yaw"].map(|axis| format!("integral.{axis}"));
-        let of_thruster = |thruster: &Thruster<S>| {
-            let parts: &[&str] = if thruster.components() == 1 { &["thrust"] } else { &["thrust_x", "thrust_y"] };
-            parts.iter().map(|part| format!("{}.{part}", thruster.name)).collect::<Vec<_>>()
+        let each = |number: &dyn Fn(&Thruster<S>, Thrust<S>, &mut Vec<S>), out: &mut Vec<S>| {
+            let mut first = 0;
+            for thruster in self.allocation.thrusters() {
+                number(thruster, thrust_at(thrusts, first), out);
+                first += thruster.components();
+            }
         };
-        let thrusts = self.allocation.thrusters().iter().flat_map(of_thruster);
-        let names = integrals.into_iter().chain(self.filter.state_names()).chain(thrusts);
-        names.map(|name| format!("{}.{name}", self.name)).collect()
+        each(&|thruster, thrust, out| out.push(thruster.signed_thrust(thrust)), out);
+        each(
+            &|thruster, thrust, out| {
+                let [x, y] = thruster.force(thrust);
+                out.extend([x, y, S::ZERO]);
+            },
+            out,
+        );
+        each(&|thruster, thrust, out| out.push(thruster.utilisation(thrust)), out);
     }
 
-    /// While an equilibrium is sought: hands what holds the ship over to the integrals, and says by how much the ship is
-    /// still off where integrals should take it, m or rad.
-    pub fn take_over(&mut self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
+    fn settling(&self) -> Option<&dyn Settling<S>> {
+        Some(self)
+    }
+
+    fn settling_mut(&mut self) -> Option<&mut dyn Settling<S>> {
+        Some(self)
+    }
+}
+
+impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
+    fn trim(&self) -> &[S] {
+        &self.bias
+    }
+
+    fn set_trim(&mut self, trim: &[S]) {
+        self.bias.copy_from_slice(trim);
+    }
+
+    /// Hands what holds the ship over to the integrals, and says by how much the ship is still off where integrals should
+    /// take it, m or rad.
+    fn take_over(&mut self, at: &Moment<'_, S>) -> S {
+        let (model, links) = (at.model, at.links);
         let at = self.target.deviation(&self.place, model, links);
         let (held, carried) = (self.settling_command(model, links), at.from_world(self.bias));
         let next = core::array::from_fn(|k| if self.gains.integrates[k] { held[k] } else { carried[k] });
@@ -172,26 +178,55 @@ impl<S: Scalar> DynamicPositioning<S> {
             .fold(S::ZERO, |most, off| most.select_less(off, || off, || most))
     }
 
-    /// Error, demand, and what is given.
-    pub fn reading(&self, at: &Moment<'_, S>) -> PositioningReading<S> {
-        let Asked { at: deviation, demand, command, .. } = self.asked(at);
-        let thrusts = self.thrusts(at);
-        let Wrench { moment, force } = self.wrench(|_, first| thrust_at(thrusts, first));
-        PositioningReading { error: deviation.error, demand, command, delivered: [force[0], force[1], moment[2]] }
+    /// The largest utilisation of a thruster that holds the ship there, limits left out.
+    fn utilisation(&self, at: &Moment<'_, S>) -> S {
+        let command = self.settling_command(at.model, at.links);
+        let thrusters = self.allocation.thrusters().iter().enumerate();
+        let each = thrusters.map(|(i, thruster)| thruster.utilisation(self.allocation.thrust(i, command)));
+        each.fold(S::ZERO, |most, next| most.select_less(next, || next, || most))
+    }
+}
+
+impl<S: Scalar> DynamicPositioning<S> {
+    fn state_names(&self) -> Vec<String> {
+        let integrals = ["x", "y", "yaw"].map(|axis| format!("integral.{axis}"));
+        let of_thruster = |thruster: &Thruster<S>| {
+            let parts: &[&str] = if thruster.components() == 1 { &["thrust"] } else { &["thrust_x", "thrust_y"] };
+            parts.iter().map(|part| format!("{}.{part}", thruster.name)).collect::<Vec<_>>()
+        };
+        let thrusts = self.allocation.thrusters().iter().flat_map(of_thruster);
+        integrals.into_iter().chain(self.filter.state_names()).chain(thrusts).collect()
     }
 
-    /// What each thruster does.
-    pub fn thruster_readings<'a>(&'a self, at: &Moment<'a, S>) -> impl Iterator<Item = ThrusterReading<S>> + 'a {
-        let (thrusts, mut first) = (self.thrusts(at), 0);
-        self.allocation.thrusters().iter().map(move |thruster| {
-            let thrust = thrust_at(thrusts, first);
-            first += thruster.components();
-            ThrusterReading {
-                force: thruster.force(thrust),
-                thrust: thruster.signed_thrust(thrust),
-                utilisation: thruster.utilisation(thrust),
-            }
-        })
+    fn declared_outputs(&self) -> Vec<Output> {
+        let error = "surge and sway from a ship on dynamic positioning to its target, and the heading that lacks";
+        let demand = "force and yaw moment that dynamic positioning asks for, about the point that is kept";
+        let force = "force and yaw moment that the thrusters give, about the point that is kept";
+        let planar = |variable, description, frame, units| Output {
+            components: Components::Planar,
+            frame,
+            units,
+            ..Output::number(variable, description, "station", &self.name, &["N"])
+        };
+        let labels: Vec<String> =
+            self.allocation.thrusters().iter().map(|thruster| format!("{}.{}", self.name, thruster.name)).collect();
+        let of_thrusters = |variable, description, unit| Output {
+            labels: labels.clone(),
+            ..Output::number(variable, description, "thruster", "", unit)
+        };
+        vec![
+            planar("station_error", error, Frame::Heading, &["m", "m", "rad"]),
+            planar("station_demand", demand, Frame::Heading, &PLANAR),
+            planar("station_command", "what of that the thrusters are told to give", Frame::Body, &PLANAR),
+            planar("station_force", force, Frame::Body, &PLANAR),
+            of_thrusters("thruster_thrust", "thrust, negative astern; of an azimuth thruster its length", &["N"]),
+            Output {
+                components: Components::Axis,
+                frame: Frame::Body,
+                ..of_thrusters("thruster_force", "thrust as a force", &["N"])
+            },
+            of_thrusters("thruster_utilisation", "thrust as a share of what the thruster can give that way", &["1"]),
+        ]
     }
 
     /// What holds the ship while an equilibrium is sought, limits left out: they would hide the way there.
@@ -203,19 +238,11 @@ impl<S: Scalar> DynamicPositioning<S> {
         core::array::from_fn(held)
     }
 
-    /// While an equilibrium is sought: the largest utilisation of a thruster that holds the ship there, limits left out.
-    pub fn utilisation(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
-        let command = self.settling_command(model, links);
-        let thrusters = self.allocation.thrusters().iter().enumerate();
-        let each = thrusters.map(|(i, thruster)| thruster.utilisation(self.allocation.thrust(i, command)));
-        each.fold(S::ZERO, |most, next| most.select_less(next, || next, || most))
-    }
-
     fn asked(&self, at: &Moment<'_, S>) -> Asked<S> {
         let deviation = self.target.deviation(&self.place, at.model, at.links);
         let proportional = self.gains.proportional(&deviation);
         let passed = self.filter.output(proportional, self.filter_states(at));
-        let bias = core::array::from_fn(|k| at.states[self.first_state + k]);
+        let bias = core::array::from_fn(|k| at.states[k]);
         let integral = deviation.from_world(bias);
         let demand = core::array::from_fn(|k| passed[k] + integral[k]);
         Asked { at: deviation, proportional, demand, command: self.allocation.limited(demand) }
@@ -235,14 +262,17 @@ impl<S: Scalar> DynamicPositioning<S> {
     }
 
     fn filter_states<'a>(&self, at: &Moment<'a, S>) -> &'a [S] {
-        &at.states[self.first_state + self.bias.len()..][..self.filter.state_count()]
+        &at.states[self.bias.len()..][..self.filter.state_count()]
     }
 
     fn thrusts<'a>(&self, at: &Moment<'a, S>) -> &'a [S] {
         let before = self.bias.len() + self.filter.state_count();
-        &at.states[self.first_state + before..][..self.allocation.components()]
+        &at.states[before..][..self.allocation.components()]
     }
 }
+
+/// Units of a force in a plane and the moment about its normal.
+const PLANAR: [&str; 3] = ["N", "N", "N m"];
 
 /// Two numbers from a list; 0 behind its end.
 fn thrust_at<S: Scalar>(thrusts: &[S], first: usize) -> Thrust<S> {

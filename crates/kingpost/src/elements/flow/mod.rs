@@ -5,7 +5,8 @@ mod table;
 pub use table::{DirectionTable, TableError};
 
 use super::hull::HullFrame;
-use crate::dynamics::{Loads, Moment};
+use super::{Declaration, Element, Frame, Moment, Output};
+use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
@@ -35,14 +36,32 @@ pub struct FlowLoad<S = f64> {
 /// Below this square of the speed, m^2/s^2, there is no flow, and no direction of it.
 const STILL: f64 = 1e-18;
 
-impl<S: Scalar> FlowLoad<S> {
+impl<S: Scalar> Element<S> for FlowLoad<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let description = "force and moment of wind or current about the reference point of its coefficients";
+        let force = Output::wrench("flow_force", description, "flow", &self.name, Frame::Body);
+        Declaration { outputs: vec![force], ..Declaration::default() }
+    }
+
     /// Adds the load, and its work.
-    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let wrench = self.about_centre(at);
         loads.power.outside += wrench.dot(&at.links.body_twist(at.model, self.place.body));
         loads.wrenches.push((self.place.body, wrench));
     }
 
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        let Wrench { moment, force } = self.wrench(at);
+        out.extend(force.0);
+        out.extend(moment.0);
+    }
+}
+
+impl<S: Scalar> FlowLoad<S> {
     /// Force (N) and moment (N m) about the reference point, in body axes.
     pub fn wrench(&self, at: &Moment<'_, S>) -> Wrench<S> {
         let through = self.place.through_water(at, self.flow).0.linear;
@@ -56,12 +75,6 @@ impl<S: Scalar> FlowLoad<S> {
             moves.select_below(0.5, || S::ZERO, || load)
         });
         Wrench { moment: Vector3::new(S::ZERO, S::ZERO, yaw), force: Vector3::new(x, y, S::ZERO) }
-    }
-
-    /// The same as numbers: force x, y, z, moment x, y, z.
-    pub fn reading(&self, at: &Moment<'_, S>) -> [S; 6] {
-        let Wrench { moment: Vector3([roll, pitch, yaw]), force: Vector3([x, y, z]) } = self.wrench(at);
-        [x, y, z, roll, pitch, yaw]
     }
 
     fn about_centre(&self, at: &Moment<'_, S>) -> Wrench<S> {

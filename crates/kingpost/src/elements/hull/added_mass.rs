@@ -4,7 +4,8 @@
 //! nu: the water pushes with `-(A nu' + nu x* A nu)`. What is different is added here as a load.
 
 use super::{Hull, SeaAxes, SlowFilter};
-use crate::dynamics::{Loads, Moment};
+use crate::dynamics::Loads;
+use crate::elements::Moment;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, SpatialInertia, Twist, Vector3, Wrench};
 
@@ -78,7 +79,7 @@ impl<S: Scalar> Hull<S> {
 
     /// The slow motion of the body's centre of mass through the water, in the axes of the hull on average.
     fn slow_twist(&self, at: &Moment<'_, S>, mean: &Matrix3<S>) -> Twist<S> {
-        let [x, y, turning] = SlowFilter::read(&at.held[self.first_held..]).rates(self.cutoff_rad_s);
+        let [x, y, turning] = SlowFilter::read(at.states).output_rates(self.cutoff_rad_s);
         let angular = mean.transpose_times(Vector3::new(S::ZERO, S::ZERO, turning));
         let drift = mean.transpose_times(Vector3::new(x, y, S::ZERO) - self.current);
         Twist { linear: drift - angular.cross(self.frame.origin), angular }

@@ -19,8 +19,8 @@ pub use place::{HullFrame, HullMotion, SeaAxes, SlowFrame};
 pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
-use crate::dynamics::{LinkKinematics, Loads, Moment};
-use crate::model::Model;
+use super::{Declaration, Element, Frame, Moment, Output, Own};
+use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::sea::hull::{FloatingPosition, HullMesh, LinearHydrostatics, WettedHull};
 use crate::spatial::{Twist, Vector3, Wrench};
@@ -70,22 +70,6 @@ impl<S: Scalar> Hydrostatics<S> {
     }
 }
 
-/// The sea at a hull at one moment. Forces (N) and moments (N m) are about the hull's reference
-/// point, along what [`SeaAxes`] says.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HullReading<S = f64> {
-    /// Of the incident waves at the slow frame's place, m.
-    pub wave_elevation: S,
-    /// By the incident waves, to first order; and by their pressure on the mesh, where that acts.
-    pub excitation_force: [S; 6],
-    /// By the incident waves, the mean and slowly varying part of second order.
-    pub drift_force: [S; 6],
-    /// By the memory of the waves that the hull made; that of the added mass is not in it.
-    pub radiation_force: [S; 6],
-    /// Kinetic energy of the infinite-frequency added mass, J.
-    pub water_kinetic_energy: S,
-}
-
 /// A hull in the water.
 #[derive(Clone, Debug)]
 pub struct Hull<S = f64> {
@@ -103,37 +87,58 @@ pub struct Hull<S = f64> {
     pub excitation: Option<Excitation<S>>,
     /// Their own pressure on the mesh, if it acts.
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
-    /// Whether the incident waves are left out: for an equilibrium.
-    pub calm: bool,
     /// Velocity of the water in the world, m/s.
     pub current: Vector3<S>,
     /// Which quadratic terms of the added mass act.
     pub quadratic_terms: QuadraticTerms,
     /// Where the filter of the slow frame cuts off, rad/s.
     pub cutoff_rad_s: f64,
-    /// First of its numbers among what forces hold.
-    pub first_held: usize,
-    /// First of its states among those of forces.
-    pub first_state: usize,
 }
 
-impl<S: Scalar> Hull<S> {
+impl<S: Scalar> Element<S> for Hull<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let of_radiation = self.radiation.iter().flat_map(Radiation::state_names);
+        Declaration {
+            states: SlowFilter::<S>::state_names().chain(of_radiation).collect(),
+            outputs: outputs(&self.name),
+            ..Declaration::default()
+        }
+    }
+
+    /// The hull has always been here, and has always moved through the water as it does in the plane; of heave, roll,
+    /// pitch and yaw the water has no memory yet.
+    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        let motion = self.frame.motion_of(at.model, at.links);
+        let place = SlowFrame::of(&motion.frame);
+        let (of_filter, of_radiation) = own.states.split_at_mut(SlowFilter::<S>::LEN);
+        SlowFilter::at_rest(&place).write(of_filter);
+        if let Some(radiation) = &self.radiation {
+            let [x, y, ..] = self.velocity_through_water(&motion, &place);
+            radiation.steady(&[x, y, S::ZERO, S::ZERO, S::ZERO, S::ZERO], of_radiation);
+        }
+    }
+
     /// Adds what the water does, and its work.
-    pub fn apply(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let motion = self.frame.motion(at);
         let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), self.specific_weight);
-        let slow = self.slow_frame(at);
+        let slow = slow_frame(at);
         let mut by_the_sea = [S::ZERO; 6];
         if let Some(radiation) = &self.radiation {
-            by_the_sea = radiation.force(self.own_states(at));
+            by_the_sea = radiation.force(radiation_states(at));
         }
-        if let Some(excitation) = self.excitation.as_mut().filter(|_| !self.calm) {
+        let has_waves = at.situation.has_waves();
+        if let Some(excitation) = self.excitation.as_mut().filter(|_| has_waves) {
             let (first, drift) = (excitation.force(at.clock.time_s, &slow), excitation.drift(at.clock.time_s, &slow));
             by_the_sea = core::array::from_fn(|mode| by_the_sea[mode] + first[mode] + drift[mode]);
         }
         let axes = SeaAxes::of(&motion.frame, &slow);
         let mut by_the_sea = self.about_centre(by_the_sea, &axes) + self.in_flowing_water(at, &axes, loads);
-        if let Some(waves) = self.wave_pressure.as_mut().filter(|_| !self.calm) {
+        if let Some(waves) = self.wave_pressure.as_mut().filter(|_| has_waves) {
             let pressure = waves.pressure(&motion.frame, self.specific_weight, at.clock.time_s);
             by_the_sea += self.frame.about_centre(&pressure);
         }
@@ -141,10 +146,25 @@ impl<S: Scalar> Hull<S> {
         loads.wrenches.push((self.frame.body, self.frame.about_centre(&buoyancy) + by_the_sea));
     }
 
-    /// The waves and forces at a moment.
-    pub fn reading(&mut self, at: &Moment<'_, S>) -> HullReading<S> {
-        let slow = self.slow_frame(at);
-        let states = self.own_states(at);
+    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+        let motion = self.frame.motion(at);
+        let (of_filter, of_radiation) = rates.split_at_mut(SlowFilter::<S>::LEN);
+        let filter = SlowFilter::read(at.states);
+        filter.rates(&SlowFrame::of(&motion.frame), self.cutoff_rad_s).write(of_filter);
+        if let Some(radiation) = &self.radiation {
+            let velocity = self.velocity_through_water(&motion, &filter.frame());
+            radiation.rates(&velocity, radiation_states(at), of_radiation);
+        }
+    }
+
+    /// Energy of the water that it displaces, J.
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let position = FloatingPosition::of(&self.frame.frame(at.model, at.links));
+        self.hydrostatics.potential_energy(&position, self.specific_weight)
+    }
+
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        let slow = slow_frame(at);
         let (none, time_s) = ([S::ZERO; 6], at.clock.time_s);
         let mut excitation_force = self.excitation.as_mut().map_or(none, |waves| waves.force(time_s, &slow));
         if let Some(waves) = self.wave_pressure.as_mut() {
@@ -155,49 +175,63 @@ impl<S: Scalar> Hull<S> {
             let along = axes.modes(force, moment);
             excitation_force.iter_mut().zip(along).for_each(|(sum, force)| *sum += force);
         }
-        HullReading {
-            radiation_force: self.radiation.as_ref().map_or(none, |radiation| radiation.force(states)),
-            excitation_force,
-            drift_force: self.excitation.as_mut().map_or(none, |waves| waves.drift(time_s, &slow)),
-            water_kinetic_energy: self.water_kinetic_energy(at),
-            wave_elevation: self.excitation.as_mut().map_or(S::ZERO, |waves| waves.elevation(time_s, &slow)),
-        }
+        out.push(self.excitation.as_mut().map_or(S::ZERO, |waves| waves.elevation(time_s, &slow)));
+        out.extend(excitation_force);
+        out.extend(self.excitation.as_mut().map_or(none, |waves| waves.drift(time_s, &slow)));
+        out.extend(self.radiation.as_ref().map_or(none, |radiation| radiation.force(radiation_states(at))));
+        out.push(self.water_kinetic_energy(at));
     }
 
+    fn keeps_afloat(&self) -> Option<usize> {
+        Some(self.frame.body)
+    }
+}
+
+/// What a hull shows, in the order of [`Hull::outputs`](Element::outputs).
+fn outputs(name: &str) -> Vec<Output> {
+    let wrench = |variable, description| Output::wrench(variable, description, "hull", name, Frame::SlowFrame);
+    vec![
+        Output::number(
+            "wave_elevation",
+            "elevation of the incident waves where the hull is on average",
+            "hull",
+            name,
+            &["m"],
+        ),
+        wrench("excitation_force", "force and moment of the incident waves, about the hull's reference point"),
+        wrench(
+            "drift_force",
+            "mean and slowly varying force and moment of the waves on a hull, about its reference point",
+        ),
+        wrench(
+            "radiation_force",
+            "force and moment of the waves that the hull has made, added mass apart, about its reference point",
+        ),
+        Output::number(
+            "water_kinetic_energy",
+            "the water's part of the kinetic energy, by the infinite-frequency added mass",
+            "hull",
+            name,
+            &["J"],
+        ),
+    ]
+}
+
+/// Where the hull is on average: its first states are the filter's.
+fn slow_frame<S: Scalar>(at: &Moment<'_, S>) -> SlowFrame<S> {
+    SlowFilter::read(at.states).frame()
+}
+
+/// The states of its radiation, behind those of the filter.
+fn radiation_states<'a, S: Scalar>(at: &Moment<'a, S>) -> &'a [S] {
+    at.states.get(SlowFilter::<S>::LEN..).unwrap_or_default()
+}
+
+impl<S: Scalar> Hull<S> {
     fn water_kinetic_energy(&self, at: &Moment<'_, S>) -> S {
         let twist = at.links.body_twist(at.model, self.frame.body);
         let own = at.model.added_inertias.iter().filter(|(body, _)| *body == self.frame.body);
         own.fold(S::ZERO, |sum, (_, added)| sum + added.quadratic(&twist) * S::constant(0.5))
-    }
-
-    /// Energy of the water that it displaces, J.
-    pub fn potential_energy(&mut self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
-        let position = FloatingPosition::of(&self.frame.frame(model, links));
-        self.hydrostatics.potential_energy(&position, self.specific_weight)
-    }
-
-    /// Number of its extra states.
-    pub fn state_count(&self) -> usize {
-        self.radiation.as_ref().map_or(0, Radiation::state_count)
-    }
-
-    /// Writes the rates of its extra states.
-    pub fn state_rates(&self, at: &Moment<'_, S>, rates: &mut [S]) {
-        let Some(radiation) = &self.radiation else { return };
-        let motion = self.frame.motion(at);
-        let slow = self.slow_frame(at);
-        let velocity = self.velocity_through_water(&motion, &slow);
-        radiation.rates(&velocity, self.own_states(at), &mut rates[self.first_state..][..self.state_count()]);
-    }
-
-    /// Writes the extra states of a hull that has always moved through the water as it does in the plane; of heave, roll,
-    /// pitch and yaw the water has no memory yet.
-    pub fn first_states(&self, model: &Model<S>, links: &LinkKinematics<S>, states: &mut [S]) {
-        let Some(radiation) = &self.radiation else { return };
-        let motion = self.frame.motion_of(model, links);
-        let [x, y, ..] = self.velocity_through_water(&motion, &SlowFrame::of(&motion.frame));
-        let none = S::ZERO;
-        radiation.steady(&[x, y, none, none, none, none], &mut states[self.first_state..][..self.state_count()]);
     }
 
     /// Velocity and angular velocity of the reference point relative to the water, along the axes of the sea's loads.
@@ -218,30 +252,5 @@ impl<S: Scalar> Hull<S> {
     /// A force and moment along those axes as a wrench about the body's centre of mass, in its axes.
     fn about_centre(&self, force: [S; 6], axes: &SeaAxes<S>) -> Wrench<S> {
         axes.wrench_to_body(&self.frame.about_centre(&axes.of_modes(force)))
-    }
-
-    /// What it holds where a run begins.
-    pub fn first_held(&self, model: &Model<S>, links: &LinkKinematics<S>, held: &mut [S]) {
-        let place = SlowFrame::of(&self.frame.frame(model, links));
-        SlowFilter::at_rest(&place).write(self.own_held(held));
-    }
-
-    /// After a step: what it holds over the next.
-    pub fn hold(&self, model: &Model<S>, links: &LinkKinematics<S>, step_s: f64, held: &mut [S]) {
-        let held = self.own_held(held);
-        let now = SlowFrame::of(&self.frame.frame(model, links));
-        SlowFilter::read(held).stepped(&now, self.cutoff_rad_s, step_s).write(held);
-    }
-
-    fn own_held<'a>(&self, held: &'a mut [S]) -> &'a mut [S] {
-        &mut held[self.first_held..][..SlowFilter::<S>::LEN]
-    }
-
-    fn slow_frame(&self, at: &Moment<'_, S>) -> SlowFrame<S> {
-        SlowFilter::read(&at.held[self.first_held..]).frame()
-    }
-
-    fn own_states<'a>(&self, at: &Moment<'a, S>) -> &'a [S] {
-        &at.states[self.first_state..][..self.state_count()]
     }
 }

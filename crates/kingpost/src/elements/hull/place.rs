@@ -1,6 +1,7 @@
 //! Where a hull is, how it moves, and the slow frame that its loads by the sea are seen from.
 
-use crate::dynamics::{LinkKinematics, Moment};
+use crate::dynamics::LinkKinematics;
+use crate::elements::Moment;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Twist, Vector3, Wrench};

@@ -1,8 +1,9 @@
 //! A mooring line to an anchor, by the quasi-static catenary.
 
 use super::catenary::{Catenary, EndForce, Span};
-use super::{LineReading, place, pull_at};
-use crate::dynamics::{LinkKinematics, Loads, Moment};
+use super::{outputs, place, pull_at};
+use crate::dynamics::{LinkKinematics, Loads};
+use crate::elements::{Declaration, Element, Moment};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -25,9 +26,17 @@ pub struct CatenaryLine<S = f64> {
 /// Where the fairlead stands above the anchor, nearer than this of the length, H grows with the distance.
 const NEAREST: f64 = 1e-6;
 
-impl<S: Scalar> CatenaryLine<S> {
+impl<S: Scalar> Element<S> for CatenaryLine<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        Declaration { outputs: outputs(&self.name), ..Declaration::default() }
+    }
+
     /// Adds the pull at the fairlead.
-    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let (way, span) = self.way(at.model, at.links);
         let EndForce { horizontal, vertical } = self.line.force(&span);
         let per_length = horizontal / span.across;
@@ -35,21 +44,21 @@ impl<S: Scalar> CatenaryLine<S> {
         pull_at(&self.fairlead, pull, at, loads);
     }
 
-    /// What there is to see of it.
-    pub fn reading(&self, at: &Moment<'_, S>) -> LineReading<S> {
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let (_, span) = self.way(at.model, at.links);
-        let [tension, end_tension, grounded_length] = self.line.tensions(&self.line.force(&span));
-        LineReading { tension, end_tension, grounded_length }
+        out.extend(self.line.tensions(&self.line.force(&span)));
     }
 
     /// Energy of its weight and stretch, J.
-    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
-        let (way, span) = self.way(model, links);
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let (way, span) = self.way(at.model, at.links);
         let force = self.line.force(&span);
         let nearer = way[0] * way[0] + way[1] * way[1] - span.across * span.across;
         self.line.potential_energy(&span, &force) + force.horizontal / span.across * nearer * S::constant(0.5)
     }
+}
 
+impl<S: Scalar> CatenaryLine<S> {
     /// From the anchor to the fairlead, m.
     pub fn span(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Span<S> {
         self.way(model, links).1

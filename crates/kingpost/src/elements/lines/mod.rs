@@ -8,20 +8,23 @@ pub use catenary::{Catenary, EndForce, Span};
 pub use catenary_line::CatenaryLine;
 pub use spring_line::SpringLine;
 
-use crate::dynamics::{LinkKinematics, Loads, Moment};
+use super::{Moment, Output};
+use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
-/// What there is to see of a line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LineReading<S = f64> {
-    /// Tension at its first end, the fairlead, N.
-    pub tension: S,
-    /// Tension at its second end, the anchor, N.
-    pub end_tension: S,
-    /// How much of it lies on the seabed, of its unstretched length, m.
-    pub grounded_length: S,
+/// What every line shows: the tension at its first end, or its fairlead, and at its second, or its anchor, N; how much of
+/// its unstretched length lies on the seabed, m.
+fn outputs(name: &str) -> Vec<Output> {
+    let first = "tension of a line at its first end, or its fairlead";
+    let second = "tension of a line at its second end, or its anchor";
+    let grounded = "unstretched length of a line that lies on the seabed";
+    vec![
+        Output::number("line_tension", first, "line", name, &["N"]),
+        Output::number("line_end_tension", second, "line", name, &["N"]),
+        Output::number("line_grounded_length", grounded, "line", name, &["m"]),
+    ]
 }
 
 /// Where an end is in the world, m.

@@ -1,9 +1,9 @@
 //! A rope without weight between two points: a mooring hawser, a towline, a tugger line.
 
-use super::{LineReading, place, pull_at, velocity};
-use crate::dynamics::{LinkKinematics, Loads, Moment};
-use crate::elements::hunt_crossley;
-use crate::model::{Attachment, Model};
+use super::{outputs, place, pull_at, velocity};
+use crate::dynamics::Loads;
+use crate::elements::{Declaration, Element, Moment, hunt_crossley};
+use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -31,9 +31,17 @@ pub struct SpringLine<S = f64> {
     pub dissipation: S,
 }
 
-impl<S: Scalar> SpringLine<S> {
+impl<S: Scalar> Element<S> for SpringLine<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        Declaration { outputs: outputs(&self.name), ..Declaration::default() }
+    }
+
     /// Adds the pull at both ends, and the heat that the line makes.
-    pub fn apply(&self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let (way, rate) = self.way(at);
         let (length, direction) = length_and_direction(way);
         let (tension, heat) = self.tension(length, direction.dot(rate));
@@ -43,21 +51,22 @@ impl<S: Scalar> SpringLine<S> {
         pull_at(&self.second, -pull, at, loads);
     }
 
-    /// What there is to see of it.
-    pub fn reading(&self, at: &Moment<'_, S>) -> LineReading<S> {
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let (way, rate) = self.way(at);
         let (length, direction) = length_and_direction(way);
         let (tension, _) = self.tension(length, direction.dot(rate));
-        LineReading { tension, end_tension: tension, grounded_length: S::ZERO }
+        out.extend([tension, tension, S::ZERO]);
     }
 
     /// Energy stored, J.
-    pub fn potential_energy(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
-        let way = place(&self.second, model, links) - place(&self.first, model, links);
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let way = self.way(at).0;
         let stretch = self.stretch(length_and_direction(way).0);
         self.stiffness() * stretch * stretch * S::constant(0.5)
     }
+}
 
+impl<S: Scalar> SpringLine<S> {
     /// From the first end to the second in the world, m, and its rate, m/s.
     fn way(&self, at: &Moment<'_, S>) -> (Vector3<S>, Vector3<S>) {
         let way = place(&self.second, at.model, at.links) - place(&self.first, at.model, at.links);

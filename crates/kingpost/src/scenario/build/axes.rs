@@ -3,7 +3,7 @@
 use super::super::schema::{self, AngleAxis, History, LengthAxis, PrismaticMode, RevoluteMode};
 use super::FieldError;
 use super::reading::{Gathered, Reading};
-use crate::elements::{CoulombFriction, Force, JointDamping, JointSpring, JointStop, StopSide};
+use crate::elements::{AnyElement, CoulombFriction, JointDamping, JointSpring, JointStop, StopSide};
 use crate::model::{AxisMotion, Mode};
 
 /// An axis of a joint, in rad and N m or in m and N.
@@ -148,29 +148,29 @@ pub fn forces_in_axis<S: Gathered>(
     joint: &Reading<schema::Joint>,
     k: usize,
     (position, coordinate): (usize, usize),
-) -> Result<Vec<Force<S>>, FieldError> {
+) -> Result<Vec<AnyElement<S>>, FieldError> {
     let axis = &axes(joint.first())[k];
     axis.check_limits(path)?;
-    let mut forces = Vec::new();
+    let mut forces: Vec<AnyElement<S>> = Vec::new();
     let damping = |joint: &schema::Joint| axes(joint)[k].damping;
     if joint.any_nonzero(damping) {
-        forces.push(Force::JointDamping(JointDamping { coordinate, damping: joint.number(damping) }));
+        forces.push(Box::new(JointDamping { coordinate, damping: joint.number(damping) }));
     }
     if axis.friction.is_some() {
         let [friction, smoothing] = joint.numbers(|joint| axes(joint)[k].friction.unwrap_or_default());
-        forces.push(Force::CoulombFriction(CoulombFriction { coordinate, friction, smoothing }));
+        forces.push(Box::new(CoulombFriction { coordinate, friction, smoothing }));
     }
     if axis.spring.is_some() {
         let [stiffness, rest] = joint.numbers(|joint| axes(joint)[k].spring.unwrap_or_default());
-        forces.push(Force::JointSpring(JointSpring { position, coordinate, stiffness, rest }));
+        forces.push(Box::new(JointSpring { position, coordinate, stiffness, rest }));
     }
-    let stop = |side, limit: fn(&Limits) -> Option<f64>| {
+    let stop = |side, limit: fn(&Limits) -> Option<f64>| -> Option<AnyElement<S>> {
         axis.limits.as_ref().and_then(limit)?;
         let number = |joint: &schema::Joint| axes(joint)[k].limits.as_ref().and_then(limit).unwrap_or_default();
         let contact = |joint: &schema::Joint| axes(joint)[k].limits.as_ref().map_or([0.0; 2], |limits| limits.contact);
         let [stiffness, dissipation] = joint.numbers(contact);
         let limit = joint.number(number);
-        Some(Force::JointStop(JointStop { position, coordinate, side, limit, stiffness, dissipation }))
+        Some(Box::new(JointStop { position, coordinate, side, limit, stiffness, dissipation }))
     };
     forces.extend(stop(StopSide::Lower, |limits| limits.lower));
     forces.extend(stop(StopSide::Upper, |limits| limits.upper));

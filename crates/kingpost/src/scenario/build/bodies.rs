@@ -5,7 +5,7 @@ use super::axes::{axes, forces_in_axis};
 use super::flexible::{ELASTIC_AXES, FlexibleBody, carrier};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
-use crate::elements::{Force, JointDamping};
+use crate::elements::{AnyElement, JointDamping};
 use crate::model::joint::{AxisList, Fixed, Floating, Prismatic, Revolute, Spherical};
 use crate::model::{Axis, BodyDescription, Joint, JointKind, Mode, Model, Shape};
 use crate::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, rotation_from_roll_pitch_yaw};
@@ -17,7 +17,7 @@ pub struct Bodies<S> {
     pub q: Vec<S>,
     pub v: Vec<S>,
     /// What acts in the joints.
-    pub forces: Vec<Force<S>>,
+    pub forces: Vec<AnyElement<S>>,
 }
 
 pub fn build<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Bodies<S>, FieldError> {
@@ -34,7 +34,7 @@ struct Growth<S> {
     descriptions: Vec<BodyDescription<S>>,
     q: Vec<S>,
     v: Vec<S>,
-    forces: Vec<Force<S>>,
+    forces: Vec<AnyElement<S>>,
     rotors: Vec<(usize, S)>,
 }
 
@@ -249,10 +249,10 @@ fn forces_in_joint<S: Gathered>(
     name: &str,
     body: &Reading<schema::Body>,
     (positions, velocities): (usize, usize),
-) -> Result<Vec<Force<S>>, FieldError> {
+) -> Result<Vec<AnyElement<S>>, FieldError> {
     let joint = body.part(|body| &body.joint);
     let path = format!("bodies.{name}.joint.{}", joint.first().kind());
-    let mut forces = Vec::new();
+    let mut forces: Vec<AnyElement<S>> = Vec::new();
     for k in 0..axes(joint.first()).len() {
         forces.extend(forces_in_axis(&path, &joint, k, (positions + k, velocities + k))?);
     }
@@ -260,7 +260,7 @@ fn forces_in_joint<S: Gathered>(
         let ball = body.kind(spherical);
         if ball.any_nonzero(|ball| ball.damping_n_m_s.get()) {
             let damping = ball.number(|ball| ball.damping_n_m_s.get());
-            let about = |k| Force::JointDamping(JointDamping { coordinate: velocities + k, damping });
+            let about = |k| -> AnyElement<S> { Box::new(JointDamping { coordinate: velocities + k, damping }) };
             forces.extend((0..3).map(about));
         }
     }

@@ -5,20 +5,18 @@ use super::flexible::carrier_in_model;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::dynamics::LinkKinematics;
-use crate::elements::drives::{Aim, Cylinder, Drive};
+use crate::elements::drives::{Aim, Cylinder};
+use crate::elements::of_kind_mut;
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
-use crate::simulation::{Input, Setup};
+use crate::simulation::Setup;
 use crate::spatial::Frame;
 
-/// One cylinder, where it is on and between bodies that are there. A lever's length is the next of
-/// the extra states, `states` of which there are already.
+/// One cylinder, where it is on and between bodies that are there.
 pub fn build<S: Gathered>(
     scenario: &Reading<Scenario>,
     name: &str,
     model: &Model<S>,
-    inputs: &mut Vec<Input>,
-    states: usize,
 ) -> Result<Option<Cylinder<S>>, FieldError> {
     let drive = scenario.part(|scenario| &scenario.drives[name]);
     let given = drive.kind(cylinder_of);
@@ -32,10 +30,7 @@ pub fn build<S: Gathered>(
     let aim = match given.first().target {
         CylinderTarget::Hold => Aim::Hold,
         CylinderTarget::Length(_) => Aim::Length(given.number(target_length)),
-        CylinderTarget::Lever => {
-            inputs.push(Input { name: name.to_owned(), unit: "1", lower: -1.0, upper: 1.0, value: 0.0 });
-            Aim::Lever { input: inputs.len() - 1, state: states }
-        }
+        CylinderTarget::Lever => Aim::Lever,
     };
     Ok(Some(Cylinder {
         name: name.to_owned(),
@@ -51,7 +46,7 @@ pub fn build<S: Gathered>(
         speed_limit: given.number(|c| c.speed_limit_m_s.get()),
         aim,
         start: S::ZERO,
-        arrival_s: Vec::new(),
+        arrival_s: None,
     }))
 }
 
@@ -99,12 +94,11 @@ fn attachment<S: Gathered>(
 /// # Errors
 /// A length outside of the stroke; pins that coincide have the length 0.
 pub fn begin<S: Scalar>(setup: &mut Setup<S>) -> Result<(), FieldError> {
-    let Setup { model, drives, q, v, .. } = setup;
+    let Setup { model, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
-    for drive in drives {
-        let Drive::Cylinder(cylinder) = drive else { continue };
-        cylinder.begin(model, &links);
+    for cylinder in of_kind_mut::<S, Cylinder<S>>(elements) {
+        cylinder.start_at(model, &links);
         let (start, [shortest, longest]) = (cylinder.start, cylinder.stroke);
         let inside = (start - shortest).all(|beyond| beyond >= 0.0) && (longest - start).all(|left| left >= 0.0);
         if !inside {

@@ -4,7 +4,7 @@ use super::super::schema::{self, Force as ForceSchema, Scenario};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::elements::hull::HullFrame;
-use crate::elements::{Force, QuadraticDamping, ViscousDamping};
+use crate::elements::{AnyElement, QuadraticDamping, ViscousDamping};
 use crate::model::Model;
 use crate::spatial::Vector3;
 use core::array;
@@ -15,7 +15,7 @@ pub fn viscous<S: Gathered>(
     scenario: &Reading<Scenario>,
     name: &str,
     model: &Model<S>,
-) -> Result<Option<Force<S>>, FieldError> {
+) -> Result<Option<AnyElement<S>>, FieldError> {
     let damping = scenario.part(|scenario| &scenario.forces[name]).kind(viscous_damping_of);
     let given = damping.first();
     rigid(scenario.first(), format!("forces.{name}.viscous_damping.body"), &given.body)?;
@@ -29,13 +29,13 @@ pub fn viscous<S: Gathered>(
         let entry = |i: usize, j: usize| damping.number(|damping| damping.matrix.as_deref().unwrap_or(given)[i][j]);
         Ok(Box::new(array::from_fn(|i| array::from_fn(|j| entry(i, j)))))
     });
-    Ok(Some(Force::ViscousDamping(Box::new(ViscousDamping {
+    Ok(Some(Box::new(ViscousDamping {
         place: HullFrame { body, origin },
         linear: damping.vector(|damping| damping.linear_n_s_m.map(|c| c.get())),
         angular: damping.vector(|damping| damping.angular_n_m_s.map(|c| c.get())),
         matrix: matrix.transpose()?,
         current: current(scenario),
-    }))))
+    })))
 }
 
 /// By how much the symmetric part of a matrix of damping may be negative, of its diagonal: rounding in what was printed.
@@ -64,13 +64,13 @@ pub fn quadratic<S: Gathered>(
     scenario: &Reading<Scenario>,
     name: &str,
     model: &Model<S>,
-) -> Result<Option<Force<S>>, FieldError> {
+) -> Result<Option<AnyElement<S>>, FieldError> {
     let damping = scenario.part(|scenario| &scenario.forces[name]).kind(quadratic_damping_of);
     let given = damping.first();
     rigid(scenario.first(), format!("forces.{name}.quadratic_damping.body"), &given.body)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     let origin = from_centre(scenario, &given.body, damping.vector(|damping| damping.position_m));
-    Ok(Some(Force::QuadraticDamping(QuadraticDamping {
+    Ok(Some(Box::new(QuadraticDamping {
         place: HullFrame { body, origin },
         linear: damping.vector(|damping| damping.linear_n_s2_m2.map(|c| c.get())),
         angular: damping.vector(|damping| damping.angular_n_m_s2.map(|c| c.get())),

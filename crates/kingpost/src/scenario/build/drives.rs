@@ -7,29 +7,23 @@ use super::flexible::owner;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, cylinders, known, wave_motion};
 use crate::dynamics::Clock;
-use crate::elements::CoulombFriction;
-use crate::elements::drives::{Brake, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use crate::elements::drives::{Brake, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use crate::elements::{AnyElement, CoulombFriction};
 use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
-use crate::simulation::Input;
 
-/// The drives that are on, and the table of what can be set from outside.
-pub struct Drives<S> {
-    pub drives: Vec<Drive<S>>,
-    pub inputs: Vec<Input>,
-}
-
-/// Builds them, and gives prescribed joints their initial rate in `v`.
+/// The drives that are on; gives prescribed joints their initial rate in `v`.
 pub fn build<S: Gathered>(
     scenario: &Reading<Scenario>,
     model: &Model<S>,
     v: &mut [S],
-) -> Result<Drives<S>, FieldError> {
-    let (mut drives, mut inputs) = (Vec::new(), Vec::new());
+) -> Result<Vec<AnyElement<S>>, FieldError> {
+    let mut drives: Vec<AnyElement<S>> = Vec::new();
     for name in scenario.first().drives.keys() {
         let Some(parts) = Parts::of(name, &scenario.part(|scenario| &scenario.drives[name])) else {
-            let states = drives.iter().filter(|drive: &&Drive<S>| drive.has_state()).count();
-            drives.extend(cylinders::build(scenario, name, model, &mut inputs, states)?.map(Drive::Cylinder));
+            if let Some(cylinder) = cylinders::build(scenario, name, model)? {
+                drives.push(Box::new(cylinder));
+            }
             continue;
         };
         let allowed = coordinates(scenario.first(), parts.motion);
@@ -41,34 +35,30 @@ pub fn build<S: Gathered>(
         let Some(coordinate) = model.coordinate(parts.joint).filter(|_| parts.enabled) else { continue };
         let Some((_, position)) = model.axis_coordinate(coordinate) else { continue };
         check_free(&parts, model.modes[coordinate])?;
-        let mut lever = |lower, value| {
-            inputs.push(Input { name: name.to_string(), unit: "1", lower, upper: 1.0, value });
-            inputs.len() - 1
-        };
         drives.push(match parts.law {
             Law::Motor { effort, history, .. } => {
-                let input = (history == History::Lever).then(|| lever(-1.0, 0.0));
-                Drive::Motor(Motor { coordinate, effort, profile, input })
+                let lever = (history == History::Lever).then(|| name.to_string());
+                Box::new(Motor { coordinate, effort, profile, lever })
             }
             Law::Servo { numbers: [target, stiffness, damping, limit] } => {
-                Drive::Servo(Servo { position, coordinate, target, stiffness, damping, limit })
+                Box::new(Servo { position, coordinate, target, stiffness, damping, limit })
             }
             Law::Brake { state: BrakeState::Released, .. } => continue,
             Law::Brake { numbers: [friction, smoothing], state } => {
-                let input = (state == BrakeState::Lever).then(|| lever(0.0, 1.0));
-                Drive::Brake(Brake { friction: CoulombFriction { coordinate, friction, smoothing }, input })
+                let lever = (state == BrakeState::Lever).then(|| name.to_string());
+                Box::new(Brake { friction: CoulombFriction { coordinate, friction, smoothing }, lever })
             }
         });
     }
     for motion in prescribed(scenario, model)? {
         v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
-        drives.push(Drive::Prescribed(motion));
+        drives.push(Box::new(motion));
     }
     for motion in wave_motion::build(scenario, model)? {
         v[motion.coordinates()].copy_from_slice(&motion.at(0.0).rates);
-        drives.push(Drive::WaveMotion(motion));
+        drives.push(Box::new(motion));
     }
-    Ok(Drives { drives, inputs })
+    Ok(drives)
 }
 
 /// A drive that is on has nothing to say where the coordinate is held or prescribed.

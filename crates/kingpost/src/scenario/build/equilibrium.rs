@@ -3,12 +3,13 @@
 use super::super::schema::Scenario;
 use super::reading::{Gathered, Reading};
 use super::{FieldError, build};
-use crate::elements::{DynamicPositioning, Force};
+use crate::elements::{AnyElement, Settling, Situation};
 use crate::integrate::{Interval, Stage, System};
 use crate::model::{Mode, Model, Node};
 use crate::plant::Plant;
 use crate::scalar::Scalar;
 use crate::simulation::{Setup, Simulation};
+use crate::state::State;
 
 const FIELD: &str = "simulation.begin_at_equilibrium";
 
@@ -22,12 +23,12 @@ pub fn settle(scenario: &Scenario, setup: &mut Setup) -> Result<(), FieldError> 
         let allowed = "true, for a model that comes to rest near where its bodies are put; else false";
         FieldError::new(FIELD, format!("true, and {why}"), allowed)
     };
-    let (found, biases) = simulation.settle_with_biases().map_err(|error| refused(error.to_string()))?;
+    let (found, trims) = simulation.settle_with_trims().map_err(|error| refused(error.to_string()))?;
     if let Some(instability) = found.instability {
         return Err(refused(format!("an equilibrium that is not stable: {instability}")));
     }
     setup.q.copy_from_slice(&simulation.state().q);
-    positioning(&mut setup.forces).zip(biases).for_each(|(positioning, bias)| positioning.bias = bias);
+    settling(&mut setup.elements).zip(trims).for_each(|(settling, trim)| settling.set_trim(&trim));
     Ok(())
 }
 
@@ -43,8 +44,10 @@ pub fn follow<S: Gathered>(scenario: &Reading<Scenario>, setup: &mut Setup<S>) -
     for i in free_positions(&setup.model) {
         setup.q[i] = gathered(&|setup| setup.q[i]);
     }
-    for (i, positioning) in positioning(&mut setup.forces).enumerate() {
-        positioning.bias = core::array::from_fn(|k| gathered(&|setup| biases(&setup.forces)[i][k]));
+    for (i, settling) in settling(&mut setup.elements).enumerate() {
+        let trim: Vec<S> =
+            (0..settling.trim().len()).map(|k| gathered(&|setup| trim_of(&setup.elements, i, k))).collect();
+        settling.set_trim(&trim);
     }
     if S::HAS_DERIVATIVES {
         differentiate(&built[0], setup)?;
@@ -52,12 +55,15 @@ pub fn follow<S: Gathered>(scenario: &Reading<Scenario>, setup: &mut Setup<S>) -
     Ok(())
 }
 
-fn positioning<S: Scalar>(forces: &mut [Force<S>]) -> impl Iterator<Item = &mut DynamicPositioning<S>> {
-    forces.iter_mut().filter_map(Force::dynamic_positioning_mut)
+/// The elements that hold the model in place with what they find.
+fn settling<S: Scalar>(elements: &mut [AnyElement<S>]) -> impl Iterator<Item = &mut dyn Settling<S>> {
+    elements.iter_mut().filter_map(|element| element.settling_mut())
 }
 
-fn biases(forces: &[Force]) -> Vec<[f64; 3]> {
-    forces.iter().filter_map(Force::dynamic_positioning).map(|positioning| positioning.bias).collect()
+/// What one of them has found.
+fn trim_of(elements: &[AnyElement], which: usize, entry: usize) -> f64 {
+    let mut trims = elements.iter().filter_map(|element| Some(element.settling()?.trim()));
+    trims.nth(which).map_or(0.0, |trim| trim[entry])
 }
 
 /// Entries of q that free coordinates move.
@@ -72,7 +78,7 @@ fn free_positions<S: Scalar>(model: &Model<S>) -> Vec<usize> {
     model.tree.nodes.iter().flat_map(of).collect()
 }
 
-/// Handovers to the integrals of dynamic positioning: each leaves a hundredth or so of the derivatives' errors.
+/// Handovers to integrals: each leaves a hundredth or so of the derivatives' errors.
 const HANDOVERS: usize = 12;
 
 /// One more of Newton's moves, whose value is nothing and whose derivatives are the equilibrium's
@@ -82,20 +88,21 @@ fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), F
     let compliance = compliance.ok_or_else(|| {
         FieldError::new(FIELD, "true, where nothing keeps the model in its place", "false, for a derivative")
     })?;
-    let mut plant = Plant::new(setup.model.clone(), setup.forces.clone(), setup.drives.clone());
-    plant.set_settling(true);
+    let mut plant = Plant::new(setup.model.clone(), setup.world.clone(), setup.elements.clone());
+    plant.set_situation(Situation::Settling);
     let still = vec![S::ZERO; setup.v.len()];
-    let s = plant.open_ledger(&setup.q, &still);
-    let mut d = setup.inputs.iter().map(|input| S::constant(input.value)).collect();
-    plant.first_held(&setup.q, &still, &mut d);
+    let inputs: Vec<S> = plant.layout().inputs.iter().map(|input| S::constant(input.value)).collect();
+    let mut state = State { q: setup.q.clone(), v: still.clone(), ..State::default() };
+    plant.begin(0.0, &inputs, &mut state);
+    let State { s, d, m, .. } = state;
     let (mut v_dot, mut s_dot) = (still.clone(), vec![S::ZERO; s.len()]);
     let interval = Interval { start_s: 0.0, end_s: plain.settings.step_s };
     plant.watch_loops(&setup.q, &still);
     let free = plant.model.free_coordinates();
     let (mut xi, mut moved) = (still.clone(), setup.q.clone());
-    let rounds = if plant.biases().is_empty() { 1 } else { HANDOVERS };
+    let rounds = if plant.trims().is_empty() { 1 } else { HANDOVERS };
     for _ in 0..rounds {
-        let at = Stage { time_s: 0.0, interval, q: &setup.q, v: &still, s: &s, d: &d };
+        let at = Stage { time_s: 0.0, interval, q: &setup.q, v: &still, s: &s, d: &d, m: &m };
         plant.rates(at, &mut v_dot, &mut s_dot);
         for (row, i) in free.iter().enumerate() {
             let along = free.iter().enumerate();
@@ -105,7 +112,7 @@ fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), F
         setup.q.copy_from_slice(&moved);
         plant.take_over(&setup.q, &still);
     }
-    let biases = plant.biases();
-    positioning(&mut setup.forces).zip(biases).for_each(|(positioning, bias)| positioning.bias = bias);
+    let trims = plant.trims();
+    settling(&mut setup.elements).zip(trims).for_each(|(settling, trim)| settling.set_trim(&trim));
     Ok(())
 }

@@ -3,7 +3,7 @@
 use super::super::schema::{self, Flexible, FlexibleDamping, Positive, Scenario, Section as SectionSchema};
 use super::FieldError;
 use super::reading::{Gathered, Reading};
-use crate::elements::{Force, JointDamping, JointSpring};
+use crate::elements::{AnyElement, JointDamping, JointSpring};
 use crate::model::joint::AxisList;
 use crate::model::{Beam, BodyDescription, Joint, JointKind, Mode, Model, Section};
 use crate::spatial::{Frame, Matrix3, Vector3};
@@ -141,15 +141,14 @@ impl<S: Gathered> FlexibleBody<S> {
     }
 
     /// Springs and dampers of an elastic joint whose coordinates begin at these places in q and v.
-    pub fn forces(&self, position: usize, coordinate: usize) -> impl Iterator<Item = Force<S>> {
+    pub fn forces(&self, position: usize, coordinate: usize) -> impl Iterator<Item = AnyElement<S>> {
         let time = self.damping_time;
         let damped = !time.all(|time| time == 0.0);
         self.beam.stiffness().into_iter().enumerate().flat_map(move |(i, stiffness)| {
             let (position, coordinate) = (position + i, coordinate + i);
-            let spring = JointSpring { position, coordinate, stiffness, rest: S::ZERO };
-            let damper = JointDamping { coordinate, damping: stiffness * time };
-            let damper = damped.then_some(Force::JointDamping(damper));
-            [Some(Force::JointSpring(spring)), damper].into_iter().flatten()
+            let spring: AnyElement<S> = Box::new(JointSpring { position, coordinate, stiffness, rest: S::ZERO });
+            let damper: AnyElement<S> = Box::new(JointDamping { coordinate, damping: stiffness * time });
+            [Some(spring), damped.then_some(damper)].into_iter().flatten()
         })
     }
 }

@@ -5,7 +5,7 @@ use super::FieldError;
 use super::damping::{current, from_centre, rigid};
 use super::reading::{Gathered, Reading};
 use crate::elements::flow::{DirectionTable, FlowLoad};
-use crate::elements::{Force, hull::HullFrame};
+use crate::elements::{AnyElement, hull::HullFrame};
 use crate::model::Model;
 use crate::spatial::Vector3;
 
@@ -14,7 +14,7 @@ pub fn wind<S: Gathered>(
     scenario: &Reading<Scenario>,
     name: &str,
     model: &Model<S>,
-) -> Result<Option<Force<S>>, FieldError> {
+) -> Result<Option<AnyElement<S>>, FieldError> {
     let load = scenario.part(|scenario| &scenario.forces[name]).kind(wind_load_of);
     let (given, field) = (load.first(), format!("forces.{name}.wind_load"));
     rigid(scenario.first(), format!("{field}.body"), &given.body)?;
@@ -29,13 +29,13 @@ pub fn wind<S: Gathered>(
     let (sin, cos) = wind.number::<S>(|wind| wind.direction_rad).sin_cos();
     let position = load.vector(|load| load.position_m);
     let density = wind.number(|wind| wind.air_density_kg_m3.get());
-    Ok(Some(Force::FlowLoad(Box::new(FlowLoad {
+    Ok(Some(Box::new(FlowLoad {
         name: name.to_owned(),
         place: HullFrame { body, origin: from_centre(scenario, &given.body, position) },
         flow: Vector3::new(speed * cos, speed * sin, S::ZERO),
         scales: scales(density, &load.part(|load| &load.coefficients)),
         coefficients,
-    }))))
+    })))
 }
 
 /// The current on a body, where it is on and its body there.
@@ -43,7 +43,7 @@ pub fn water<S: Gathered>(
     scenario: &Reading<Scenario>,
     name: &str,
     model: &Model<S>,
-) -> Result<Option<Force<S>>, FieldError> {
+) -> Result<Option<AnyElement<S>>, FieldError> {
     let load = scenario.part(|scenario| &scenario.forces[name]).kind(current_load_of);
     let (given, field) = (load.first(), format!("forces.{name}.current_load"));
     rigid(scenario.first(), format!("{field}.body"), &given.body)?;
@@ -52,13 +52,13 @@ pub fn water<S: Gathered>(
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     let position = load.vector(|load| load.position_m);
     let density = scenario.number(|scenario| scenario.sea.clone().unwrap_or_default().density_kg_m3.get());
-    Ok(Some(Force::FlowLoad(Box::new(FlowLoad {
+    Ok(Some(Box::new(FlowLoad {
         name: name.to_owned(),
         place: HullFrame { body, origin: from_centre(scenario, &given.body, position) },
         flow: current(scenario) * S::constant(gain),
         scales: scales(density, &load.part(|load| &load.coefficients)),
         coefficients,
-    }))))
+    })))
 }
 
 /// rho/2 A_x, rho/2 A_y, rho/2 A_y L.

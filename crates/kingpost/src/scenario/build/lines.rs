@@ -6,7 +6,7 @@ use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::dynamics::LinkKinematics;
 use crate::elements::lines::Catenary;
-use crate::elements::{CatenaryLine, Force, SpringLine};
+use crate::elements::{AnyElement, CatenaryLine, SpringLine, of_kind};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::simulation::Setup;
@@ -17,7 +17,7 @@ pub fn spring<S: Gathered>(
     scenario: &Reading<Scenario>,
     name: &str,
     model: &Model<S>,
-) -> Result<Option<Force<S>>, FieldError> {
+) -> Result<Option<AnyElement<S>>, FieldError> {
     let line = scenario.part(|scenario| &scenario.forces[name]).kind(spring_line_of);
     let given = line.first();
     let field = |end: &str| format!("forces.{name}.spring_line.{end}.body");
@@ -27,14 +27,14 @@ pub fn spring<S: Gathered>(
         return Err(FieldError::new(field("second"), &given.second.body, "another body than that of the first end"));
     }
     let (Some(first), Some(second), true) = (first, second, given.enabled) else { return Ok(None) };
-    Ok(Some(Force::SpringLine(Box::new(SpringLine {
+    Ok(Some(Box::new(SpringLine {
         name: name.to_owned(),
         first,
         second,
         unstretched_length: line.number(|line| line.unstretched_length_m.get()),
         axial_stiffness: line.number(|line| line.axial_stiffness_n.get()),
         dissipation: line.number(|line| line.dissipation_s_per_m.get()),
-    }))))
+    })))
 }
 
 /// A mooring line, where it is on and its body there.
@@ -42,7 +42,7 @@ pub fn catenary<S: Gathered>(
     scenario: &Reading<Scenario>,
     name: &str,
     model: &Model<S>,
-) -> Result<Option<Force<S>>, FieldError> {
+) -> Result<Option<AnyElement<S>>, FieldError> {
     let line = scenario.part(|scenario| &scenario.forces[name]).kind(catenary_line_of);
     let given = line.first();
     let field = |field: &str| format!("forces.{name}.catenary_line.{field}");
@@ -60,7 +60,7 @@ pub fn catenary<S: Gathered>(
         return Err(FieldError::new(field("anchor_m.2"), given.anchor_m[2], allowed));
     }
     let (Some(fairlead), true) = (fairlead, given.enabled) else { return Ok(None) };
-    Ok(Some(Force::CatenaryLine(Box::new(CatenaryLine {
+    Ok(Some(Box::new(CatenaryLine {
         name: name.to_owned(),
         fairlead,
         anchor: line.vector(|line| line.anchor_m),
@@ -70,7 +70,7 @@ pub fn catenary<S: Gathered>(
             axial_stiffness: line.number(|line| line.axial_stiffness_n.get()),
             on_seabed: given.seabed,
         },
-    }))))
+    })))
 }
 
 fn same(a: f64, b: f64, size: f64) -> bool {
@@ -79,11 +79,10 @@ fn same(a: f64, b: f64, size: f64) -> bool {
 
 /// Where a run begins, fairleads are above the seabed.
 pub fn check_start<S: Scalar>(setup: &Setup<S>) -> Result<(), FieldError> {
-    let Setup { model, forces, q, v, .. } = setup;
+    let Setup { model, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
-    let lines = forces.iter().filter_map(|force| if let Force::CatenaryLine(line) = force { Some(line) } else { None });
-    for line in lines.filter(|line| line.line.on_seabed) {
+    for line in of_kind::<S, CatenaryLine<S>>(elements).filter(|line| line.line.on_seabed) {
         let up = line.span(model, &links).up;
         if !up.all(|up| up > 0.0) {
             let found = format!("a fairlead that starts {} m below the seabed", -up.value());

@@ -8,7 +8,7 @@ use super::reading::{Gathered, Reading};
 use crate::elements::dynamic_positioning::{
     Allocation, DynamicPositioning, Gains, Planar, Target, Thruster, ThrusterKind, WaveFilter,
 };
-use crate::elements::{Force, hull::HullFrame};
+use crate::elements::{AnyElement, hull::HullFrame};
 use crate::model::Model;
 use crate::spatial::Vector3;
 use core::f64::consts::{PI, TAU};
@@ -18,7 +18,7 @@ pub fn build<S: Gathered>(
     scenario: &Reading<Scenario>,
     name: &str,
     model: &Model<S>,
-) -> Result<Option<Force<S>>, FieldError> {
+) -> Result<Option<AnyElement<S>>, FieldError> {
     let all = scenario.part(|scenario| &scenario.forces[name]).kind(positioning_of);
     let (given, field) = (all.first(), format!("forces.{name}.dynamic_positioning"));
     rigid(scenario.first(), format!("{field}.body"), &given.body)?;
@@ -40,7 +40,7 @@ pub fn build<S: Gathered>(
     check_loops(given, &field)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     let [x, y, heading] = all.numbers(|given| [given.target.x_m, given.target.y_m, given.target.heading_rad]);
-    Ok(Some(Force::DynamicPositioning(Box::new(DynamicPositioning {
+    Ok(Some(Box::new(DynamicPositioning {
         name: name.to_owned(),
         place: HullFrame { body, origin: from_centre(scenario, &given.body, position) },
         target: Target { position: [x, y], heading },
@@ -48,18 +48,7 @@ pub fn build<S: Gathered>(
         filter: filter(&all),
         allocation,
         bias: [S::ZERO; 3],
-        settling: false,
-        first_state: 0,
-    }))))
-}
-
-/// Gives each dynamic positioning its place among the states of forces, behind those of the hulls.
-pub fn place_states<S: Gathered>(forces: &mut [Force<S>]) {
-    let mut first = forces.iter().filter_map(Force::hull).map(crate::elements::Hull::state_count).sum();
-    for positioning in forces.iter_mut().filter_map(Force::dynamic_positioning_mut) {
-        positioning.first_state = first;
-        first += positioning.state_count();
-    }
+    })))
 }
 
 fn positioning_of(force: &ForceSchema) -> Option<&schema::DynamicPositioning> {

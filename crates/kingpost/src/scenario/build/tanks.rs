@@ -5,7 +5,7 @@ use super::damping::{from_centre, rigid};
 use super::reading::{Gathered, Reading};
 use super::{FieldError, gravity_of};
 use crate::elements::hull::HullFrame;
-use crate::elements::{Force, SlackTank};
+use crate::elements::{AnyElement, SlackTank};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::sea::hull::BoxTank;
@@ -15,7 +15,7 @@ pub fn slack<S: Gathered>(
     scenario: &Reading<Scenario>,
     name: &str,
     model: &Model<S>,
-) -> Result<Option<Force<S>>, FieldError> {
+) -> Result<Option<AnyElement<S>>, FieldError> {
     let tank = scenario.part(|scenario| &scenario.forces[name]).kind(slack_tank_of);
     let (given, field) = (tank.first(), format!("forces.{name}.slack_tank"));
     rigid(scenario.first(), format!("{field}.body"), &given.body)?;
@@ -27,7 +27,7 @@ pub fn slack<S: Gathered>(
     let position = tank.vector(|tank| tank.position_m);
     let densities: Vec<f64> =
         scenario.all().iter().zip(tank.all()).map(|(scenario, tank)| density(scenario, tank)).collect();
-    Ok(Some(Force::SlackTank(Box::new(SlackTank {
+    Ok(Some(Box::new(SlackTank {
         name: name.to_owned(),
         place: HullFrame { body, origin: from_centre(scenario, &given.body, position) },
         tank: BoxTank {
@@ -39,7 +39,7 @@ pub fn slack<S: Gathered>(
             let acts = scenario.forces.values().filter_map(gravity_of).filter(|gravity| gravity.enabled);
             acts.map(|gravity| gravity.acceleration_m_s2.get()).sum()
         }),
-    }))))
+    })))
 }
 
 /// A body with tanks moves, and is no lighter than what is in them.

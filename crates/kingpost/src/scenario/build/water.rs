@@ -7,7 +7,7 @@ use super::{FieldError, gravity_of, known, waves};
 use crate::elements::hull::{
     Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, Parts, QuadraticTerms, Radiation,
 };
-use crate::elements::{Force, Hull};
+use crate::elements::{AnyElement, Hull};
 use crate::model::{JointKind, Model};
 use crate::scalar::Scalar;
 use crate::sea::database::{Database, SixBySix};
@@ -19,9 +19,8 @@ use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
 pub fn build<S: Gathered>(
     scenario: &Reading<Scenario>,
     mut model: Model<S>,
-) -> Result<(Model<S>, Vec<Force<S>>), FieldError> {
-    let mut hulls = Vec::new();
-    let (mut first_held, mut first_state) = (0, 0);
+) -> Result<(Model<S>, Vec<AnyElement<S>>), FieldError> {
+    let mut hulls: Vec<AnyElement<S>> = Vec::new();
     for (name, force) in &scenario.first().forces {
         let Some(given) = hydrodynamics_of(force).filter(|given| given.enabled) else { continue };
         let field = |rest: &str| format!("forces.{name}.hydrodynamics.{rest}");
@@ -43,7 +42,6 @@ pub fn build<S: Gathered>(
             wave_pressure: wave_pressure(given, &field("wave_pressure"), &hydrostatics, excitation.as_ref())?,
             hydrostatics,
             radiation: radiation(given, &field("radiation"), database)?,
-            calm: false,
             current: sea.current,
             quadratic_terms: QuadraticTerms {
                 of_slow_motion: excitation.is_some(),
@@ -51,13 +49,8 @@ pub fn build<S: Gathered>(
             },
             cutoff_rad_s: given.slow_motion_cutoff_rad_s.get(),
             excitation,
-            first_held,
-            first_state,
         };
-        let hull = Force::Hull(Box::new(hull));
-        first_held += hull.held_count();
-        first_state += hull.state_count();
-        hulls.push(hull);
+        hulls.push(Box::new(hull));
     }
     Ok((model, hulls))
 }
@@ -210,6 +203,15 @@ impl<'a, S: Gathered> Sea<'a, S> {
         let parts = Parts { froude_krylov: !given.wave_pressure, drift: given.wave_drift };
         Ok(Some(Excitation::new(database, WaveField::new(&waves, self.water, self.ramp_s), parts)))
     }
+}
+
+/// The waves of the scenario's sea, where there are any.
+pub(super) fn waves<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Option<WaveField<S>>, FieldError> {
+    let Some(sea) = sea_of(scenario.first()) else { return Ok(None) };
+    let Ok(gravity) = gravity(scenario.first()) else { return Ok(None) };
+    let water = water_of(&sea, gravity)?;
+    let components = waves::build(scenario, &water)?;
+    Ok((!components.is_empty()).then(|| WaveField::new(&components, water, sea.ramp_s.get())))
 }
 
 /// The sea's water, whose waves are the scenario's.

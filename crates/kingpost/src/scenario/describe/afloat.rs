@@ -1,9 +1,10 @@
 //! The sea and the hulls in it, to draw.
 
-use crate::elements::{Force, Hull};
+use crate::elements::{Hull, of_kind};
 use crate::scenario::build::waves::cut_off;
 use crate::scenario::schema::{self, Scenario};
 use crate::sea::database::HullAtRest;
+use crate::sea::waves::WaveField;
 use crate::simulation::Setup;
 use serde::Serialize;
 
@@ -61,16 +62,14 @@ pub struct MeshDescription {
 
 /// The sea, where the scenario has one or a hull in it.
 pub fn sea(scenario: &Scenario, setup: &Setup) -> Option<SeaDescription> {
-    let mut hulls = setup.forces.iter().filter_map(Force::hull).peekable();
-    if scenario.sea.is_none() && hulls.peek().is_none() {
+    if scenario.sea.is_none() && of_kind::<f64, Hull>(&setup.elements).next().is_none() {
         return None;
     }
     let sea = scenario.sea.clone().unwrap_or_default();
-    let felt = hulls.filter_map(|hull| hull.excitation.as_ref()).map(|excitation| excitation.field().len());
     Some(SeaDescription {
         density_kg_m3: sea.density_kg_m3.get(),
         depth_m: sea.depth_m.map(|depth| depth.get()),
-        wave_components: felt.max().unwrap_or(0),
+        wave_components: setup.world.waves.as_ref().map_or(0, WaveField::len),
         cut_spectra: cut_spectra(scenario),
     })
 }
@@ -83,7 +82,7 @@ fn cut_spectra(scenario: &Scenario) -> Vec<CutSpectrum> {
 
 /// The hulls, in the order of results.
 pub fn hulls(scenario: &Scenario, setup: &Setup) -> Vec<HullDescription> {
-    let described = setup.forces.iter().filter_map(Force::hull).filter_map(|hull| {
+    let described = of_kind(&setup.elements).filter_map(|hull: &Hull| {
         let at_rest = at_rest(scenario, &hull.name)?;
         Some(hull_description(hull, &setup.model.bodies[hull.frame.body].name, at_rest))
     });

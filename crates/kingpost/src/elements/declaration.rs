@@ -1,0 +1,214 @@
+//! What an element says of itself, once.
+
+use serde::Serialize;
+
+/// What an element keeps, takes, gives and watches.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Declaration {
+    /// Names of its continuous states, without its own.
+    pub states: Vec<String>,
+    /// Names of its discrete numbers.
+    pub numbers: Vec<String>,
+    /// Names of its modes.
+    pub modes: Vec<String>,
+    /// What is set from outside.
+    pub inputs: Vec<Input>,
+    /// What it shows, in the order in which it writes them.
+    pub outputs: Vec<Output>,
+    /// What it watches.
+    pub events: Vec<Event>,
+    /// Its sampling period, s, where it samples: ticks are at whole multiples of it, the first where a run begins.
+    pub period_s: Option<f64>,
+    /// Whether its states stay as they are while an equilibrium is sought: a hand has led them there.
+    pub keeps_states: bool,
+    /// Whether it prescribes the motion of coordinates.
+    pub prescribes: bool,
+}
+
+/// A value that a hand or a controller sets from outside, held over each step.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Input {
+    /// Name in the table of all inputs.
+    pub name: String,
+    /// Unit of the value.
+    pub unit: &'static str,
+    /// Smallest value.
+    pub lower: f64,
+    /// Largest value.
+    pub upper: f64,
+    /// The value at the start.
+    pub value: f64,
+    /// The sampled output that it takes, as a flat column (`mru.heave_rate`); `None` where a hand sets it.
+    pub signal: Option<String>,
+}
+
+impl Input {
+    /// A lever from `lower` to 1.
+    pub fn lever(name: &str, lower: f64, value: f64) -> Self {
+        Self { name: name.to_owned(), unit: "1", lower, upper: 1.0, value, signal: None }
+    }
+}
+
+/// A variable that an element shows. Those of the same name of several elements stand side by side in one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// Name in a data set.
+    pub variable: &'static str,
+    /// What it is.
+    pub description: &'static str,
+    /// The dimension that tells the elements apart, `line` say.
+    pub dimension: &'static str,
+    /// The element's labels along it: its name, or one for each of its parts.
+    pub labels: Vec<String>,
+    /// What a label has several numbers for.
+    pub components: Components,
+    /// SI unit: of each component, or of all.
+    pub units: &'static [&'static str],
+    /// Frame of the components.
+    pub frame: Frame,
+}
+
+impl Output {
+    /// One number of an element that is called `name`.
+    pub fn number(
+        variable: &'static str,
+        description: &'static str,
+        dimension: &'static str,
+        name: &str,
+        unit: &'static [&'static str; 1],
+    ) -> Self {
+        Self {
+            variable,
+            description,
+            dimension,
+            labels: vec![name.to_owned()],
+            components: Components::One,
+            units: unit,
+            frame: Frame::None,
+        }
+    }
+
+    /// A force and a moment of an element that is called `name`.
+    pub fn wrench(
+        variable: &'static str,
+        description: &'static str,
+        dimension: &'static str,
+        name: &str,
+        frame: Frame,
+    ) -> Self {
+        let components = Components::Wrench;
+        Self { components, units: &WRENCH, frame, ..Self::number(variable, description, dimension, name, &["N"]) }
+    }
+
+    /// Numbers in a row of the element: all labels' components.
+    pub fn len(&self) -> usize {
+        self.labels.len() * self.components.labels().map_or(1, <[&str]>::len)
+    }
+
+    /// Names of its numbers as flat columns, in the order of writing: `water.excitation_force.force_x`.
+    pub fn columns(&self) -> impl Iterator<Item = String> + '_ {
+        let of = |label: &String| {
+            let lead = format!("{label}.{}", self.variable);
+            match self.components.labels() {
+                None => vec![lead],
+                Some(components) => components.iter().map(|component| format!("{lead}.{component}")).collect(),
+            }
+        };
+        self.labels.iter().flat_map(of)
+    }
+
+    /// Whether it has no numbers.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// Units of a force and a moment.
+pub const WRENCH: [&str; 6] = ["N", "N", "N", "N m", "N m", "N m"];
+
+/// What the numbers of one label are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Components {
+    /// One number.
+    One,
+    /// x, y, z.
+    Axis,
+    /// Force and moment, x, y, z each.
+    Wrench,
+    /// Surge, sway and yaw.
+    Planar,
+}
+
+impl Components {
+    /// The dimension that they stand along.
+    pub fn dimension(self) -> Option<&'static str> {
+        match self {
+            Self::One => None,
+            Self::Axis => Some("axis"),
+            Self::Wrench => Some("component"),
+            Self::Planar => Some("planar"),
+        }
+    }
+
+    /// Their labels.
+    pub fn labels(self) -> Option<&'static [&'static str]> {
+        match self {
+            Self::One => None,
+            Self::Axis => Some(&["x", "y", "z"]),
+            Self::Wrench => Some(&["force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"]),
+            Self::Planar => Some(&["surge", "sway", "yaw"]),
+        }
+    }
+}
+
+/// The frame of a vector's components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Frame {
+    /// World axes.
+    World,
+    /// The body's own axes.
+    Body,
+    /// The joint's axes on the child's side.
+    Joint,
+    /// The axes of a closed loop's first attachment.
+    Loop,
+    /// Level axes that turn slowly with the hull.
+    SlowFrame,
+    /// Level axes that turn with the hull's heading.
+    Heading,
+    /// Not a vector.
+    None,
+}
+
+/// Something that an element watches: its witness function changes sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Event {
+    /// What happens, for the table of events.
+    pub what: &'static str,
+    /// Which changes of sign count.
+    pub crossing: Crossing,
+}
+
+/// Which change of sign of a witness is an event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Crossing {
+    /// From negative to positive.
+    Rising,
+    /// From positive to negative.
+    Falling,
+    /// Both.
+    Either,
+}
+
+impl Crossing {
+    /// Whether a witness that was `before` and is `after` has crossed.
+    pub fn happened(self, before: f64, after: f64) -> bool {
+        let (rising, falling) = (before < 0.0 && after >= 0.0, before > 0.0 && after <= 0.0);
+        match self {
+            Self::Rising => rising,
+            Self::Falling => falling,
+            Self::Either => rising || falling,
+        }
+    }
+}

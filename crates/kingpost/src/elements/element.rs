@@ -1,0 +1,157 @@
+//! The one contract of everything that acts on the model or reads it.
+
+use super::{Declaration, Moment};
+use crate::dynamics::{Clock, Loads};
+use crate::scalar::Scalar;
+use core::any::Any;
+use core::fmt::Debug;
+
+/// A force, a drive, a sensor, a controller: whatever acts on the model or reads it.
+///
+/// An element [declares](Self::declare) once what it keeps, takes, gives and watches; the [`Layout`](super::Layout) of
+/// all elements places it. In every call it sees its own entries alone, from 0, in the order that it declared them in.
+/// (Drake's and Simpack's *force element*; an event as the *zero-crossing function* of the FMI standard 3.0, sec. 3.2.)
+///
+/// | when | call |
+/// | --- | --- |
+/// | a run begins | [`begin`](Self::begin) |
+/// | every evaluation of the right-hand side | [`loads`](Self::loads), [`prescribe`](Self::prescribe), [`rates`](Self::rates) |
+/// | after every step | [`witness`](Self::witness); where one changes sign, [`respond`](Self::respond) at that time |
+/// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
+/// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
+/// | an equilibrium is sought | [`loads`](Self::loads) in another [`Situation`](super::Situation), [`settling`](Self::settling) |
+pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
+    /// Its name in the scenario; empty where it declares nothing that needs one.
+    fn name(&self) -> &str {
+        ""
+    }
+
+    /// What it keeps, takes, gives and watches.
+    fn declare(&self) -> Declaration {
+        Declaration::default()
+    }
+
+    /// Writes its states, numbers and modes where a run begins; they are zero before.
+    fn begin(&mut self, _at: &Moment<'_, S>, _own: &mut Own<'_, S>) {}
+
+    /// Adds its loads, and the power of those that are not conservative.
+    fn loads(&mut self, _at: &Moment<'_, S>, _loads: &mut Loads<S>) {}
+
+    /// Writes the rates of its continuous states.
+    fn rates(&mut self, _at: &Moment<'_, S>, _rates: &mut [S]) {}
+
+    /// Writes rates and accelerations of the coordinates that it prescribes, m or rad and s; asked where
+    /// [`Declaration::prescribes`].
+    fn prescribe(&self, _clock: Clock, _rates: &mut [S], _accelerations: &mut [S]) {}
+
+    /// Energy that it stores, J.
+    fn potential_energy(&mut self, _at: &Moment<'_, S>) -> S {
+        S::ZERO
+    }
+
+    /// Appends its outputs, in the order that it declared them in.
+    fn outputs(&mut self, _at: &Moment<'_, S>, _out: &mut Vec<S>) {}
+
+    /// The next time after `after_s` at which its law changes its form, s: steps end there. Infinite where there is none.
+    fn next_edge_s(&self, _after_s: f64, _modes: &[i64]) -> f64 {
+        f64::INFINITY
+    }
+
+    /// At its tick: sets its discrete numbers and modes.
+    fn sample(&mut self, _at: &Moment<'_, S>, _own: &mut Own<'_, S>) {}
+
+    /// The function whose change of sign is the event of this number.
+    fn witness(&mut self, _event: usize, _at: &Moment<'_, S>) -> S {
+        S::ONE
+    }
+
+    /// Answers an event where it was located: may change its states, numbers and modes, and the velocities `v` of the
+    /// whole model, as an impact does.
+    fn respond(&mut self, _event: usize, _at: &Moment<'_, S>, _own: &mut Own<'_, S>, _v: &mut [S]) {}
+
+    /// What it does while an equilibrium is sought, beside its loads; `None` where that is nothing.
+    fn settling(&self) -> Option<&dyn Settling<S>> {
+        None
+    }
+
+    /// The same, to let it take over a load.
+    fn settling_mut(&mut self) -> Option<&mut dyn Settling<S>> {
+        None
+    }
+
+    /// The floating body that it keeps afloat: one that lies on its side at rest has capsized.
+    fn keeps_afloat(&self) -> Option<usize> {
+        None
+    }
+}
+
+/// An element of any kind.
+pub type AnyElement<S = f64> = Box<dyn Element<S>>;
+
+/// What an element keeps, to be changed between two steps.
+#[derive(Debug)]
+pub struct Own<'a, S = f64> {
+    /// Continuous states.
+    pub states: &'a mut [S],
+    /// Discrete numbers.
+    pub numbers: &'a mut [S],
+    /// Modes.
+    pub modes: &'a mut [i64],
+}
+
+/// An element that holds the model in place with what it finds while an equilibrium is sought, as an integral does.
+pub trait Settling<S: Scalar = f64> {
+    /// What it has found: a run begins with it.
+    fn trim(&self) -> &[S];
+
+    /// Sets that; the length is the one that [`trim`](Self::trim) has.
+    fn set_trim(&mut self, trim: &[S]);
+
+    /// Hands what holds the model there over to the trim; returns how far off it still is, m or rad.
+    fn take_over(&mut self, at: &Moment<'_, S>) -> S;
+
+    /// The share that holding the model there takes of what the element can give.
+    fn utilisation(&self, at: &Moment<'_, S>) -> S;
+}
+
+/// What every element can do because it is `Clone` and `'static`; nothing to write.
+pub trait Boxed<S: Scalar> {
+    /// A copy in a box.
+    fn boxed_clone(&self) -> Box<dyn Element<S>>;
+
+    /// The element as what it is.
+    fn as_any(&self) -> &dyn Any;
+
+    /// The same, to be changed.
+    fn as_any_mut(&mut self) -> &mut dyn Any;
+}
+
+impl<S: Scalar, T: Element<S> + Clone + 'static> Boxed<S> for T {
+    fn boxed_clone(&self) -> Box<dyn Element<S>> {
+        Box::new(self.clone())
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+
+    fn as_any_mut(&mut self) -> &mut dyn Any {
+        self
+    }
+}
+
+impl<S: Scalar> Clone for Box<dyn Element<S>> {
+    fn clone(&self) -> Self {
+        (**self).boxed_clone()
+    }
+}
+
+/// The elements of one kind among all.
+pub fn of_kind<S: Scalar, T: 'static>(elements: &[Box<dyn Element<S>>]) -> impl Iterator<Item = &T> {
+    elements.iter().filter_map(|element| (**element).as_any().downcast_ref())
+}
+
+/// The same, to be changed.
+pub fn of_kind_mut<S: Scalar, T: 'static>(elements: &mut [Box<dyn Element<S>>]) -> impl Iterator<Item = &mut T> {
+    elements.iter_mut().filter_map(|element| (**element).as_any_mut().downcast_mut())
+}

@@ -1,0 +1,190 @@
+//! Where everything that the elements declare stands: offsets, names, columns, all from here.
+
+use super::{AnyElement, Crossing, Declaration, Input, Output, Own};
+use crate::scalar::Scalar;
+use core::ops::Range;
+use thiserror::Error;
+
+/// Where one element's entries stand.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Share {
+    /// In the states of all elements, which stand behind the ledger's in s.
+    pub states: Range<usize>,
+    /// In d.
+    pub inputs: Range<usize>,
+    /// In d.
+    pub numbers: Range<usize>,
+    /// In m.
+    pub modes: Range<usize>,
+    /// Its sampling period, s.
+    pub period_s: Option<f64>,
+    /// Whether its states stay while an equilibrium is sought.
+    pub keeps_states: bool,
+}
+
+/// A witness of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Watched {
+    /// The element.
+    pub element: usize,
+    /// Which of its events.
+    pub event: usize,
+    /// What happens.
+    pub what: &'static str,
+    /// Which changes of sign count.
+    pub crossing: Crossing,
+}
+
+/// An input that takes the sampled output of an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wire {
+    /// The element that the output is of.
+    pub element: usize,
+    /// Among the numbers that it writes.
+    pub output: usize,
+    /// The input, in d.
+    pub input: usize,
+}
+
+/// An input asks for a signal that is not there, or whose element does not sample.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("input {input}: found the signal {found:?}, allowed: {allowed}")]
+pub struct UnknownSignal {
+    /// The input.
+    pub input: String,
+    /// The name that it asks for.
+    pub found: String,
+    /// Those that there are.
+    pub allowed: String,
+}
+
+/// What all elements declare, placed.
+///
+/// s holds the ledger's entries, then each element's continuous states; d the table of inputs, then each element's
+/// discrete numbers; m each element's modes: always in the order of the elements.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layout {
+    /// Entries of s before those of the elements.
+    pub ledger: usize,
+    /// By element.
+    pub shares: Vec<Share>,
+    /// Names of the elements.
+    pub names: Vec<String>,
+    /// The table of inputs with their first values.
+    pub inputs: Vec<Input>,
+    /// Names of the continuous states, as `luffing.wanted_length`.
+    pub states: Vec<String>,
+    /// Names of the discrete numbers.
+    pub numbers: Vec<String>,
+    /// Names of the modes.
+    pub modes: Vec<String>,
+    /// The outputs with the element that writes each, in the order of writing.
+    pub outputs: Vec<(usize, Output)>,
+    /// The witnesses of all elements.
+    pub watched: Vec<Watched>,
+    /// The elements that prescribe motions.
+    pub prescribing: Vec<usize>,
+    /// Inputs that take a sampled output.
+    pub wires: Vec<Wire>,
+}
+
+impl Layout {
+    /// Of these elements, behind so many entries of the ledger.
+    pub fn new<S: Scalar>(elements: &[AnyElement<S>], ledger: usize) -> Self {
+        let declared: Vec<Declaration> = elements.iter().map(|element| element.declare()).collect();
+        let mut layout = Self { ledger, ..Self::default() };
+        layout.inputs = declared.iter().flat_map(|declared| declared.inputs.clone()).collect();
+        let (mut input, mut number) = (0, layout.inputs.len());
+        for (element, declared) in declared.into_iter().enumerate() {
+            let name = elements[element].name();
+            let full = |own: &String| format!("{name}.{own}");
+            layout.shares.push(Share {
+                states: range(layout.states.len(), declared.states.len()),
+                inputs: range(input, declared.inputs.len()),
+                numbers: range(number, declared.numbers.len()),
+                modes: range(layout.modes.len(), declared.modes.len()),
+                period_s: declared.period_s,
+                keeps_states: declared.keeps_states,
+            });
+            (input, number) = (input + declared.inputs.len(), number + declared.numbers.len());
+            layout.names.push(name.to_owned());
+            layout.states.extend(declared.states.iter().map(full));
+            layout.numbers.extend(declared.numbers.iter().map(full));
+            layout.modes.extend(declared.modes.iter().map(full));
+            layout.outputs.extend(declared.outputs.into_iter().map(|output| (element, output)));
+            let watched =
+                |(event, of): (usize, &super::Event)| Watched { element, event, what: of.what, crossing: of.crossing };
+            layout.watched.extend(declared.events.iter().enumerate().map(watched));
+            layout.prescribing.extend(declared.prescribes.then_some(element));
+        }
+        layout.lay_wires();
+        layout
+    }
+
+    /// The inputs that take a signal which there is.
+    fn lay_wires(&mut self) {
+        let signals = self.sampled_signals();
+        let wire = |(input, declared): (usize, &Input)| {
+            let wanted = declared.signal.as_ref()?;
+            let (_, element, output) = signals.iter().find(|(name, ..)| name == wanted)?;
+            Some(Wire { element: *element, output: *output, input })
+        };
+        self.wires = self.inputs.iter().enumerate().filter_map(wire).collect();
+    }
+
+    /// Whether every signal that an input asks for is there.
+    ///
+    /// # Errors
+    /// The first that is not.
+    pub fn check_signals(&self) -> Result<(), UnknownSignal> {
+        let signals = self.sampled_signals();
+        let unknown = |input: &Input| {
+            let found = input.signal.clone()?;
+            let names = signals.iter().map(|(name, ..)| name.as_str());
+            let allowed = if signals.is_empty() {
+                "none: nothing samples".to_owned()
+            } else {
+                names.collect::<Vec<_>>().join(", ")
+            };
+            let is_known = signals.iter().any(|(name, ..)| *name == found);
+            (!is_known).then(|| UnknownSignal { input: input.name.clone(), found, allowed })
+        };
+        self.inputs.iter().find_map(unknown).map_or(Ok(()), Err)
+    }
+
+    /// Flat columns of the elements that sample, with the element and the place among the numbers that it writes.
+    fn sampled_signals(&self) -> Vec<(String, usize, usize)> {
+        let mut signals = Vec::new();
+        for (element, _) in self.shares.iter().enumerate().filter(|(_, share)| share.period_s.is_some()) {
+            let own = self.outputs.iter().filter(|(of, _)| *of == element).flat_map(|(_, output)| output.columns());
+            signals.extend(own.enumerate().map(|(place, name)| (name, element, place)));
+        }
+        signals
+    }
+
+    /// Length of s.
+    pub fn extras(&self) -> usize {
+        self.ledger + self.states.len()
+    }
+
+    /// Length of d.
+    pub fn discrete(&self) -> usize {
+        self.inputs.len() + self.numbers.len()
+    }
+
+    /// The place of an element's states in s.
+    pub fn states_of(&self, element: usize) -> Range<usize> {
+        let Range { start, end } = self.shares[element].states;
+        self.ledger + start..self.ledger + end
+    }
+
+    /// What an element keeps, of the whole state.
+    pub fn own<'a, S>(&self, element: usize, s: &'a mut [S], d: &'a mut [S], m: &'a mut [i64]) -> Own<'a, S> {
+        let Share { numbers, modes, .. } = &self.shares[element];
+        Own { states: &mut s[self.states_of(element)], numbers: &mut d[numbers.clone()], modes: &mut m[modes.clone()] }
+    }
+}
+
+fn range(start: usize, len: usize) -> Range<usize> {
+    start..start + len
+}

@@ -1,0 +1,51 @@
+//! What an element sees.
+
+use crate::dynamics::{Clock, LinkKinematics};
+use crate::model::Model;
+use crate::world::World;
+
+/// What the model is evaluated for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Situation {
+    /// A run.
+    #[default]
+    Running,
+    /// Rest: without waves, and what moves as prescribed is held.
+    AtRest,
+    /// The search for a place of rest: as at rest, and what holds the model in place does so at once and without limits.
+    Settling,
+}
+
+impl Situation {
+    /// Whether waves act.
+    pub fn has_waves(self) -> bool {
+        self == Self::Running
+    }
+}
+
+/// What an element acts on, and when. States, inputs, numbers and modes are the element's own.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment<'a, S = f64> {
+    /// When.
+    pub clock: Clock,
+    /// What for.
+    pub situation: Situation,
+    /// What is outside.
+    pub world: &'a World<S>,
+    /// The mechanical model.
+    pub model: &'a Model<S>,
+    /// Kinematics of its links.
+    pub links: &'a LinkKinematics<S>,
+    /// Positions.
+    pub q: &'a [S],
+    /// Velocities.
+    pub v: &'a [S],
+    /// Its continuous states.
+    pub states: &'a [S],
+    /// Its inputs, constant over a step.
+    pub inputs: &'a [S],
+    /// Its discrete numbers, which its ticks and events set.
+    pub numbers: &'a [S],
+    /// Its modes, which its ticks and events set.
+    pub modes: &'a [i64],
+}

@@ -1,0 +1,141 @@
+//! What the elements do between two steps: begin, sample, watch and answer events.
+
+use super::scene::Scene;
+use super::{Plant, Totals};
+use crate::elements::{AnyElement, Element, Moment, Own, Watched};
+use crate::integrate::{Interval, Stage};
+use crate::ledger;
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+use crate::state::State;
+
+/// A tick that is nearer than this share of the sampling period falls on the time.
+const TICK_SLACK: f64 = 1e-9;
+
+impl<S: Scalar> Plant<S> {
+    /// Writes s, d and m of a run that begins at the state's q and v at a time; `inputs` are the values of the table.
+    pub fn begin(&mut self, time_s: f64, inputs: &[S], state: &mut State<S>) {
+        state.s = vec![S::ZERO; self.layout.extras()];
+        state.d = inputs.to_vec();
+        state.d.resize(self.layout.discrete(), S::ZERO);
+        state.m = vec![0; self.layout.modes.len()];
+        for i in 0..self.elements.len() {
+            self.change(i, time_s, state, |element, at, own, _| element.begin(at, own));
+        }
+        self.sample(time_s, state);
+        self.open_ledger(time_s, state);
+    }
+
+    /// Begins the ledger where the state stands.
+    pub fn open_ledger(&mut self, time_s: f64, state: &mut State<S>) {
+        if self.layout.ledger == 0 {
+            return;
+        }
+        let totals = self.totals(instant(time_s, state));
+        let s = &mut state.s;
+        s[..ledger::COUNT].fill(S::ZERO);
+        s[ledger::INITIAL_ENERGY] = totals.kinetic_energy + totals.potential_energy;
+        totals.linear_momentum.write_to(&mut s[ledger::LINEAR_MOMENTUM..]);
+        totals.angular_momentum.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
+    }
+
+    /// The next time after `after_s` at which a law changes its form or an element samples, s; infinite where there is none.
+    pub fn next_edge_s(&self, after_s: f64, modes: &[i64]) -> f64 {
+        let of = |(i, element): (usize, &AnyElement<S>)| {
+            let share = &self.layout.shares[i];
+            let tick = share
+                .period_s
+                .map_or(f64::INFINITY, |period| period * (libm::floor(after_s / period + TICK_SLACK) + 1.0));
+            let own = modes.get(share.modes.clone()).unwrap_or_default();
+            tick.min(element.next_edge_s(after_s, own))
+        };
+        self.elements.iter().enumerate().map(of).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Lets each element sample whose tick is at this time, in the order of the elements, each wire right after the element
+    /// that it comes from.
+    pub fn sample(&mut self, time_s: f64, state: &mut State<S>) {
+        for i in 0..self.elements.len() {
+            let Some(period_s) = self.layout.shares[i].period_s else { continue };
+            let ticks = time_s / period_s;
+            if (ticks - libm::round(ticks)).abs() <= TICK_SLACK {
+                self.change(i, time_s, state, |element, at, own, _| element.sample(at, own));
+                self.pass_on(i, time_s, state);
+            }
+        }
+    }
+
+    /// Writes the outputs of an element to the inputs that are wired to them.
+    fn pass_on(&mut self, element: usize, time_s: f64, state: &mut State<S>) {
+        if !self.layout.wires.iter().any(|wire| wire.element == element) {
+            return;
+        }
+        self.links.update(&self.model, &state.q, &state.v);
+        let Self { model, world, links, layout, situation, elements, outputs, .. } = self;
+        let at = instant(time_s, state);
+        outputs.clear();
+        elements[element].outputs(&Scene::new(layout, world, model, links, *situation, at).of(element), outputs);
+        for wire in layout.wires.iter().filter(|wire| wire.element == element) {
+            state.d[wire.input] = outputs[wire.output];
+        }
+    }
+
+    /// Writes every witness at a stage.
+    pub fn witnesses(&mut self, at: Stage<'_, S>, values: &mut [S]) {
+        self.links.update(&self.model, at.q, at.v);
+        let Self { model, world, links, layout, situation, elements, .. } = self;
+        let scene = Scene::new(layout, world, model, links, *situation, at);
+        for (watched, value) in layout.watched.iter().zip(values) {
+            *value = elements[watched.element].witness(watched.event, &scene.of(watched.element));
+        }
+    }
+
+    /// Lets an element answer its event at a time; what that changes of energy and momentum goes into the ledger.
+    pub fn respond(&mut self, watched: Watched, time_s: f64, state: &mut State<S>) {
+        let before = self.totals(instant(time_s, state));
+        self.change(watched.element, time_s, state, |element, at, own, v| {
+            element.respond(watched.event, at, own, v);
+        });
+        self.book_jump(&before, time_s, state);
+    }
+
+    /// Books a sudden change: lost energy became heat, gained energy and all momentum came from outside.
+    pub fn book_jump(&mut self, before: &Totals<S>, time_s: f64, state: &mut State<S>) {
+        if self.layout.ledger == 0 {
+            return;
+        }
+        let after = self.totals(instant(time_s, state));
+        let gained = after.kinetic_energy + after.potential_energy - before.kinetic_energy - before.potential_energy;
+        let s = &mut state.s;
+        s[ledger::WORK_BY_OUTSIDE] += gained.select_below(0.0, || S::ZERO, || gained);
+        s[ledger::ENERGY_DISSIPATED] += gained.select_below(0.0, || -gained, || S::ZERO);
+        let mut add = |first: usize, jump: Vector3<S>| {
+            (0..3).for_each(|k| s[first + k] += jump[k]);
+        };
+        add(ledger::LINEAR_MOMENTUM, after.linear_momentum - before.linear_momentum);
+        add(ledger::ANGULAR_MOMENTUM, after.angular_momentum - before.angular_momentum);
+    }
+
+    /// Lets an element see the state at a time and change its own entries, and v.
+    fn change(
+        &mut self,
+        element: usize,
+        time_s: f64,
+        state: &mut State<S>,
+        change: impl FnOnce(&mut dyn Element<S>, &Moment<'_, S>, &mut Own<'_, S>, &mut [S]),
+    ) {
+        self.links.update(&self.model, &state.q, &state.v);
+        let Self { model, world, links, layout, situation, elements, seen, .. } = self;
+        seen.copy_from(state);
+        let at = instant(time_s, seen);
+        let State { v, s, d, m, .. } = state;
+        let scene = Scene::new(layout, world, model, links, *situation, at);
+        change(&mut *elements[element], &scene.of(element), &mut layout.own(element, s, d, m), v);
+    }
+}
+
+/// A state at one time, as a stage.
+fn instant<S>(time_s: f64, state: &State<S>) -> Stage<'_, S> {
+    let State { q, v, s, d, m, .. } = state;
+    Stage { time_s, interval: Interval { start_s: time_s, end_s: time_s }, q, v, s, d, m }
+}

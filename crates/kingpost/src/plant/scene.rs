@@ -1,0 +1,51 @@
+//! A stage as each element sees it.
+
+use crate::dynamics::{Clock, LinkKinematics};
+use crate::elements::{Layout, Moment, Share, Situation};
+use crate::integrate::Stage;
+use crate::model::Model;
+use crate::world::World;
+
+/// A stage whose kinematics stands, from which each element is shown its own.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'a, S> {
+    /// Where everything stands.
+    pub layout: &'a Layout,
+    /// What every element sees.
+    pub shared: Moment<'a, S>,
+    /// s behind the ledger.
+    states: &'a [S],
+    discrete: &'a [S],
+    modes: &'a [i64],
+}
+
+impl<'a, S: Copy> Scene<'a, S> {
+    /// At a stage.
+    pub fn new(
+        layout: &'a Layout,
+        world: &'a World<S>,
+        model: &'a Model<S>,
+        links: &'a LinkKinematics<S>,
+        situation: Situation,
+        at: Stage<'a, S>,
+    ) -> Self {
+        let clock = Clock { time_s: at.time_s, middle_s: at.interval.middle_s() };
+        let (states, inputs, numbers, modes): (&[S], &[S], &[S], &[i64]) = Default::default();
+        let (q, v) = (at.q, at.v);
+        let shared = Moment { clock, situation, world, model, links, q, v, states, inputs, numbers, modes };
+        let states = at.s.get(layout.ledger..).unwrap_or_default();
+        Self { layout, shared, states, discrete: at.d, modes: at.m }
+    }
+
+    /// What one element sees.
+    pub fn of(&self, element: usize) -> Moment<'a, S> {
+        let Share { states, inputs, numbers, modes, .. } = &self.layout.shares[element];
+        Moment {
+            states: self.states.get(states.clone()).unwrap_or_default(),
+            inputs: self.discrete.get(inputs.clone()).unwrap_or_default(),
+            numbers: self.discrete.get(numbers.clone()).unwrap_or_default(),
+            modes: self.modes.get(modes.clone()).unwrap_or_default(),
+            ..self.shared
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! What the elements do while an equilibrium is sought.
+
+use super::Plant;
+use super::scene::Scene;
+use crate::elements::Situation;
+use crate::integrate::{Interval, Stage};
+use crate::scalar::Scalar;
+
+impl<S: Scalar> Plant<S> {
+    /// What the model is evaluated for from here on.
+    pub fn set_situation(&mut self, situation: Situation) {
+        self.situation = situation;
+        if let Some(tangent) = self.tangent_mut() {
+            tangent.set_situation(situation);
+        }
+    }
+
+    /// What each element that holds the model in place has found, in the order of the elements.
+    pub fn trims(&self) -> Vec<Vec<S>> {
+        self.elements.iter().filter_map(|element| Some(element.settling()?.trim().to_vec())).collect()
+    }
+
+    /// Sets these.
+    pub fn set_trims(&mut self, trims: &[Vec<S>]) {
+        let settling = self.elements.iter_mut().filter_map(|element| element.settling_mut());
+        settling.zip(trims).for_each(|(settling, trim)| settling.set_trim(trim));
+    }
+
+    /// While an equilibrium is sought: lets each element take over what holds the model. Returns how far the one that is
+    /// furthest off still is, m or rad.
+    pub fn take_over(&mut self, q: &[S], v: &[S]) -> S {
+        self.links.update(&self.model, q, v);
+        let Self { model, world, links, layout, situation, elements, .. } = self;
+        let scene = Scene::new(layout, world, model, links, *situation, at_rest(q, v));
+        let off = elements
+            .iter_mut()
+            .enumerate()
+            .filter_map(|(i, element)| element.settling_mut().map(|settling| settling.take_over(&scene.of(i))));
+        let off = off.fold(S::ZERO, |most, off| most.select_less(off, || off, || most));
+        let trims: Vec<Vec<f64>> =
+            self.trims().iter().map(|trim| trim.iter().map(|entry| entry.value()).collect()).collect();
+        if let Some(tangent) = self.tangent_mut() {
+            tangent.set_trims(&trims);
+        }
+        off
+    }
+
+    /// While an equilibrium is sought: the first element that cannot give what holds the model, and the share that it
+    /// would have to give.
+    pub fn overloaded(&mut self, q: &[S], v: &[S]) -> Option<(String, S)> {
+        self.links.update(&self.model, q, v);
+        let scene = Scene::new(&self.layout, &self.world, &self.model, &self.links, self.situation, at_rest(q, v));
+        let mut used = self.elements.iter().enumerate().filter_map(|(i, element)| {
+            Some((element.name().to_owned(), element.settling()?.utilisation(&scene.of(i))))
+        });
+        used.find(|(_, utilisation)| !utilisation.all(|utilisation| utilisation <= 1.0))
+    }
+}
+
+fn at_rest<'a, S>(q: &'a [S], v: &'a [S]) -> Stage<'a, S> {
+    Stage { time_s: 0.0, interval: Interval { start_s: 0.0, end_s: 0.0 }, q, v, s: &[], d: &[], m: &[] }
+}

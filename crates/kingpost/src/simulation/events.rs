@@ -1,0 +1,217 @@
+//! Events: where a witness changes sign inside a step, the step ends there and the element answers.
+
+use super::{RunError, Simulation, stage};
+use crate::elements::{Crossing, Watched};
+use crate::integrate::Interval;
+use crate::scalar::Scalar;
+use crate::state::State;
+use serde::Serialize;
+
+/// Something that happened in a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Happened {
+    /// When, s.
+    pub time_s: f64,
+    /// The element that watched for it.
+    pub element: String,
+    /// What.
+    pub what: &'static str,
+}
+
+/// Times are located to this, s, or to the rounding of the time where that is coarser.
+const TIME_TOLERANCE_S: f64 = 1e-12;
+/// Events that one step may have: more never end.
+const MOST_EVENTS: usize = 1000;
+/// Trials by which every smooth witness is located long since.
+const MOST_TRIALS: usize = 200;
+
+/// Working memory to watch for events, and their table.
+#[derive(Clone, Debug)]
+pub(super) struct Watch<S> {
+    happened: Vec<Happened>,
+    /// Events of the step under way.
+    in_step: usize,
+    /// Witnesses at the start of an interval, at the lower end of the bracket, and where the state stands.
+    before: Vec<S>,
+    low: Vec<S>,
+    now: Vec<S>,
+    /// The state at the start of the interval, and at its end.
+    start: State<S>,
+    end: State<S>,
+}
+
+/// The part of an interval that an event lies in: witnesses have not changed sign at `low`, and have at `high`.
+struct Bracket {
+    low_s: f64,
+    high_s: f64,
+    /// The witness whose event seems to be first, and its values at both ends.
+    witness: usize,
+    values: [f64; 2],
+}
+
+impl<S: Scalar> Watch<S> {
+    pub(super) fn new(witnesses: usize, state: &State<S>) -> Self {
+        let zeros = || vec![S::ZERO; witnesses];
+        Self {
+            happened: Vec::new(),
+            in_step: 0,
+            before: zeros(),
+            low: zeros(),
+            now: zeros(),
+            start: state.clone(),
+            end: state.clone(),
+        }
+    }
+
+    pub(super) fn happened(&self) -> &[Happened] {
+        &self.happened
+    }
+
+    pub(super) fn begin_step(&mut self) {
+        self.in_step = 0;
+    }
+
+    /// Takes events out of the table that a time before them has not seen.
+    pub(super) fn forget_after(&mut self, time_s: f64) {
+        self.happened.retain(|event| event.time_s <= time_s);
+    }
+
+    /// Whether a witness has crossed since the interval began, in any lane.
+    fn crossed(&self, watched: &[Watched]) -> bool {
+        let mut pairs = watched.iter().zip(self.before.iter().zip(&self.now));
+        pairs.any(|(watched, (before, now))| !crossed(watched.crossing, *before, *now).all(|crossed| crossed == 0.0))
+    }
+
+    /// The witness that a straight line from the lower end has cross first, with its values there and now.
+    fn first(&self, watched: &[Watched]) -> Option<(usize, [f64; 2])> {
+        let pairs = watched.iter().zip(self.low.iter().zip(&self.now)).enumerate();
+        let crossed = pairs.filter_map(|(i, (watched, (low, now)))| {
+            let pair = [low.value(), now.value()];
+            watched.crossing.happened(pair[0], pair[1]).then_some((i, pair))
+        });
+        crossed.min_by(|(_, a), (_, b)| share(*a).total_cmp(&share(*b)))
+    }
+}
+
+/// Where a straight line between two values is zero, as a share of the way.
+fn share([low, high]: [f64; 2]) -> f64 {
+    low / (low - high)
+}
+
+/// 1 where a witness has crossed, 0 where it has not, by lane.
+fn crossed<S: Scalar>(crossing: Crossing, before: S, now: S) -> S {
+    let rising =
+        |before: S, now: S| before.select_below(0.0, || now.select_below(0.0, || S::ZERO, || S::ONE), || S::ZERO);
+    match crossing {
+        Crossing::Rising => rising(before, now),
+        Crossing::Falling => rising(-before, -now),
+        Crossing::Either => rising(before, now) + rising(-before, -now),
+    }
+}
+
+impl<S: Scalar> Simulation<S> {
+    /// Steps over an interval, or to the first event in it, which its element then answers; returns the time reached.
+    pub(super) fn step_to_event(&mut self, interval: Interval, edge_s: f64) -> Result<f64, RunError> {
+        if self.watch.before.is_empty() {
+            self.scheme.step(&mut self.plant, interval, edge_s, &mut self.state)?;
+            return Ok(interval.end_s);
+        }
+        let Self { plant, watch, state, scheme, .. } = self;
+        plant.witnesses(stage(interval, state), &mut watch.before);
+        watch.start.copy_from(state);
+        scheme.step(plant, interval, edge_s, state)?;
+        self.look(interval, interval.end_s);
+        if !self.watch.crossed(&self.plant.layout().watched) {
+            return Ok(interval.end_s);
+        }
+        if !S::IS_PLAIN {
+            return Err(RunError::EventNotAlone { time_s: interval.end_s });
+        }
+        self.watch.end.copy_from(&self.state);
+        let time_s = self.locate(interval, edge_s)?;
+        self.answer(time_s)?;
+        Ok(time_s)
+    }
+
+    /// Evaluates the witnesses where the state stands, at a time within an interval.
+    fn look(&mut self, interval: Interval, time_s: f64) {
+        let at = crate::integrate::Stage { time_s, ..stage(interval, &self.state) };
+        self.plant.witnesses(at, &mut self.watch.now);
+    }
+
+    /// Moves the state to the first time in an interval at which a witness has changed sign, by secants with a bisection in
+    /// between; both ends of the last bracket are within the tolerance.
+    fn locate(&mut self, interval: Interval, edge_s: f64) -> Result<f64, RunError> {
+        let Interval { start_s, end_s } = interval;
+        let tolerance_s = TIME_TOLERANCE_S.max(4.0 * f64::EPSILON * end_s.abs());
+        self.watch.low.copy_from_slice(&self.watch.before);
+        let first = self.watch.first(&self.plant.layout().watched);
+        let Some((witness, values)) = first else { return Ok(end_s) };
+        let mut bracket = Bracket { low_s: start_s, high_s: end_s, witness, values };
+        for trial in 0..MOST_TRIALS {
+            if bracket.high_s - bracket.low_s <= tolerance_s {
+                break;
+            }
+            let time_s = bracket.guess(trial, tolerance_s);
+            self.go_to(interval, time_s, edge_s)?;
+            self.look(interval, time_s);
+            match self.watch.first(&self.plant.layout().watched) {
+                Some((witness, values)) => bracket = Bracket { high_s: time_s, witness, values, ..bracket },
+                None => {
+                    self.watch.low.copy_from_slice(&self.watch.now);
+                    bracket.low_s = time_s;
+                    bracket.values[0] = self.watch.low[bracket.witness].value();
+                }
+            }
+        }
+        self.go_to(interval, bracket.high_s, edge_s)?;
+        self.look(interval, bracket.high_s);
+        Ok(bracket.high_s)
+    }
+
+    /// Moves the state from the start of an interval to a time in it.
+    fn go_to(&mut self, interval: Interval, time_s: f64, edge_s: f64) -> Result<(), RunError> {
+        let Self { plant, watch, state, scheme, .. } = self;
+        state.copy_from(&watch.end);
+        if !scheme.interpolate(plant, time_s, state) {
+            state.copy_from(&watch.start);
+            let part = Interval { end_s: time_s, ..interval };
+            scheme.step(plant, part, edge_s.max(time_s), state)?;
+        }
+        Ok(())
+    }
+
+    /// Lets the elements answer what has happened, in the order in which they declared it.
+    fn answer(&mut self, time_s: f64) -> Result<(), RunError> {
+        for i in 0..self.watch.before.len() {
+            let watched = self.plant.layout().watched[i];
+            let Watch { before, now, .. } = &self.watch;
+            if !watched.crossing.happened(before[i].value(), now[i].value()) {
+                continue;
+            }
+            let element = self.plant.layout().names[watched.element].clone();
+            self.watch.in_step += 1;
+            if self.watch.in_step > MOST_EVENTS {
+                return Err(RunError::TooManyEvents { time_s, element, what: watched.what, allowed: MOST_EVENTS });
+            }
+            self.plant.respond(watched, time_s, &mut self.state);
+            self.watch.happened.push(Happened { time_s, element, what: watched.what });
+        }
+        Ok(())
+    }
+}
+
+impl Bracket {
+    /// A time to try: every third by bisection, else where a secant has the zero, moved by the tolerance towards the
+    /// farther end so that both ends close in.
+    fn guess(&self, trial: usize, tolerance_s: f64) -> f64 {
+        let width = self.high_s - self.low_s;
+        let middle = self.low_s + 0.5 * width;
+        if trial % 3 == 2 {
+            return middle;
+        }
+        let zero = self.low_s + share(self.values) * width;
+        let nudged = if zero < middle { zero + 0.5 * tolerance_s } else { zero - 0.5 * tolerance_s };
+        if nudged > self.low_s && nudged < self.high_s { nudged } else { middle }
+    }
+}
