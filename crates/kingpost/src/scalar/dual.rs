@@ -108,6 +108,7 @@ impl<const N: usize> SubAssign for Dual<N> {
 }
 
 impl<const N: usize> Scalar for Dual<N> {
+    const HAS_DERIVATIVES: bool = true;
     const ZERO: Self = Self { value: 0.0, derivative: [0.0; N] };
     const ONE: Self = Self { value: 1.0, derivative: [0.0; N] };
 

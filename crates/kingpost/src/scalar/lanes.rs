@@ -94,6 +94,7 @@ impl SubAssign for Lanes {
 }
 
 impl Scalar for Lanes {
+    const LANES: usize = LANES;
     const ZERO: Self = Self(f64x4::ZERO);
     const ONE: Self = Self(f64x4::ONE);
 

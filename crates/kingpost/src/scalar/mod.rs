@@ -32,8 +32,10 @@ pub trait Scalar:
     + Sync
     + 'static
 {
-    /// Whether it is one number without derivatives.
-    const IS_PLAIN: bool = false;
+    /// Numbers that stand side by side in it.
+    const LANES: usize = 1;
+    /// Whether it carries derivatives.
+    const HAS_DERIVATIVES: bool = false;
     /// Additive identity.
     const ZERO: Self;
     /// Multiplicative identity.
@@ -83,7 +85,6 @@ pub trait Scalar:
 }
 
 impl Scalar for f64 {
-    const IS_PLAIN: bool = true;
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
 

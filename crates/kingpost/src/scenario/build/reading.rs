@@ -26,8 +26,6 @@ pub struct Neighbour {
 pub trait Gathered: Scalar {
     /// How many scenarios stand side by side, neighbours apart.
     const WIDTH: usize;
-    /// Whether it carries derivatives.
-    const HAS_DERIVATIVES: bool = false;
     /// From the number in each scenario.
     fn gather(numbers: &[f64], neighbours: &[Neighbour]) -> Self;
 }
@@ -116,7 +114,6 @@ impl Gathered for Lanes {
 /// quotient of differences is the derivative, to rounding.
 impl<const N: usize> Gathered for Dual<N> {
     const WIDTH: usize = 1;
-    const HAS_DERIVATIVES: bool = true;
 
     fn gather(numbers: &[f64], neighbours: &[Neighbour]) -> Self {
         let along = |k: usize| neighbours.get(k).map_or(0.0, |n| (numbers[k + 1] - numbers[0]) / n.moved);
