@@ -31,15 +31,39 @@ impl<S: Scalar> WettedHull<S> {
         mesh: &HullMesh,
         hull_in_world: &Frame<S>,
         specific_weight: S,
+        water: impl FnMut(Vector3<S>) -> LocalWater<S>,
+    ) -> Wrench<S> {
+        let unbounded = S::constant(f64::INFINITY);
+        self.pressure_wrench_below(mesh, hull_in_world, specific_weight, unbounded, water)
+    }
+
+    /// The same, to the last bit, where no wave is higher than `highest_m` above still water: the sea is not asked for at
+    /// a vertex above that whose neighbours are all dry.
+    ///
+    /// # Panics
+    /// When the memory was made for another mesh.
+    pub fn pressure_wrench_below(
+        &mut self,
+        mesh: &HullMesh,
+        hull_in_world: &Frame<S>,
+        specific_weight: S,
+        highest_m: S,
         mut water: impl FnMut(Vector3<S>) -> LocalWater<S>,
     ) -> Wrench<S> {
         assert_eq!(mesh.vertices().len(), self.heights.len(), "the memory is of another mesh");
-        for (vertex, r) in mesh.vertices().iter().enumerate() {
-            let point = hull_in_world.point(Vector3::constant(r.0));
+        let mut at_vertex = |point: Vector3<S>| {
             let LocalWater { elevation, dynamic_pressure } = water(point);
-            self.heights[vertex] = point[2] - elevation;
-            self.sides[vertex] = side(self.heights[vertex]);
-            self.shares[vertex] = dynamic_pressure - specific_weight * point[2];
+            (point[2] - elevation, dynamic_pressure - specific_weight * point[2])
+        };
+        let in_world = |vertex: usize| hull_in_world.point(Vector3::constant(mesh.vertices()[vertex].0));
+        for vertex in 0..mesh.vertices().len() {
+            let point = in_world(vertex);
+            self.asked[vertex] = !(point[2] - highest_m).all(|above| above > 0.0);
+            self.sides[vertex] = DRY;
+            if self.asked[vertex] {
+                (self.heights[vertex], self.shares[vertex]) = at_vertex(point);
+                self.sides[vertex] = side(self.heights[vertex]);
+            }
         }
         let mut wrench = Wrench::zero();
         // Zero, unless the pose is not finite.
@@ -49,6 +73,12 @@ impl<S: Scalar> WettedHull<S> {
             let sides = corners.map(|i| self.sides[i]);
             if sides == [DRY; 3] {
                 continue;
+            }
+            for vertex in corners {
+                if !self.asked[vertex] {
+                    (self.heights[vertex], self.shares[vertex]) = at_vertex(in_world(vertex));
+                    self.asked[vertex] = true;
+                }
             }
             let shares = corner_shares(sides, corners, &self.heights, &self.shares);
             let area = Vector3::constant(triangle.area.0);
