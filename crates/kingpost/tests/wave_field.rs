@@ -269,9 +269,9 @@ fn points_in_lanes_have_the_bits_that_they_have_alone() {
             // One above the waves, one about their surface, two below it.
             let point = |k: usize| Vector3::new(four[k][0], four[k][1], [9.0, 0.1, -1.0, -20.0][k]);
             let lanes = |axis: usize| Lanes::new(std::array::from_fn(|k| point(k)[axis]));
-            let together = in_lanes.at(Vector3::new(lanes(0), lanes(1), lanes(2))).map(Lanes::to_array);
-            for k in 0..4 {
-                assert_eq!([together[0][k], together[1][k]], alone.at(point(k)));
+            let [elevations, pressures] = in_lanes.at(Vector3::new(lanes(0), lanes(1), lanes(2))).map(Lanes::to_array);
+            for (k, together) in elevations.into_iter().zip(pressures).enumerate() {
+                assert_eq!([together.0, together.1], alone.at(point(k)));
             }
             let [elevation, pressure] = alone.at(point(0));
             assert_eq!(pressure, elevation * (1000.0 * 9.81));
@@ -290,8 +290,8 @@ fn the_waves_at_points_pass_derivatives() {
         let moved = Vector3([0, 1, 2].map(|axis| Dual::variable(point[axis], axis)));
         let [_, pressure] = exact.at(moved);
         let slope = gradient(point, STEP, |p| field.kinematics(p, TIME).dynamic_pressure_pa);
-        for axis in 0..3 {
-            assert!((pressure.derivative[axis] - slope[axis]).abs() < 1000.0 * DIFFERENCES * 10.0);
+        for (exact, slope) in pressure.derivative.into_iter().zip(slope) {
+            assert!((exact - slope).abs() < 1000.0 * DIFFERENCES * 10.0);
         }
     }
 }
