@@ -1,7 +1,7 @@
 //! Dual numbers: a value and its derivatives along N directions, exact to rounding.
 
 use super::Scalar;
-use core::f64::consts::TAU;
+use core::f64::consts::{LN_2, TAU};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// `value + sum_k derivative[k] e_k` with `e_j e_k = 0` (Clifford 1873; Griewank & Walther,
@@ -132,6 +132,15 @@ impl<const N: usize> Scalar for Dual<N> {
         (self.chain(sin, TAU * cos), self.chain(cos, -TAU * sin))
     }
 
+    fn cos_of_turns(self) -> Self {
+        self.chain(self.value.cos_of_turns(), -TAU * self.value.sin_cos_of_turns().0)
+    }
+
+    fn power_of_two(self) -> Self {
+        let power = self.value.power_of_two();
+        self.chain(power, LN_2 * power)
+    }
+
     fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
         self.combine(x, libm::atan2(self.value, x.value), [x.value / square, -self.value / square])
@@ -185,6 +194,7 @@ mod tests {
         sum += -cos;
         sum -= y.clipped(S::constant(-1.0), x) * sin;
         sum += (x * x).ln_1p();
+        sum += (x * S::constant(0.1)).cos_of_turns() * (-x).power_of_two();
         sum.select_below(0.3, || sum * sum, || sum * S::constant(0.6) - S::constant(0.09))
     }
 

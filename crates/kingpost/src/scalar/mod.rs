@@ -51,6 +51,11 @@ pub trait Scalar:
     /// Sine and cosine of an angle in turns of 2 pi rad, to 2e-16 or so and far faster than
     /// [`sin_cos`](Self::sin_cos): for sums of many waves.
     fn sin_cos_of_turns(self) -> (Self, Self);
+    /// The cosine alone of an angle in turns of 2 pi rad, to 3e-16 or so, for half the work of both.
+    fn cos_of_turns(self) -> Self;
+    /// 2 to this power, which must be below 1023, to 4e-16 of it or so and far faster than [`exp`](Self::exp): for sums of
+    /// many waves. For powers below -1022, the least normal number.
+    fn power_of_two(self) -> Self;
     /// The angle of the point (`x`, `self`), radians in (-pi, pi].
     fn atan2(self, x: Self) -> Self;
     /// Square root; the argument must not be negative.
@@ -106,6 +111,16 @@ impl Scalar for f64 {
     #[inline(always)]
     fn sin_cos_of_turns(self) -> (Self, Self) {
         turns::sin_cos_of_turns(self)
+    }
+
+    #[inline(always)]
+    fn cos_of_turns(self) -> Self {
+        turns::cos_of_turns(self)
+    }
+
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        turns::power_of_two(self)
     }
 
     #[inline]
