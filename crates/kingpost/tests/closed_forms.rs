@@ -33,7 +33,16 @@ fn simulation(
         rate_limit: 1e4,
         form: Form::Recursive,
     };
-    Simulation::new(Setup { model: Model::new(bodies), forces, drives, inputs: Vec::new(), settings, q, v })
+    Simulation::new(Setup {
+        model: Model::new(bodies),
+        forces,
+        drives,
+        inputs: Vec::new(),
+        settings,
+        q,
+        v,
+        fingerprint: 0,
+    })
 }
 
 fn hinge(axis: [f64; 3], to_child: [f64; 3]) -> JointKind {

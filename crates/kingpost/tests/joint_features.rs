@@ -33,7 +33,7 @@ fn slide(mode: Mode, forces: Vec<Force>, drives: Vec<Drive>, inputs: Vec<Input>,
         rate_limit: 1e4,
         form: Form::Recursive,
     };
-    Setup { model: Model::new(vec![body]), forces, drives, inputs, settings, q: vec![q], v: vec![v] }
+    Setup { model: Model::new(vec![body]), forces, drives, inputs, settings, q: vec![q], v: vec![v], fingerprint: 0 }
 }
 
 /// Steps on by a time and checks that energy and heat are accounted for to `tolerance`, J.

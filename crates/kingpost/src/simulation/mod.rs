@@ -72,8 +72,7 @@ impl<S: Scalar> Simulation<S> {
     /// Puts a simulation together at time 0, its equations in the recursive form, whatever the
     /// settings say: the other forms are for plain numbers.
     pub fn recursive(setup: Setup<S>) -> Self {
-        let fingerprint = setup.fingerprint();
-        let Setup { model, forces, drives, inputs, settings, q, v } = setup;
+        let Setup { model, forces, drives, inputs, settings, q, v, fingerprint } = setup;
         let edges = Edges::new(&drives, settings.step_s);
         let channels = results::channels(&model, &drives, &forces);
         let mut plant = Plant::new(model, forces, drives);
