@@ -34,7 +34,15 @@ fn slide(mode: Mode, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
         rate_limit: 1e4,
         form: Form::Recursive,
     };
-    Setup { model: Model::new(vec![body]), world: World::calm(), elements, settings, q: vec![q], v: vec![v] }
+    Setup {
+        model: Model::new(vec![body]),
+        world: World::calm(),
+        elements,
+        settings,
+        q: vec![q],
+        v: vec![v],
+        fingerprint: 0,
+    }
 }
 
 /// Steps on by a time and checks that energy and heat are accounted for to `tolerance`, J.

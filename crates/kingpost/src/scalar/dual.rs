@@ -163,6 +163,19 @@ impl<const N: usize> Scalar for Dual<N> {
         self.chain(libm::log1p(self.value), 1.0 / (1.0 + self.value))
     }
 
+    fn exp_m1(self) -> Self {
+        self.chain(libm::expm1(self.value), libm::exp(self.value))
+    }
+
+    fn ln(self) -> Self {
+        self.chain(libm::log(self.value), 1.0 / self.value)
+    }
+
+    fn pow(self, exponent: Self) -> Self {
+        let power = libm::pow(self.value, exponent.value);
+        self.combine(exponent, power, [exponent.value * power / self.value, power * libm::log(self.value)])
+    }
+
     fn from_values<const K: usize, const M: usize>(
         arguments: [Self; K],
         function: impl Fn([f64; K]) -> [f64; M],
@@ -193,8 +206,8 @@ mod tests {
         let mut sum = x / (y * y + S::ONE) - x.sqrt() * angle;
         sum += -cos;
         sum -= y.clipped(S::constant(-1.0), x) * sin;
-        sum += (x * x).ln_1p();
         sum += (x * S::constant(0.1)).cos_of_turns() * (-x).power_of_two();
+        sum += (x * x).ln_1p() + x.ln() * y.exp_m1() - x.pow(y);
         sum.select_below(0.3, || sum * sum, || sum * S::constant(0.6) - S::constant(0.09))
     }
 

@@ -148,6 +148,19 @@ impl Scalar for Lanes {
         Self::new(self.to_array().map(libm::log1p))
     }
 
+    fn exp_m1(self) -> Self {
+        Self::new(self.to_array().map(libm::expm1))
+    }
+
+    fn ln(self) -> Self {
+        Self::new(self.to_array().map(libm::log))
+    }
+
+    fn pow(self, exponent: Self) -> Self {
+        let (base, exponent) = (self.to_array(), exponent.to_array());
+        Self::new(core::array::from_fn(|k| libm::pow(base[k], exponent[k])))
+    }
+
     fn from_values<const N: usize, const M: usize>(
         arguments: [Self; N],
         function: impl Fn([f64; N]) -> [f64; M],
@@ -189,7 +202,7 @@ mod tests {
         sum += (-x * x).exp() * y.sin_cos_of_turns().1;
         sum -= -y * x.cos_of_turns() * (-y * y).power_of_two();
         let [difference, product] = S::from_values([sum, x], |[a, b]| [a - b, a * b]);
-        sum += difference / product + (x * x).ln_1p();
+        sum += difference / product + (x * x).ln_1p() + y.exp_m1() * (y * y).ln() - (x * x).pow(y);
         sum.select_less(x, || sum * y, || sum / root)
     }
 

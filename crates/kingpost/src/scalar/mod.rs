@@ -64,6 +64,12 @@ pub trait Scalar:
     fn exp(self) -> Self;
     /// log(1 + self), exact to rounding near 0; `self` must be greater than -1.
     fn ln_1p(self) -> Self;
+    /// exp(self) - 1, exact to rounding near 0.
+    fn exp_m1(self) -> Self;
+    /// The natural logarithm; `self` must be greater than 0.
+    fn ln(self) -> Self;
+    /// `self` to a power; `self` must be greater than 0.
+    fn pow(self, exponent: Self) -> Self;
     /// Plain numbers from plain numbers, lane by lane, without derivatives: what an iteration has found, before a last
     /// step of it that carries them.
     fn from_values<const N: usize, const M: usize>(
@@ -141,6 +147,18 @@ impl Scalar for f64 {
     #[inline]
     fn ln_1p(self) -> Self {
         libm::log1p(self)
+    }
+
+    fn exp_m1(self) -> Self {
+        libm::expm1(self)
+    }
+
+    fn ln(self) -> Self {
+        libm::log(self)
+    }
+
+    fn pow(self, exponent: Self) -> Self {
+        libm::pow(self, exponent)
     }
 
     #[inline]

@@ -4,29 +4,29 @@ use super::super::schema::{self, BrakeState, History, Scenario};
 use super::axes::axes;
 use super::bodies::joint_name;
 use super::flexible::owner;
-use super::reading::{Gathered, Reading};
 use super::{FieldError, cylinders, known, wave_motion};
 use crate::dynamics::Clock;
 use crate::elements::drives::{Brake, Motor, PrescribedMotion, Profile, Pulse, Servo};
 use crate::elements::{AnyElement, CoulombFriction};
 use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
+use crate::scenario::leaf::Quantity;
 
 /// The drives that are on; gives prescribed joints their initial rate in `v`.
-pub fn build<S: Gathered>(
-    scenario: &Reading<Scenario>,
+pub fn build<S: Quantity>(
+    scenario: &Scenario<S>,
     model: &Model<S>,
     v: &mut [S],
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut drives: Vec<AnyElement<S>> = Vec::new();
-    for name in scenario.first().drives.keys() {
-        let Some(parts) = Parts::of(name, &scenario.part(|scenario| &scenario.drives[name])) else {
+    for (name, drive) in &scenario.drives {
+        let Some(parts) = Parts::of(name, drive) else {
             if let Some(cylinder) = cylinders::build(scenario, name, model)? {
                 drives.push(Box::new(cylinder));
             }
             continue;
         };
-        let allowed = coordinates(scenario.first(), parts.motion);
+        let allowed = coordinates(scenario, parts.motion);
         known(&format!("{}.joint", parts.field), parts.joint, allowed.iter().map(String::as_str))?;
         let profile = match parts.law {
             Law::Motor { history, pulse, .. } => profile(&parts.field, history, pulse)?,
@@ -62,7 +62,7 @@ pub fn build<S: Gathered>(
 }
 
 /// A drive that is on has nothing to say where the coordinate is held or prescribed.
-fn check_free<S: Gathered>(parts: &Parts<S>, mode: Mode) -> Result<(), FieldError> {
+fn check_free<S: Quantity>(parts: &Parts<'_, S>, mode: Mode) -> Result<(), FieldError> {
     let mode = match mode {
         Mode::Free => return Ok(()),
         Mode::Held => "held",
@@ -99,67 +99,45 @@ enum Law<'a, S> {
     },
 }
 
-impl<'a, S: Gathered> Parts<'a, S> {
+impl<'a, S: Quantity> Parts<'a, S> {
     /// `None` for a drive that is in no joint.
-    fn of(name: &str, drive: &Reading<'a, schema::Drive>) -> Option<Self> {
-        let motor = |history, pulse: &'a Option<schema::Pulse>| Law::Motor {
-            effort: drive.number(effort),
-            history,
-            pulse: pulse.as_ref(),
-        };
-        let servo = || Law::Servo { numbers: drive.numbers(servo_numbers) };
-        let brake = |state| Law::Brake { numbers: drive.numbers(brake_numbers), state };
-        let (kind, enabled, joint, motion, law) = match drive.first() {
-            schema::Drive::Motor(d) => ("motor", d.enabled, &d.joint, Rotation, motor(d.history, &d.pulse)),
-            schema::Drive::LinearMotor(d) => {
-                ("linear_motor", d.enabled, &d.joint, Translation, motor(d.history, &d.pulse))
+    fn of(name: &str, drive: &'a schema::Drive<S>) -> Option<Self> {
+        let motor =
+            |effort, history, pulse: &'a Option<schema::Pulse>| Law::Motor { effort, history, pulse: pulse.as_ref() };
+        let (kind, enabled, joint, motion, law) = match drive {
+            schema::Drive::Motor(d) => {
+                ("motor", d.enabled, &d.joint, Rotation, motor(d.torque_n_m, d.history, &d.pulse))
             }
-            schema::Drive::Servo(d) => ("servo", d.enabled, &d.joint, Rotation, servo()),
-            schema::Drive::LinearServo(d) => ("linear_servo", d.enabled, &d.joint, Translation, servo()),
-            schema::Drive::Brake(d) => ("brake", d.enabled, &d.joint, Rotation, brake(d.state)),
-            schema::Drive::LinearBrake(d) => ("linear_brake", d.enabled, &d.joint, Translation, brake(d.state)),
+            schema::Drive::LinearMotor(d) => {
+                ("linear_motor", d.enabled, &d.joint, Translation, motor(d.force_n, d.history, &d.pulse))
+            }
+            schema::Drive::Servo(d) => {
+                let (stiffness, damping) = (d.stiffness_n_m_per_rad.get(), d.damping_n_m_s_per_rad.get());
+                let numbers = [d.target_rad, stiffness, damping, d.torque_limit_n_m.get()];
+                ("servo", d.enabled, &d.joint, Rotation, Law::Servo { numbers })
+            }
+            schema::Drive::LinearServo(d) => {
+                let (stiffness, damping) = (d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get());
+                let numbers = [d.target_m, stiffness, damping, d.force_limit_n.get()];
+                ("linear_servo", d.enabled, &d.joint, Translation, Law::Servo { numbers })
+            }
+            schema::Drive::Brake(d) => {
+                let numbers = [d.torque_n_m.get(), d.smoothing_rad_s.get()];
+                ("brake", d.enabled, &d.joint, Rotation, Law::Brake { numbers, state: d.state })
+            }
+            schema::Drive::LinearBrake(d) => {
+                let numbers = [d.force_n.get(), d.smoothing_m_s.get()];
+                ("linear_brake", d.enabled, &d.joint, Translation, Law::Brake { numbers, state: d.state })
+            }
             schema::Drive::Cylinder(_) => return None,
         };
         Some(Self { field: format!("drives.{name}.{kind}"), enabled, joint: joint.as_str(), motion, law })
     }
 }
 
-/// A motor's full torque or force; 0 for other drives.
-fn effort(drive: &schema::Drive) -> f64 {
-    match drive {
-        schema::Drive::Motor(d) => d.torque_n_m,
-        schema::Drive::LinearMotor(d) => d.force_n,
-        _ => 0.0,
-    }
-}
-
-/// A servo's target, stiffness, damping and limit; 0 for other drives.
-fn servo_numbers(drive: &schema::Drive) -> [f64; 4] {
-    match drive {
-        schema::Drive::Servo(d) => {
-            let (stiffness, damping) = (d.stiffness_n_m_per_rad.get(), d.damping_n_m_s_per_rad.get());
-            [d.target_rad, stiffness, damping, d.torque_limit_n_m.get()]
-        }
-        schema::Drive::LinearServo(d) => {
-            let (stiffness, damping) = (d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get());
-            [d.target_m, stiffness, damping, d.force_limit_n.get()]
-        }
-        _ => [0.0; 4],
-    }
-}
-
-/// A brake's capacity and smoothing speed; 0 for other drives.
-fn brake_numbers(drive: &schema::Drive) -> [f64; 2] {
-    match drive {
-        schema::Drive::Brake(d) => [d.torque_n_m.get(), d.smoothing_rad_s.get()],
-        schema::Drive::LinearBrake(d) => [d.force_n.get(), d.smoothing_m_s.get()],
-        _ => [0.0; 2],
-    }
-}
-
 /// Names of the coordinates that turn or that slide, those of bodies that are not enabled too.
-fn coordinates(scenario: &Scenario, motion: AxisMotion) -> Vec<String> {
-    let of_body = |(name, body): (&schema::Name, &schema::Body)| {
+fn coordinates<S: Quantity>(scenario: &Scenario<S>, motion: AxisMotion) -> Vec<String> {
+    let of_body = |(name, body): (&schema::Name, &schema::Body<S>)| {
         let axes = axes(&body.joint).into_iter().filter(|axis| axis.motion == motion);
         axes.map(|axis| axis.coordinate_name(joint_name(name, body))).collect::<Vec<_>>()
     };
@@ -182,20 +160,16 @@ fn profile(field: &str, history: History, pulse: Option<&schema::Pulse>) -> Resu
 }
 
 /// The motions of the prescribed coordinates that are there.
-fn prescribed<S: Gathered>(
-    scenario: &Reading<Scenario>,
-    model: &Model<S>,
-) -> Result<Vec<PrescribedMotion<S>>, FieldError> {
+fn prescribed<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<PrescribedMotion<S>>, FieldError> {
     let mut motions = Vec::new();
     for (i, body) in model.bodies.iter().enumerate() {
         let (name, 0) = owner(&body.name) else { continue };
-        let joint = scenario.part(|scenario| &scenario.bodies[name].joint);
-        for (k, axis) in axes(joint.first()).iter().enumerate() {
-            let Some((_, history, pulse)) = &axis.prescribed else { continue };
-            let path = format!("bodies.{}.joint.{}", body.name, joint.first().kind());
+        let joint = &scenario.bodies[name].joint;
+        for (k, axis) in axes(joint).iter().enumerate() {
+            let Some((rate, history, pulse)) = &axis.prescribed else { continue };
+            let path = format!("bodies.{}.joint.{}", body.name, joint.kind());
             let profile = prescribed_profile(&format!("{path}.{}", axis.field("mode.prescribed")), *history, pulse)?;
-            let rate = joint.number(|joint| axes(joint)[k].prescribed.as_ref().map_or(0.0, |(rate, ..)| *rate));
-            motions.push(PrescribedMotion { coordinate: model.tree.nodes[i].velocities + k, rate, profile });
+            motions.push(PrescribedMotion { coordinate: model.tree.nodes[i].velocities + k, rate: *rate, profile });
         }
     }
     Ok(motions)
