@@ -10,6 +10,7 @@ mod dynamic_positioning;
 mod flexible;
 mod flow;
 mod forces;
+mod histories;
 mod hydrodynamics;
 mod integrators;
 mod joints;
@@ -47,6 +48,7 @@ pub use flexible::{
 };
 pub use flow::{CurrentLoad, CurrentProfile, FlowCoefficients, Logarithmic, PowerLaw, Wind, WindLoad, WindProfile};
 pub use forces::{Force, Gravity, QuadraticDamping, ViscousDamping};
+pub use histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};

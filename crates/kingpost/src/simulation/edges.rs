@@ -44,7 +44,7 @@ mod tests {
 
     #[test]
     fn intervals_end_at_edges_and_rounding_makes_none() {
-        let profile = Profile::pulse(Pulse { rise_s: 0.1, hold_s: 0.2, reverse_s: 0.0 });
+        let profile = Profile::pulse(Pulse { start_s: 0.0, rise_s: 0.1, hold_s: 0.2, reverse_s: 0.0 });
         let motor = Drive::Motor(Motor { coordinate: 0, effort: 1.0, profile, input: None });
         let edges = Edges::new(&[motor], 0.08);
         assert_eq!(edges.interval(0.08, 0.16), Interval { start_s: 0.08, end_s: 0.1 });

@@ -76,7 +76,7 @@ impl<S: Scalar> Drive<S> {
     }
 
     /// The history that it follows, if it follows one.
-    pub fn profile(&self) -> Option<&Profile> {
+    pub fn profile(&self) -> Option<&Profile<S>> {
         match self {
             Drive::Motor(motor) => Some(&motor.profile),
             Drive::Prescribed(motion) => Some(&motion.profile),

@@ -11,8 +11,8 @@ pub struct Motor<S = f64> {
     pub coordinate: usize,
     /// At full, N m or N.
     pub effort: S,
-    /// Over time, from -1 to 1.
-    pub profile: Profile,
+    /// Its share of the full effort over time.
+    pub profile: Profile<S>,
     /// The input that scales it, where a lever drives it.
     pub input: Option<usize>,
 }
@@ -21,7 +21,7 @@ impl<S: Scalar> Motor<S> {
     /// Adds the torque and the work that it does.
     pub fn apply(&self, clock: Clock, v: &[S], inputs: &[S], loads: &mut Loads<S>) {
         let lever = self.input.map_or(S::ONE, |input| inputs[input]);
-        let effort = self.effort * S::constant(self.profile.value(clock)) * lever;
+        let effort = self.effort * self.profile.value(clock) * lever;
         loads.force[self.coordinate] += effort;
         loads.power.drives += effort * v[self.coordinate];
     }

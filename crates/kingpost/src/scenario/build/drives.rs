@@ -3,12 +3,11 @@
 use super::super::schema::{self, BrakeState, History, Scenario};
 use super::axes::axes;
 use super::bodies::joint_name;
-use super::flexible::owner;
 use super::reading::{Gathered, Reading};
-use super::{FieldError, cylinders, known, wave_motion};
+use super::{FieldError, cylinders, histories, known, wave_motion};
 use crate::dynamics::Clock;
 use crate::elements::CoulombFriction;
-use crate::elements::drives::{Brake, Drive, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use crate::elements::drives::{Brake, Drive, Motor, Profile, Servo};
 use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
 use crate::simulation::Input;
@@ -35,7 +34,7 @@ pub fn build<S: Gathered>(
         let allowed = coordinates(scenario.first(), parts.motion);
         known(&format!("{}.joint", parts.field), parts.joint, allowed.iter().map(String::as_str))?;
         let profile = match parts.law {
-            Law::Motor { history, pulse, .. } => profile(&parts.field, history, pulse)?,
+            Law::Motor { history, .. } => histories::of_motor(name, &parts.field, history, scenario)?,
             Law::Servo { .. } | Law::Brake { .. } => Profile::constant(),
         };
         let Some(coordinate) = model.coordinate(parts.joint).filter(|_| parts.enabled) else { continue };
@@ -60,7 +59,7 @@ pub fn build<S: Gathered>(
             }
         });
     }
-    for motion in prescribed(scenario, model)? {
+    for motion in histories::given_motions(scenario, model)? {
         v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
         drives.push(Drive::Prescribed(motion));
     }
@@ -88,15 +87,14 @@ struct Parts<'a, S> {
     enabled: bool,
     joint: &'a str,
     motion: AxisMotion,
-    law: Law<'a, S>,
+    law: Law<S>,
 }
 
 /// What a drive does, in N m and rad or in N and m.
-enum Law<'a, S> {
+enum Law<S> {
     Motor {
         effort: S,
         history: History,
-        pulse: Option<&'a schema::Pulse>,
     },
     /// Target, stiffness, damping, limit.
     Servo {
@@ -112,18 +110,12 @@ enum Law<'a, S> {
 impl<'a, S: Gathered> Parts<'a, S> {
     /// `None` for a drive that is in no joint.
     fn of(name: &str, drive: &Reading<'a, schema::Drive>) -> Option<Self> {
-        let motor = |history, pulse: &'a Option<schema::Pulse>| Law::Motor {
-            effort: drive.number(effort),
-            history,
-            pulse: pulse.as_ref(),
-        };
+        let motor = |history| Law::Motor { effort: drive.number(effort), history };
         let servo = || Law::Servo { numbers: drive.numbers(servo_numbers) };
         let brake = |state| Law::Brake { numbers: drive.numbers(brake_numbers), state };
         let (kind, enabled, joint, motion, law) = match drive.first() {
-            schema::Drive::Motor(d) => ("motor", d.enabled, &d.joint, Rotation, motor(d.history, &d.pulse)),
-            schema::Drive::LinearMotor(d) => {
-                ("linear_motor", d.enabled, &d.joint, Translation, motor(d.history, &d.pulse))
-            }
+            schema::Drive::Motor(d) => ("motor", d.enabled, &d.joint, Rotation, motor(d.history)),
+            schema::Drive::LinearMotor(d) => ("linear_motor", d.enabled, &d.joint, Translation, motor(d.history)),
             schema::Drive::Servo(d) => ("servo", d.enabled, &d.joint, Rotation, servo()),
             schema::Drive::LinearServo(d) => ("linear_servo", d.enabled, &d.joint, Translation, servo()),
             schema::Drive::Brake(d) => ("brake", d.enabled, &d.joint, Rotation, brake(d.state)),
@@ -174,53 +166,4 @@ fn coordinates(scenario: &Scenario, motion: AxisMotion) -> Vec<String> {
         axes.map(|axis| axis.coordinate_name(joint_name(name, body))).collect::<Vec<_>>()
     };
     scenario.bodies.iter().flat_map(of_body).collect()
-}
-
-fn profile(field: &str, history: History, pulse: Option<&schema::Pulse>) -> Result<Profile, FieldError> {
-    match (history, pulse) {
-        (History::Constant | History::Lever, _) => Ok(Profile::constant()),
-        (History::Pulse, Some(pulse)) => Ok(Profile::pulse(Pulse {
-            rise_s: pulse.rise_s.get(),
-            hold_s: pulse.hold_s.get(),
-            reverse_s: pulse.reverse_s.get(),
-        })),
-        (History::Pulse, None) => {
-            let allowed = "rise_s, hold_s and reverse_s, for a history that is a pulse";
-            Err(FieldError::new(format!("{field}.pulse"), "nothing", allowed))
-        }
-    }
-}
-
-/// The motions of the prescribed coordinates that are there.
-fn prescribed<S: Gathered>(
-    scenario: &Reading<Scenario>,
-    model: &Model<S>,
-) -> Result<Vec<PrescribedMotion<S>>, FieldError> {
-    let mut motions = Vec::new();
-    for (i, body) in model.bodies.iter().enumerate() {
-        let (name, 0) = owner(&body.name) else { continue };
-        let joint = scenario.part(|scenario| &scenario.bodies[name].joint);
-        for (k, axis) in axes(joint.first()).iter().enumerate() {
-            let Some((_, history, pulse)) = &axis.prescribed else { continue };
-            let path = format!("bodies.{}.joint.{}", body.name, joint.first().kind());
-            let profile = prescribed_profile(&format!("{path}.{}", axis.field("mode.prescribed")), *history, pulse)?;
-            let rate = joint.number(|joint| axes(joint)[k].prescribed.as_ref().map_or(0.0, |(rate, ..)| *rate));
-            motions.push(PrescribedMotion { coordinate: model.tree.nodes[i].velocities + k, rate, profile });
-        }
-    }
-    Ok(motions)
-}
-
-/// How a prescribed rate goes with time; it has no lever, and does not jump.
-fn prescribed_profile(field: &str, history: History, pulse: &Option<schema::Pulse>) -> Result<Profile, FieldError> {
-    if history == History::Lever {
-        let allowed = "constant or pulse, for a prescribed motion";
-        return Err(FieldError::new(format!("{field}.history"), "lever", allowed));
-    }
-    let profile = profile(field, history, pulse.as_ref())?;
-    if history == History::Pulse && pulse.as_ref().is_some_and(|p| p.rise_s.get() == 0.0) {
-        let allowed = "a number greater than 0: a rate cannot jump";
-        return Err(FieldError::new(format!("{field}.pulse.rise_s"), 0, allowed));
-    }
-    Ok(profile)
 }

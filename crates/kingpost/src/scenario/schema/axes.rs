@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::{History, NonNegative, Positive, Pulse};
+use super::histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
+use super::{History, NonNegative, Positive};
 
 /// One axis that a joint turns about.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -121,6 +122,8 @@ pub enum RevoluteMode {
     Held,
     /// A given rate does.
     Prescribed(PrescribedRate),
+    /// It turns by a given angle, from rest to rest.
+    Travel(AngleTravel),
 }
 
 /// A rate of turning as a given function of time.
@@ -135,7 +138,10 @@ pub struct PrescribedRate {
     pub history: History,
     /// The times of the history `pulse`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pulse: Option<Pulse>,
+    pub pulse: Option<RatePulse>,
+    /// The times and shares of the history `list`; a rate cannot jump.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub list: Option<HistoryList>,
 }
 
 /// What decides the extension along an axis.
@@ -150,6 +156,8 @@ pub enum PrismaticMode {
     Held,
     /// A given speed does.
     Prescribed(PrescribedSpeed),
+    /// It slides by a given length, from rest to rest.
+    Travel(LengthTravel),
 }
 
 /// A speed of sliding as a given function of time.
@@ -164,7 +172,10 @@ pub struct PrescribedSpeed {
     pub history: History,
     /// The times of the history `pulse`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pulse: Option<Pulse>,
+    pub pulse: Option<RatePulse>,
+    /// The times and shares of the history `list`; a rate cannot jump.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub list: Option<HistoryList>,
 }
 
 /// Dry friction against turning, `torque rate / sqrt(rate^2 + smoothing^2)`.
