@@ -134,6 +134,7 @@ impl<S: Scalar> Simulation<S> {
     /// A loop that cannot be closed from here; q and v are then no motion of the model.
     pub fn close_loops(&mut self) -> Result<(), RunError> {
         let (time_s, State { q, v, .. }) = (self.state.steps as f64 * self.settings.step_s, &mut self.state);
+        self.plant.begin_step();
         self.plant.close_loops(q, v).map_err(|fault| RunError::of_loop(time_s, &self.plant.model, fault))
     }
 
@@ -168,6 +169,7 @@ impl<S: Scalar> Simulation<S> {
         let mut from = start_s;
         while from < end_s {
             let interval = self.edges.interval(from, end_s);
+            self.plant.begin_step();
             self.plant.prescribe(interval, &mut self.state.v);
             let edge_s = self.edges.next(from, end_s);
             self.scheme.step(&mut self.plant, interval, edge_s, &mut self.state)?;
