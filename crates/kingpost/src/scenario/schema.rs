@@ -21,6 +21,7 @@ mod moved_by_waves;
 mod parameter;
 mod sea;
 mod slack_tank;
+mod top;
 mod waves;
 
 use indexmap::IndexMap;
@@ -59,6 +60,7 @@ pub use moved_by_waves::MovedByWaves;
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;
 pub use slack_tank::SlackTank;
+pub(super) use top::is_top_field;
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
     WaveRealisation, Waves,
