@@ -309,14 +309,13 @@ fn lines_hold_loads_and_what_they_carry_is_told() {
 fn on_line() -> String {
     let joint = "{universal: {first_axis: [1, 0, 0], second_axis: [0, 1, 0], position_m: [0, 0, 2], child_position_m: [0, 0, 1.5]}}";
     assert!(TEXT.contains(joint));
-    let text =
-        TEXT.replace("    parent: mast\n", "").replace(joint, "{floating: {initial: {position_m: [0, 0, 7.5]}}}")
-            + &format!(
-                "  rope: {{spring_line: {{first: {{body: mast, position_m: [0, 0, 2]}}, second: {{body: load}}, \
+    TEXT.replace("    parent: mast\n", "").replace(joint, "{floating: {initial: {position_m: [0, 0, 7.5]}}}")
+        + &format!(
+            "  rope: {{spring_line: {{first: {{body: mast, position_m: [0, 0, 2]}}, second: {{body: load}}, \
              unstretched_length_m: {}, axial_stiffness_N: {}}}}}\n",
-                PENDANT / 1.001,
-                10e6 * common::barge::GRAVITY
-            )
+            PENDANT / 1.001,
+            10e6 * common::barge::GRAVITY
+        )
 }
 
 /// The same load, by the same length below the same point, once on its joint and once on a line: GM and the
