@@ -121,7 +121,7 @@ pub enum RevoluteMode {
     /// It stays at its initial angle.
     Held,
     /// A given rate does.
-    Prescribed(PrescribedRate),
+    Prescribed(Box<PrescribedRate>),
     /// It turns by a given angle, from rest to rest.
     Travel(AngleTravel),
 }
@@ -155,7 +155,7 @@ pub enum PrismaticMode {
     /// It stays at its initial extension.
     Held,
     /// A given speed does.
-    Prescribed(PrescribedSpeed),
+    Prescribed(Box<PrescribedSpeed>),
     /// It slides by a given length, from rest to rest.
     Travel(LengthTravel),
 }
