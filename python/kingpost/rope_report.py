@@ -1,4 +1,4 @@
-"""Where a rod stands for a rope in a run, and does what no rope does: it pushes, or its load goes over the top."""
+"""Where a rod stands for a rope and does what no rope does: it pushes, or its load goes over the top."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ SMALLEST_PUSH = 1e-6
 
 
 def warnings(results: xarray.Dataset, scenario: Scenario) -> list[str]:
-    """What no rope does, in words: a load on a pendant that is pushed from its joint, or that swings beyond 90
-    degrees from where it hangs; a massless rod of a closed loop that pushes."""
+    """What no rope does, in words: a load on a pendant that is pushed from its joint, or that swings beyond
+    90 degrees from where it hangs; a massless rod of a closed loop that pushes."""
     resolved = scenario.resolved
     lines = [words for name, up in pendants(resolved) for words in _of_pendant(results, resolved, name, up)]
     return [
@@ -33,10 +33,10 @@ def warnings(results: xarray.Dataset, scenario: Scenario) -> list[str]:
 
 
 def pendants(resolved: dict[str, Any]) -> Iterator[tuple[str, NDArray[np.float64]]]:
-    """Loads that hang on a rope by what a scenario says: where gravity acts, bodies that carry no other and swing
-    to all sides about a point off their centre; with the unit vector from the centre to the joint, body axes.
+    """Loads that hang on a rope by what a scenario says: where gravity acts, bodies that carry no other and
+    swing to all sides about a point off their centre; with the unit vector from the centre to the joint, body axes.
 
-    >>> joint = {"universal": {"child_position_m": [0, 0, 20], "first": {"mode": "free"}, "second": {"mode": "free"}}}
+    >>> joint = {"universal": {"child_position_m": [0, 0, 20], "first": {"mode": "free"}}}
     >>> load = {"enabled": True, "parent": "boom", "centre_of_mass_m": [0, 0, 0], "joint": joint}
     >>> gravity = {"gravity": {"gravity": {"enabled": True}}}
     >>> [(name, up.tolist()) for name, up in pendants({"bodies": {"load": load}, "forces": gravity})]
@@ -92,15 +92,15 @@ def _of_pendant(
     if angle.max() > 90:
         at = time[np.argmax(angle > 90)]
         yield (
-            f"{name}: {body} swings to {angle.max():.1f} deg from where it hangs, beyond 90 deg first at {at:g} s: a "
-            "rope would go slack; this rod does not"
+            f"{name}: {body} swings to {angle.max():.1f} deg from where it hangs, beyond 90 deg first at {at:g} s: "
+            "a rope would go slack; this rod does not"
         )
 
 
 def _of_rod(
     results: xarray.Dataset, resolved: dict[str, Any], name: str, ends: list[dict[str, Any]]
 ) -> Iterator[str]:
-    """Its force is in the axes of its first end, which are taken for those of the body: a rod needs no others."""
+    """Its force is in the axes of its first end, taken for those of the body: a rod needs no others."""
     first, second = ends
     if any(first.get("orientation_rad") or []) or not all(_is_there(results, end) for end in ends):
         return
@@ -118,8 +118,8 @@ def _push(what: str, pull: NDArray[np.float64], time: NDArray[np.float64]) -> It
     if pull.min() < -SMALLEST_PUSH * np.abs(pull).max():
         at = time[np.argmin(pull)]
         yield (
-            f"{what} pushes with {-pull.min():.5g} N, at {at:g} s: a rope would go slack; from there on this run is not "
-            "that of a load on a rope"
+            f"{what} pushes with {-pull.min():.5g} N, at {at:g} s: a rope would go slack; "
+            "from there on this run is not that of a load on a rope"
         )
 
 
