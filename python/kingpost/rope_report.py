@@ -22,7 +22,7 @@ SMALLEST_PUSH = 1e-6
 
 
 def warnings(results: xarray.Dataset, scenario: Scenario) -> list[str]:
-    """What no rope does, in words: a load on a pendant that is pushed from its joint, or that swings beyond
+    """What no rope does, in words: a load pushed from its joint, or that swings beyond
     90 degrees from where it hangs; a massless rod of a closed loop that pushes."""
     resolved = scenario.resolved
     lines = [words for name, up in pendants(resolved) for words in _of_pendant(results, resolved, name, up)]
@@ -34,7 +34,8 @@ def warnings(results: xarray.Dataset, scenario: Scenario) -> list[str]:
 
 def pendants(resolved: dict[str, Any]) -> Iterator[tuple[str, NDArray[np.float64]]]:
     """Loads that hang on a rope by what a scenario says: where gravity acts, bodies that carry no other and
-    swing to all sides about a point off their centre; with the unit vector from the centre to the joint, body axes.
+    swing to all sides about a point off their centre; with the unit vector from the centre to the
+    joint, body axes.
 
     >>> joint = {"universal": {"child_position_m": [0, 0, 20], "first": {"mode": "free"}}}
     >>> load = {"enabled": True, "parent": "boom", "centre_of_mass_m": [0, 0, 0], "joint": joint}
@@ -92,8 +93,8 @@ def _of_pendant(
     if angle.max() > 90:
         at = time[np.argmax(angle > 90)]
         yield (
-            f"{name}: {body} swings to {angle.max():.1f} deg from where it hangs, beyond 90 deg first at {at:g} s: "
-            "a rope would go slack; this rod does not"
+            f"{name}: {body} swings to {angle.max():.1f} deg from where it hangs, beyond 90 deg first at "
+            f"{at:g} s: a rope would go slack; this rod does not"
         )
 
 
