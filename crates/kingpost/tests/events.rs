@@ -38,7 +38,15 @@ fn setup<S: Scalar>(
     };
     let settings =
         Settings { scheme, step_s, duration_s: 10.0, record_every_s: step_s, rate_limit: 1e4, form: Form::Recursive };
-    Setup { model: Model::new(vec![body]), world: World::calm(), elements, settings, q: vec![q], v: vec![v] }
+    Setup {
+        model: Model::new(vec![body]),
+        world: World::calm(),
+        elements,
+        settings,
+        q: vec![q],
+        v: vec![v],
+        fingerprint: 0,
+    }
 }
 
 fn upwards<S: Scalar>() -> JointKind<S> {

@@ -8,6 +8,7 @@ mod drives;
 mod equilibrium;
 pub(super) mod flexible;
 mod flow;
+mod histories;
 mod lines;
 mod loops;
 mod positioning;

@@ -10,6 +10,7 @@ mod dynamic_positioning;
 mod flexible;
 mod flow;
 mod forces;
+mod histories;
 mod hydrodynamics;
 mod integrators;
 mod joints;
@@ -20,6 +21,7 @@ mod moved_by_waves;
 mod parameter;
 mod sea;
 mod slack_tank;
+mod top;
 mod waves;
 
 use indexmap::IndexMap;
@@ -49,6 +51,7 @@ pub use flexible::{
 };
 pub use flow::{CurrentLoad, CurrentProfile, FlowCoefficients, Logarithmic, PowerLaw, Wind, WindLoad, WindProfile};
 pub use forces::{Force, Gravity, QuadraticDamping, ViscousDamping};
+pub use histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
@@ -59,6 +62,7 @@ pub use moved_by_waves::MovedByWaves;
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;
 pub use slack_tank::SlackTank;
+pub(super) use top::is_top_field;
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
     WaveRealisation, Waves,

@@ -147,6 +147,7 @@ impl<S: Scalar> Simulation<S> {
     /// A loop that cannot be closed from here; q and v are then no motion of the model.
     pub fn close_loops(&mut self) -> Result<(), RunError> {
         let (time_s, State { q, v, .. }) = (self.state.steps as f64 * self.settings.step_s, &mut self.state);
+        self.plant.begin_step();
         self.plant.close_loops(q, v).map_err(|fault| RunError::of_loop(time_s, &self.plant.model, fault))
     }
 
@@ -195,6 +196,7 @@ impl<S: Scalar> Simulation<S> {
         while from < end_s {
             let edge_s = self.next_edge_s(from, end_s);
             let interval = Interval { start_s: from, end_s: edge_s.min(end_s) };
+            self.plant.begin_step();
             self.plant.prescribe(interval, &mut self.state.v);
             from = self.step_to_event(interval, edge_s)?;
             let State { q, v, .. } = &mut self.state;

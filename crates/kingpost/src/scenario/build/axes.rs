@@ -1,6 +1,6 @@
 //! Axes of joints without the difference between turning and sliding, and what acts in them.
 
-use super::super::schema::{self, AngleAxis, History, LengthAxis, PrismaticMode, RevoluteMode};
+use super::super::schema::{self, AngleAxis, History, HistoryList, LengthAxis, PrismaticMode, RatePulse, RevoluteMode};
 use super::FieldError;
 use crate::elements::{AnyElement, CoulombFriction, JointDamping, JointSpring, JointStop, StopSide};
 use crate::model::{AxisMotion, Mode};
@@ -14,8 +14,8 @@ pub struct Axis<S> {
     pub initial: S,
     pub initial_rate: S,
     pub mode: Mode,
-    /// Where it is prescribed: the full rate, and how it goes with time.
-    pub prescribed: Option<(S, History, Option<schema::Pulse>)>,
+    /// Its motion, where that is given.
+    pub given: Option<GivenMotion<S>>,
     pub damping: S,
     /// Friction and smoothing.
     pub friction: Option<[S; 2]>,
@@ -24,6 +24,14 @@ pub struct Axis<S> {
     pub limits: Option<Limits<S>>,
     /// Of the rotor, times the gear ratio squared.
     pub rotor_inertia: S,
+}
+
+/// A motion that a scenario gives.
+pub enum GivenMotion<S> {
+    /// A rate over time.
+    Rate { full: S, history: History, pulse: Option<RatePulse>, list: Option<HistoryList<S>> },
+    /// A way from rest to rest, and its times, s.
+    Travel { way: S, start_s: f64, duration_s: f64, ramp_s: f64 },
 }
 
 /// Stops of an axis.
@@ -56,10 +64,17 @@ pub fn axes<S: Quantity>(joint: &schema::Joint<S>) -> Vec<Axis<S>> {
 }
 
 fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> Axis<S> {
-    let (mode, prescribed) = match &axis.mode {
+    let (mode, given) = match &axis.mode {
         RevoluteMode::Free => (Mode::Free, None),
         RevoluteMode::Held => (Mode::Held, None),
-        RevoluteMode::Prescribed(p) => (Mode::Prescribed, Some((p.rate_rad_s, p.history, p.pulse.clone()))),
+        RevoluteMode::Prescribed(p) => {
+            let (pulse, list) = (p.pulse.clone(), p.list.clone());
+            (Mode::Prescribed, Some(GivenMotion::Rate { full: p.rate_rad_s, history: p.history, pulse, list }))
+        }
+        RevoluteMode::Travel(t) => {
+            let [start_s, duration_s, ramp_s] = [t.start_s.get(), t.duration_s.get(), t.ramp_s.get()];
+            (Mode::Prescribed, Some(GivenMotion::Travel { way: t.angle_rad, start_s, duration_s, ramp_s }))
+        }
     };
     Axis {
         label,
@@ -67,7 +82,7 @@ fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> Axis<S> {
         initial: axis.initial_angle_rad,
         initial_rate: axis.initial_rate_rad_s,
         mode,
-        prescribed,
+        given,
         damping: axis.damping_n_m_s.get(),
         friction: axis.friction.as_ref().map(|f| [f.torque_n_m.get(), f.smoothing_rad_s.get()]),
         spring: axis.spring.as_ref().map(|s| [s.stiffness_n_m_per_rad.get(), s.rest_rad]),
@@ -81,10 +96,17 @@ fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> Axis<S> {
 }
 
 fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> Axis<S> {
-    let (mode, prescribed) = match &axis.mode {
+    let (mode, given) = match &axis.mode {
         PrismaticMode::Free => (Mode::Free, None),
         PrismaticMode::Held => (Mode::Held, None),
-        PrismaticMode::Prescribed(p) => (Mode::Prescribed, Some((p.speed_m_s, p.history, p.pulse.clone()))),
+        PrismaticMode::Prescribed(p) => {
+            let (pulse, list) = (p.pulse.clone(), p.list.clone());
+            (Mode::Prescribed, Some(GivenMotion::Rate { full: p.speed_m_s, history: p.history, pulse, list }))
+        }
+        PrismaticMode::Travel(t) => {
+            let [start_s, duration_s, ramp_s] = [t.start_s.get(), t.duration_s.get(), t.ramp_s.get()];
+            (Mode::Prescribed, Some(GivenMotion::Travel { way: t.length_m, start_s, duration_s, ramp_s }))
+        }
     };
     Axis {
         label,
@@ -92,7 +114,7 @@ fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> Axis<S> {
         initial: axis.initial_extension_m,
         initial_rate: axis.initial_speed_m_s,
         mode,
-        prescribed,
+        given,
         damping: axis.damping_n_s_m.get(),
         friction: axis.friction.as_ref().map(|f| [f.force_n.get(), f.smoothing_m_s.get()]),
         spring: axis.spring.as_ref().map(|s| [s.stiffness_n_per_m.get(), s.rest_m]),

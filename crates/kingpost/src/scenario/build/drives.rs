@@ -3,10 +3,9 @@
 use super::super::schema::{self, BrakeState, History, Scenario};
 use super::axes::axes;
 use super::bodies::joint_name;
-use super::flexible::owner;
-use super::{FieldError, cylinders, known, wave_motion};
+use super::{FieldError, cylinders, histories, known, wave_motion};
 use crate::dynamics::Clock;
-use crate::elements::drives::{Brake, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use crate::elements::drives::{Brake, Motor, Profile, Servo};
 use crate::elements::{AnyElement, CoulombFriction};
 use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
@@ -29,7 +28,7 @@ pub fn build<S: Quantity>(
         let allowed = coordinates(scenario, parts.motion);
         known(&format!("{}.joint", parts.field), parts.joint, allowed.iter().map(String::as_str))?;
         let profile = match parts.law {
-            Law::Motor { history, pulse, .. } => profile(&parts.field, history, pulse)?,
+            Law::Motor { history, pulse, list, .. } => histories::of_motor(&parts.field, history, pulse, list)?,
             Law::Servo { .. } | Law::Brake { .. } => Profile::constant(),
         };
         let Some(coordinate) = model.coordinate(parts.joint).filter(|_| parts.enabled) else { continue };
@@ -50,7 +49,7 @@ pub fn build<S: Quantity>(
             }
         });
     }
-    for motion in prescribed(scenario, model)? {
+    for motion in histories::given_motions(scenario, model)? {
         v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
         drives.push(Box::new(motion));
     }
@@ -87,6 +86,7 @@ enum Law<'a, S> {
         effort: S,
         history: History,
         pulse: Option<&'a schema::Pulse>,
+        list: Option<&'a schema::HistoryList<S>>,
     },
     /// Target, stiffness, damping, limit.
     Servo {
@@ -102,14 +102,15 @@ enum Law<'a, S> {
 impl<'a, S: Quantity> Parts<'a, S> {
     /// `None` for a drive that is in no joint.
     fn of(name: &str, drive: &'a schema::Drive<S>) -> Option<Self> {
-        let motor =
-            |effort, history, pulse: &'a Option<schema::Pulse>| Law::Motor { effort, history, pulse: pulse.as_ref() };
+        let motor = |effort, history, pulse: &'a Option<schema::Pulse>, list: &'a Option<schema::HistoryList<S>>| {
+            Law::Motor { effort, history, pulse: pulse.as_ref(), list: list.as_ref() }
+        };
         let (kind, enabled, joint, motion, law) = match drive {
             schema::Drive::Motor(d) => {
-                ("motor", d.enabled, &d.joint, Rotation, motor(d.torque_n_m, d.history, &d.pulse))
+                ("motor", d.enabled, &d.joint, Rotation, motor(d.torque_n_m, d.history, &d.pulse, &d.list))
             }
             schema::Drive::LinearMotor(d) => {
-                ("linear_motor", d.enabled, &d.joint, Translation, motor(d.force_n, d.history, &d.pulse))
+                ("linear_motor", d.enabled, &d.joint, Translation, motor(d.force_n, d.history, &d.pulse, &d.list))
             }
             schema::Drive::Servo(d) => {
                 let (stiffness, damping) = (d.stiffness_n_m_per_rad.get(), d.damping_n_m_s_per_rad.get());
@@ -142,49 +143,4 @@ fn coordinates<S: Quantity>(scenario: &Scenario<S>, motion: AxisMotion) -> Vec<S
         axes.map(|axis| axis.coordinate_name(joint_name(name, body))).collect::<Vec<_>>()
     };
     scenario.bodies.iter().flat_map(of_body).collect()
-}
-
-fn profile(field: &str, history: History, pulse: Option<&schema::Pulse>) -> Result<Profile, FieldError> {
-    match (history, pulse) {
-        (History::Constant | History::Lever, _) => Ok(Profile::constant()),
-        (History::Pulse, Some(pulse)) => Ok(Profile::pulse(Pulse {
-            rise_s: pulse.rise_s.get(),
-            hold_s: pulse.hold_s.get(),
-            reverse_s: pulse.reverse_s.get(),
-        })),
-        (History::Pulse, None) => {
-            let allowed = "rise_s, hold_s and reverse_s, for a history that is a pulse";
-            Err(FieldError::new(format!("{field}.pulse"), "nothing", allowed))
-        }
-    }
-}
-
-/// The motions of the prescribed coordinates that are there.
-fn prescribed<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<PrescribedMotion<S>>, FieldError> {
-    let mut motions = Vec::new();
-    for (i, body) in model.bodies.iter().enumerate() {
-        let (name, 0) = owner(&body.name) else { continue };
-        let joint = &scenario.bodies[name].joint;
-        for (k, axis) in axes(joint).iter().enumerate() {
-            let Some((rate, history, pulse)) = &axis.prescribed else { continue };
-            let path = format!("bodies.{}.joint.{}", body.name, joint.kind());
-            let profile = prescribed_profile(&format!("{path}.{}", axis.field("mode.prescribed")), *history, pulse)?;
-            motions.push(PrescribedMotion { coordinate: model.tree.nodes[i].velocities + k, rate: *rate, profile });
-        }
-    }
-    Ok(motions)
-}
-
-/// How a prescribed rate goes with time; it has no lever, and does not jump.
-fn prescribed_profile(field: &str, history: History, pulse: &Option<schema::Pulse>) -> Result<Profile, FieldError> {
-    if history == History::Lever {
-        let allowed = "constant or pulse, for a prescribed motion";
-        return Err(FieldError::new(format!("{field}.history"), "lever", allowed));
-    }
-    let profile = profile(field, history, pulse.as_ref())?;
-    if history == History::Pulse && pulse.as_ref().is_some_and(|p| p.rise_s.get() == 0.0) {
-        let allowed = "a number greater than 0: a rate cannot jump";
-        return Err(FieldError::new(format!("{field}.pulse.rise_s"), 0, allowed));
-    }
-    Ok(profile)
 }

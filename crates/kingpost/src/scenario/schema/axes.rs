@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::{History, NonNegative, Positive, Pulse};
+use super::histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
+use super::{History, NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
 
 /// One axis that a joint turns about.
@@ -133,7 +134,9 @@ pub enum RevoluteMode<S = f64> {
     /// It stays at its initial angle.
     Held,
     /// A given rate does.
-    Prescribed(PrescribedRate<S>),
+    Prescribed(Box<PrescribedRate<S>>),
+    /// It turns by a given angle, from rest to rest.
+    Travel(AngleTravel<S>),
 }
 
 /// A rate of turning as a given function of time.
@@ -152,7 +155,10 @@ pub struct PrescribedRate<S = f64> {
     pub history: History,
     /// The times of the history `pulse`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pulse: Option<Pulse>,
+    pub pulse: Option<RatePulse>,
+    /// The times and shares of the history `list`; a rate cannot jump.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub list: Option<HistoryList<S>>,
 }
 
 /// What decides the extension along an axis.
@@ -170,7 +176,9 @@ pub enum PrismaticMode<S = f64> {
     /// It stays at its initial extension.
     Held,
     /// A given speed does.
-    Prescribed(PrescribedSpeed<S>),
+    Prescribed(Box<PrescribedSpeed<S>>),
+    /// It slides by a given length, from rest to rest.
+    Travel(LengthTravel<S>),
 }
 
 /// A speed of sliding as a given function of time.
@@ -189,7 +197,10 @@ pub struct PrescribedSpeed<S = f64> {
     pub history: History,
     /// The times of the history `pulse`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pulse: Option<Pulse>,
+    pub pulse: Option<RatePulse>,
+    /// The times and shares of the history `list`; a rate cannot jump.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub list: Option<HistoryList<S>>,
 }
 
 /// Dry friction against turning, `torque rate / sqrt(rate^2 + smoothing^2)`.

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::axes::slow;
+use super::histories::HistoryList;
 use super::{CoordinateName, Cylinder, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
@@ -39,23 +40,29 @@ pub enum History {
     /// Full strength from the start on.
     #[default]
     Constant,
-    /// Up, hold, reverse, stop, by the times of `pulse`.
+    /// Up, hold, stop, or up, hold, reverse, stop, by the times of `pulse`.
     Pulse,
+    /// Straight lines between the shares of `list` at given times.
+    List,
     /// An input in [-1, 1], named as the drive, times the full strength.
     Lever,
 }
 
-/// Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, from T to -T in twice `rise_s`, -T for
-/// `reverse_s`, back to 0 in `rise_s`, and 0 from then on.
+/// Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on;
+/// with a `reverse_s` from T to -T in twice `rise_s`, -T for `reverse_s`, and then back to 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Pulse {
+    /// When it begins, s.
+    #[serde(default)]
+    pub start_s: NonNegative,
     /// Length of the ramp from 0 to full strength, s; 0 is a jump.
     pub rise_s: NonNegative,
     /// Time at full strength, s.
     pub hold_s: NonNegative,
-    /// Time at full strength the other way, s.
+    /// Time at full strength the other way, s; 0 is a pulse that does not reverse.
+    #[serde(default)]
     pub reverse_s: NonNegative,
 }
 
@@ -82,6 +89,9 @@ pub struct Motor<S = f64> {
     /// The times of the history `pulse`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pulse: Option<Pulse>,
+    /// The times and shares of the history `list`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub list: Option<HistoryList<S>>,
 }
 
 /// A force in a prismatic joint; the reaction acts on the parent.
@@ -107,6 +117,9 @@ pub struct LinearMotor<S = f64> {
     /// The times of the history `pulse`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pulse: Option<Pulse>,
+    /// The times and shares of the history `list`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub list: Option<HistoryList<S>>,
 }
 
 /// A torque `stiffness (target - angle) - damping rate` in a revolute joint, clipped at the torque limit.
