@@ -13,6 +13,7 @@ pub mod json_schema;
 mod neighbour;
 mod parameters;
 mod parse;
+mod parts;
 pub mod range;
 mod read;
 pub mod schema;
@@ -23,7 +24,7 @@ pub mod wording;
 
 pub use assignment::parse_assignment;
 pub use error::{FieldError, ScenarioError};
-pub use files::{Files, NamedFiles};
+pub use files::{Files, Host, NamedFiles};
 pub use read::{file_names, read, read_with};
 pub use schema::Scenario;
 pub use units::{UNIT_ALIASES, UnitAlias};
