@@ -25,6 +25,7 @@ pub mod wording;
 pub use assignment::parse_assignment;
 pub use error::{FieldError, ScenarioError};
 pub use files::{Files, Host, NamedFiles};
+pub use parts::{FILES as PART_FILES, REFERENCES as PART_REFERENCES};
 pub use read::{file_names, read, read_with};
 pub use schema::Scenario;
 pub use units::{UNIT_ALIASES, UnitAlias};

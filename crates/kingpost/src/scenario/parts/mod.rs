@@ -10,6 +10,8 @@ pub(super) mod names;
 mod overrides;
 mod stand;
 
+pub use names::{FILES, REFERENCES};
+
 use indexmap::IndexMap;
 use serde_json::{Value, json};
 
