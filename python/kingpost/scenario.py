@@ -50,8 +50,8 @@ class Scenario:
 
     @cached_property
     def files(self) -> dict[str, str]:
-        """Texts of the files that the scenario names, its parts and theirs, by name; those that are not there are
-        left out. What begins with ``gallery:`` is the gallery's.
+        """Texts of the files that the scenario names, its parts and theirs, by name; those that are not there
+        are left out. What begins with ``gallery:`` is the gallery's.
 
         >>> load("paper").files
         {}

@@ -26,7 +26,7 @@ version: 1
 title: A post
 parameters: [{name: mass_t, default: 2, range: [1, 9], writes: [bodies.post.mass_t]}]
 bodies:
-  post: {mass_t: 2, shape: {box: {length_m: 1, width_m: 1, height_m: 6}}, joint: {fixed: {position_m: [0, 0, 3]}}}
+  post: {mass_t: 2, shape: {box: {length_m: 1, width_m: 1, height_m: 6}}, joint: {fixed: {}}}
 """
 
 
@@ -77,21 +77,36 @@ def test_a_resolved_scenario_of_the_gallery_finds_its_database_from_anywhere(tmp
     assert list(kingpost.load(stored).files) == ["gallery:hydro/barge.hydro.json"]
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "says"),
-    [
-        ("part: paper_crane", "part: papr_crane", ["ship.yaml:9:18: parts.stores.part: found no file gallery:parts/papr_crane.yaml",
-                                                   "; looked for ", "did you mean paper_crane?"]),
-        ("cranes/post", "cranes/pots", ["ship.yaml:8:17: parts.crane.part: found no file cranes/pots.yaml", "looked for "]),
-        ("on: ship, position_m: [3", "on: shp, position_m: [3", ["ship.yaml:8:39: parts.crane.on: found shp", "did you mean ship?"]),
-    ],
-)  # fmt: skip
-def test_a_mounting_that_is_wrong_is_answered_with_its_place(ship, capsys, old, new, says):
+WRONG_MOUNTINGS = [
+    (
+        "part: paper_crane",
+        "part: papr_crane",
+        "ship.yaml:9:18: parts.stores.part: found no file gallery:parts/papr_crane.yaml",
+        "did you mean paper_crane?",
+    ),
+    (
+        "cranes/post",
+        "cranes/pots",
+        "ship.yaml:8:17: parts.crane.part: found no file cranes/pots.yaml",
+        "looked for ",
+    ),
+    (
+        "on: ship, position_m: [3",
+        "on: shp, position_m: [3",
+        "ship.yaml:8:39: parts.crane.on: found shp",
+        "did you mean ship?",
+    ),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "place", "hint"), WRONG_MOUNTINGS)
+def test_a_mounting_that_is_wrong_is_answered_with_its_place(ship, capsys, old, new, place, hint):
     """Source: where the words stand in the file."""
     ship.write_text(SHIP.replace(old, new))
     assert main(["check", str(ship)]) == 2
     answer = capsys.readouterr().err
-    assert all(words in answer for words in says), answer
+    assert place in answer
+    assert hint in answer
 
 
 def test_a_mistake_in_a_part_is_answered_with_the_parts_file(ship, capsys):
