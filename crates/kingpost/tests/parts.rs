@@ -364,8 +364,8 @@ fn a_mistake_in_a_mounting_has_its_place_in_the_including_file() {
     );
     refuses(
         "on: ship",
-        "on: ship, parameters: {lod_t: 3}",
-        "3}",
+        "on: ship, parameters: {lod_t: 73}",
+        "73}",
         "parts.crane.parameters.lod_t: found an unknown name, allowed: a dotted path of a field, or load_t or reach_m; did you mean load_t?",
     );
     refuses(
