@@ -15,7 +15,7 @@ DONE := target/make
 WASM := web/src/engine/pkg/kingpost_wasm_bg.wasm
 APP := web/dist/index.html
 NODE_MODULES := web/node_modules/.package-lock.json
-GALLERY := $(wildcard scenarios/*.yaml scenarios/hydro/*.json)
+GALLERY := $(wildcard scenarios/*.yaml scenarios/parts/*.yaml scenarios/hydro/*.json)
 sources = $(shell find $(1) -type f -not -path '*/pkg/*' -not -path '*/__pycache__/*' 2>/dev/null)
 ENGINE := Cargo.toml Cargo.lock $(call sources,crates/kingpost/src crates/kingpost/Cargo.toml)
 

@@ -11,6 +11,8 @@ from . import _engine
 from .errors import ScenarioError
 
 ENDINGS = (".yaml", ".yml", ".json")
+GALLERY = "gallery:"
+"""What the names of the gallery's files begin with."""
 
 
 @dataclass(frozen=True)
@@ -48,9 +50,7 @@ def entries() -> list[Entry]:
 
 def _title(path: Path) -> str:
     text, file = read_text(path), str(path)
-    names = _engine.file_names(text, file, "[]")
-    files = {name: read_text(found) for name in names if (found := beside(file, name)) is not None}
-    resolved: str = _engine.read(text, file, "[]", files)
+    resolved: str = _engine.read(text, file, "[]", texts(text, file))
     return json.loads(resolved)["title"]
 
 
@@ -80,15 +80,42 @@ def find(path_or_name: str | Path) -> Path:
     raise ScenarioError(f"{text}: neither a file nor a name of the gallery; {hint}", file=text)
 
 
-def beside(file: str | Path, name: str) -> Path | None:
-    """Return the file of this name beside another; `None` where there is none.
+def parts() -> list[str]:
+    """Names of the parts that a scenario can be made of, sorted.
 
-    >>> beside(find("barge"), "hydro/barge.hydro.json").name
-    'barge.hydro.json'
-    >>> beside("nowhere.yaml", "hydro/barge.hydro.json")
+    >>> "pedestal_crane" in parts()
+    True
     """
-    path = Path(file).parent / name
-    return path if path.is_file() else None
+    return sorted(path.stem for path in (folder() / "parts").glob("*.yaml"))
+
+
+def place(file: str | Path, name: str) -> Path:
+    """Where a file is that a scenario names: beside the scenario's own, or in the gallery.
+
+    >>> place("ships/mine.yaml", "hulls/mine.hydro.json").as_posix()
+    'ships/hulls/mine.hydro.json'
+    >>> place("ships/mine.yaml", "gallery:parts/pedestal_crane.yaml").is_file()
+    True
+    """
+    in_gallery = name.removeprefix(GALLERY)
+    return Path(file).parent / name if in_gallery == name else folder() / in_gallery
+
+
+def texts(text: str, file: str, overrides_json: str = "[]") -> dict[str, str]:
+    """Texts of the files that a scenario names, its parts and theirs, by name; those that are not there are
+    left out.
+
+    >>> sorted(texts("{version: 1, title: x, parts: {crane: {part: pedestal_crane}}}", "x.yaml"))
+    ['gallery:parts/pedestal_crane.yaml']
+    """
+    found: dict[str, str] = {}
+    asked: set[str] = set()
+    # A part names files of its own once it is there.
+    while new := set(_engine.file_names(text, file, overrides_json, found)) - asked:
+        asked |= new
+        paths = {name: place(file, name) for name in sorted(new)}
+        found |= {name: read_text(path) for name, path in paths.items() if path.is_file()}
+    return found
 
 
 def read_text(path: Path) -> str:

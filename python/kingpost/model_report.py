@@ -29,6 +29,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
     drives = resolved.get("drives", {})
     sections = [
         [scenario.title],
+        _parts(described["parts"]),
         _bodies(described),
         [f"total mass: {mass:g} kg", f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}"],
         _loops(described["loops"]),
@@ -46,6 +47,15 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         ],
     ]
     return "\n\n".join("\n".join(lines) for lines in sections if lines)
+
+
+def _parts(parts: list[dict[str, Any]]) -> list[str]:
+    """What the scenario is made of, and where each part stands."""
+    rows = [("part", "is", "on", "at")]
+    for part in parts:
+        at = ", ".join(f"{x:g}" for x in part["position_m"])
+        rows.append((part["name"], part["part"], part["on"], f"{at} m"))
+    return table(rows, "<<<<") if parts else []
 
 
 def _bodies(described: dict[str, Any]) -> list[str]:

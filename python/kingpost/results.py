@@ -178,6 +178,7 @@ def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
         "status": status,
         "source": scenario.file,
         "scenario": scenario.json,
+        "files": json.dumps(scenario.digests),
         "versions": json.dumps(versions),
         "seed": resolved["simulation"]["seed"],
         "gravity_m_s2": gravity_m_s2(resolved),

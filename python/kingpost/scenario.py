@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import difflib
+import hashlib
 import json
 import math
 from collections.abc import Callable, Mapping
@@ -48,14 +50,15 @@ class Scenario:
 
     @cached_property
     def files(self) -> dict[str, str]:
-        """Texts of the files that the scenario names, by name; those that are not there are left out.
+        """Texts of the files that the scenario names, its parts and theirs, by name; those that are not there
+        are left out. What begins with ``gallery:`` is the gallery's.
 
         >>> load("paper").files
         {}
+        >>> list(load("knuckle_boom_crane").files)
+        ['gallery:parts/knuckle_boom_crane.yaml']
         """
-        names = _engine.file_names(self.text, self.file, self._overrides_json)
-        paths = {name: gallery.beside(self.file, name) for name in names}
-        return {name: gallery.read_text(path) for name, path in paths.items() if path is not None}
+        return gallery.texts(self.text, self.file, self._overrides_json)
 
     @cached_property
     def resolved(self) -> dict[str, Any]:
@@ -65,6 +68,15 @@ class Scenario:
         False
         """
         return json.loads(self.json)
+
+    @cached_property
+    def digests(self) -> dict[str, str]:
+        """SHA-256 of each of `files`, by name: what stands behind the resolved scenario.
+
+        >>> len(load("knuckle_boom_crane").digests["gallery:parts/knuckle_boom_crane.yaml"])
+        64
+        """
+        return {name: hashlib.sha256(text.encode()).hexdigest() for name, text in self.files.items()}
 
     @property
     def title(self) -> str:
@@ -161,7 +173,11 @@ def _with_place(error: ScenarioError, file: str) -> ScenarioError:
     name = (error.found or "").removeprefix("no file ")
     if name == error.found or not name:
         return error
-    looked = f"{error}; looked for {Path(file).parent / name}"
+    looked = f"{error}; looked for {gallery.place(file, name)}"
+    wanted = Path(name).stem
+    if (error.field or "").endswith(".part"):
+        near = difflib.get_close_matches(wanted, gallery.parts(), n=1)
+        looked += f"; did you mean {near[0]}?" if near else f"; the gallery has {', '.join(gallery.parts())}"
     return ScenarioError(
         looked, error.file, error.line, error.column, error.field, error.found, error.allowed
     )

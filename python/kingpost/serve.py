@@ -74,15 +74,16 @@ def scenarios(given: str | None) -> tuple[dict[str, str], str | None]:
 
 
 def databases(given: str | None) -> dict[str, str]:
-    """Texts of the hydrodynamic databases, by the names that scenarios give them.
+    """Texts of parts and hydrodynamic databases, by their paths below the scenarios' folder.
 
     Those of the gallery, and what the given scenario names; one name stands for one file.
     """
-    hydro = sorted((gallery.folder() / "hydro").glob("*.json"))
-    texts = {f"hydro/{path.name}": gallery.read_text(path) for path in hydro}
+    below = gallery.folder()
+    paths = [*sorted((below / "parts").glob("*.yaml")), *sorted((below / "hydro").glob("*.json"))]
+    texts = {path.relative_to(below).as_posix(): gallery.read_text(path) for path in paths}
     if given is None:
         return texts
-    own = load(given).files
+    own = {name: text for name, text in load(given).files.items() if not name.startswith(gallery.GALLERY)}
     for name in own.keys() & texts.keys():
         if own[name] != texts[name]:
             raise KingpostError(
@@ -97,7 +98,8 @@ def index(
     """What `scenarios/index.json` says: name, title and file of each scenario, `paper` first, and which of
     them the bare address opens, where one was chosen."""
     ordered = sorted(files.items(), key=lambda item: (item[0] != "paper.yaml", item[0]))
-    read = ((file, json.loads(_engine.read(text, file, "[]", databases))) for file, text in ordered)
+    known = databases | {f"{gallery.GALLERY}{name}": text for name, text in databases.items()}
+    read = ((file, json.loads(_engine.read(text, file, "[]", known))) for file, text in ordered)
     return [
         {"name": Path(file).stem, "title": resolved.get("title") or Path(file).stem, "file": file}
         | ({"opens": True} if Path(file).stem == chosen else {})

@@ -157,11 +157,11 @@ def test_a_count_of_steps_that_is_none_is_refused(n):
 
 def test_a_database_of_ones_own_that_is_not_there_is_not_replaced_by_the_gallerys(tmp_path, capsys):
     """Source: another hull of the same name is another ship; the error says where the file should be."""
-    path = tmp_path / "barge.yaml"
-    path.write_text(kingpost.load("barge").text)
+    path = tmp_path / "sphere.yaml"
+    path.write_text(kingpost.load("sphere_decay").text)
     assert main(["check", str(path)]) == 2
     says = one_line(capsys.readouterr().err)
-    assert "forces.water.hydrodynamics.database: found no file hydro/barge.hydro.json" in says
-    assert f"looked for {tmp_path / 'hydro' / 'barge.hydro.json'}" in says
+    assert "forces.water.hydrodynamics.database: found no file hydro/sphere.hydro.json" in says
+    assert f"looked for {tmp_path / 'hydro' / 'sphere.hydro.json'}" in says
     # By its name, or by its path in the gallery's folder, the gallery's own has its database.
-    assert kingpost.load(kingpost.gallery.find("barge")).files.keys() == {"hydro/barge.hydro.json"}
+    assert kingpost.load(kingpost.gallery.find("sphere_decay")).files.keys() == {"hydro/sphere.hydro.json"}

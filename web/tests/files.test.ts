@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { openedWith, scenarioAmong, ScenarioFiles } from "../src/engine/files";
+import { gathered, openedWith, scenarioAmong, ScenarioFiles, textsOf } from "../src/engine/files";
 
 const FOLDER = "https://ships.example/app/scenarios/";
 
@@ -44,6 +44,30 @@ describe("the files that a scenario names", () => {
   });
 });
 
+it("asks for files until no new one is named: parts name files of their own", async () => {
+  const taken: string[][] = [];
+  const names = (texts: Record<string, string>) => ("part" in texts ? ["part", "hull", "gone"] : ["part"]);
+  const texts = await gathered(names, async (asked) => {
+    taken.push([...asked]);
+    return Object.fromEntries(asked.filter((name) => name !== "gone").map((name) => [name, `text of ${name}`]));
+  });
+  expect(taken).toEqual([["part"], ["hull", "gone"]]);
+  expect(texts).toEqual({ part: "text of part", hull: "text of hull" });
+});
+
+it("takes the gallery's parts from its folder, also for a person's own scenario", async () => {
+  const { files } = folderOf({ "parts/crane.yaml": "the gallery's", "own.yaml": "the gallery's own" });
+  const names = ["gallery:parts/crane.yaml", "own.yaml"];
+  expect(await textsOf(names, { "own.yaml": "mine" }, files)).toEqual({
+    "gallery:parts/crane.yaml": "the gallery's",
+    "own.yaml": "mine",
+  });
+  expect(await textsOf(names, null, files)).toEqual({
+    "gallery:parts/crane.yaml": "the gallery's",
+    "own.yaml": "the gallery's own",
+  });
+});
+
 it("takes the files that were opened with a scenario, whatever folder it names them in", () => {
   const opened = { "ship.hydro.json": "ship", "other.hydro.json": "other" };
   expect(openedWith(["hydro/ship.hydro.json", "hydro/barge.hydro.json"], opened)).toEqual({ "hydro/ship.hydro.json": "ship" });
@@ -55,6 +79,7 @@ it("tells a scenario from the databases, tables and other programs' files that a
   expect(scenarioAmong({ "a.hydro.json": "{}", "waves.csv": "time_s,elevation_m", "ship.yaml": scenario })).toBe("ship.yaml");
   expect(scenarioAmong({ "orcaflex.yml": "VesselTypes:\n  - Name: ship", "ship.yaml": scenario })).toBe("ship.yaml");
   expect(scenarioAmong({ "ship.json": '{"version": 1, "bodies": {}}', "other.json": "{}" })).toBe("ship.json");
+  expect(scenarioAmong({ "crane.yaml": scenario, "ship.yaml": "version: 1\nparts:\n  crane: {part: crane.yaml}\n" })).toBe("ship.yaml");
   expect(scenarioAmong({ "wrong.toml": "[project]" })).toBe("wrong.toml");
   expect(scenarioAmong({ "a.hydro.json": "{}" })).toBeUndefined();
 });

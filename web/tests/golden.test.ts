@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { expect, it } from "vitest";
 import type { Value } from "../src/engine/engine";
+import { gathered } from "../src/engine/files";
 import { Runner } from "../src/engine/runner";
 import init, { file_names, Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 
@@ -22,10 +23,12 @@ await init({ module_or_path: readFileSync(here("../src/engine/pkg/kingpost_wasm_
 
 const bits = (row: ArrayLike<number>) => Array.from(new BigUint64Array(Float64Array.from(row).buffer), String);
 
-it.each(cases)("gives the native run's bits in WASM: $scenario, $name", ({ scenario, overrides, steps, row }) => {
+it.each(cases)("gives the native run's bits in WASM: $scenario, $name", async ({ scenario, overrides, steps, row }) => {
   const text = read(`scenarios/${scenario}.yaml`);
-  const names: string[] = JSON.parse(file_names(text, scenario, "{}"));
-  const files = Object.fromEntries(names.map((name) => [name, read(`scenarios/${name}`)]));
+  const files = await gathered(
+    (texts) => JSON.parse(file_names(text, scenario, "{}", JSON.stringify(texts))),
+    async (names) => Object.fromEntries(names.map((name) => [name, read(`scenarios/${name.replace("gallery:", "")}`)])),
+  );
   const simulation = new Simulation(text, scenario, JSON.stringify(overrides), JSON.stringify(files));
   simulation.step(steps);
   expect(bits(simulation.row())).toEqual(bits(row));

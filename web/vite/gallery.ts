@@ -33,8 +33,15 @@ export function databases(folder: string): string[] {
   return readdirSync(hydro).filter((file) => file.endsWith(".json")).sort().map((file) => `hydro/${file}`);
 }
 
+/** The parts that scenarios are made of, as they name them. */
+export function parts(folder: string): string[] {
+  const below = join(folder, "parts");
+  if (!existsSync(below)) return [];
+  return readdirSync(below).filter((file) => /\.ya?ml$/.test(file)).sort().map((file) => `parts/${file}`);
+}
+
 function served(folder: string): string[] {
-  return [...galleryIndex(folder).map(({ file }) => file), ...databases(folder)];
+  return [...galleryIndex(folder).map(({ file }) => file), ...parts(folder), ...databases(folder)];
 }
 
 /** Serves the gallery under `scenarios/` while developing and copies it into the built folder. */

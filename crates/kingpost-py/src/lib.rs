@@ -33,10 +33,11 @@ fn read(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<
     Ok(read_with(text, file, overrides_json, files)?.to_json())
 }
 
-/// Names of the files that a scenario stands on.
+/// Names of the files that a scenario stands on, as far as those that are given tell.
 #[pyfunction]
-fn file_names(text: &str, file: &str, overrides_json: &str) -> PyResult<Vec<String>> {
-    scenario::file_names(text, file, &overrides(overrides_json)?).map_err(errors::scenario)
+fn file_names(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<Vec<String>> {
+    let files = scenario::Files::new(files);
+    scenario::file_names(text, file, &overrides(overrides_json)?, &files).map_err(errors::scenario)
 }
 
 /// `name=value` as a name and the value in JSON.

@@ -109,10 +109,13 @@ impl Simulation {
     }
 }
 
-/// Names of the files that a scenario stands on, as a list.
+/// Names of the files that a scenario stands on, as a list, as far as those in `files_json` tell: to be asked until no new
+/// name comes.
 #[wasm_bindgen]
-pub fn file_names(text: &str, file: &str, overrides_json: &str) -> Result<JsString, JsValue> {
-    json(&scenario::file_names(text, file, &overrides(overrides_json)?).map_err(thrown::scenario)?)
+pub fn file_names(text: &str, file: &str, overrides_json: &str, files_json: &str) -> Result<JsString, JsValue> {
+    let files: HashMap<String, String> = serde_json::from_str(files_json).map_err(thrown::input)?;
+    let names = scenario::file_names(text, file, &overrides(overrides_json)?, &Files::new(files));
+    json(&names.map_err(thrown::scenario)?)
 }
 
 fn overrides(json: &str) -> Result<Vec<(String, Value)>, JsValue> {

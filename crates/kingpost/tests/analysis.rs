@@ -2,6 +2,7 @@
 //! gradients of whole runs against runs with moved parameters.
 
 mod common;
+mod gallery_common;
 
 use common::{assert_linearised, every_joint, everything};
 use kingpost::analysis::{Linearizer, gradient};
@@ -217,8 +218,7 @@ fn read_paper(overrides: &[(&str, Value)]) -> Scenario {
 }
 
 fn read_set(text: &str, overrides: &[(&str, Value)]) -> Scenario {
-    let overrides: Vec<(String, Value)> = overrides.iter().map(|(n, v)| ((*n).to_owned(), v.clone())).collect();
-    read(text, "test.yaml", &overrides).expect("the scenario reads")
+    gallery_common::read(text, overrides).expect("the scenario reads")
 }
 
 /// Masses, places, torques, damping and an initial angle, more than one evaluation carries.
@@ -263,7 +263,7 @@ fn so_they_do_through_a_closed_loop_and_a_cylinder() {
         ("drives.luffing.cylinder.stiffness_N_per_m", 2e7),
         ("bodies.boom.joint.revolute.initial_angle_deg", 55.0),
     ];
-    gradients_agree(include_str!("../../../scenarios/dual_draglink_crane.yaml"), &base, &parameters);
+    gradients_agree(&gallery_common::text("dual_draglink_crane"), &base, &parameters);
 }
 
 /// Derivatives of every result of a run along parameters with these values, against central differences

@@ -1,6 +1,7 @@
 //! Many runs at once are the runs that each variant has alone, bit for bit.
 
 mod common;
+mod gallery_common;
 
 use common::paper_setup;
 use kingpost::batch::{self, BatchError, Variant};
@@ -97,16 +98,14 @@ fn a_batch_can_be_stopped() {
 #[test]
 fn runs_with_closed_loops_and_cylinders_have_the_bits_that_they_have_alone() {
     // Newton's method closes each lane's loop in its own number of corrections.
-    let cranes = [
-        ("dual_draglink_crane.yaml", include_str!("../../../scenarios/dual_draglink_crane.yaml"), "boom_cylinder_m"),
-        ("knuckle_boom_crane.yaml", include_str!("../../../scenarios/knuckle_boom_crane.yaml"), "main_cylinder_m"),
-    ];
-    for (file, text, cylinder) in cranes {
+    let cranes = [("dual_draglink_crane", "boom_cylinder_m"), ("knuckle_boom_crane", "main_cylinder_m")];
+    for (file, cylinder) in cranes {
+        let (text, files) = (gallery_common::text(file), gallery_common::files());
         let mut variants: Vec<Variant> = (0..7).map(|k| variant(&[("load_t", json!(3 + k))])).collect();
         variants.push(variant(&[(cylinder, json!(7.1))]));
-        let batch = batch::run(text, file, &Files::default(), &variants, 2, |_| true).expect("the variants build");
+        let batch = batch::run(&text, file, &files, &variants, 2, |_| true).expect("the variants build");
         for (run, variant) in batch.runs.iter().zip(&variants) {
-            let scenario = kingpost::scenario::read(text, file, variant).unwrap();
+            let scenario = kingpost::scenario::read_with(&text, file, variant, &files).unwrap();
             let alone = Simulation::new(scenario.setup().unwrap()).run(|_| true);
             assert!(run.status.is_ok() && bits(run) == bits(&alone), "{file}: {variant:?}");
         }

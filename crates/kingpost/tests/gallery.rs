@@ -1,24 +1,13 @@
 //! Every scenario of the gallery reads, runs to its end and accounts for its energy and momentum.
 
+mod gallery_common;
+
 use kingpost::Simulation;
-use kingpost::scenario::{self, Scenario};
-use std::fs;
-use std::path::Path;
+use kingpost::scenario::Scenario;
 
 fn gallery() -> Vec<(String, Scenario)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
-    let mut files: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
-    files.retain(|path| path.extension().is_some_and(|ending| ending == "yaml"));
-    files.sort();
-    let read = |path: &std::path::PathBuf| {
-        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-        let text = fs::read_to_string(path).unwrap();
-        let named = scenario::file_names(&text, &name, &[]).unwrap_or_else(|error| panic!("{error}"));
-        let files = named.into_iter().map(|file| (file.clone(), fs::read_to_string(folder.join(file)).unwrap()));
-        let scenario = scenario::read_with(&text, &name, &[], &scenario::Files::new(files));
-        (name, scenario.unwrap_or_else(|error| panic!("{error}")))
-    };
-    files.iter().map(read).collect()
+    let read = |name: String| (name.clone(), gallery_common::scenario(&name, &[]));
+    gallery_common::names("").into_iter().map(read).collect()
 }
 
 #[test]

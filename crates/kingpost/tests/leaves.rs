@@ -5,6 +5,7 @@ use kingpost::analysis::gradient;
 use kingpost::batch;
 use kingpost::elements::{DynamicPositioning, FlowLoad, of_kind};
 use kingpost::results::Channel;
+use kingpost::scalar::Dual;
 use kingpost::scenario::{Files, read_with};
 use kingpost::simulation::{Run, Simulation};
 use serde_json::{Value, json};

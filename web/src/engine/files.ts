@@ -6,13 +6,42 @@ export type Texts = Record<string, string>;
 
 /** How names of hydrodynamic databases and of tables end, which are no scenarios. */
 const NO_SCENARIOS = [".hydro.json", ".csv"];
-/** What every scenario has, in YAML or JSON. */
-const BODIES = /(^|[{,\s])"?bodies"?\s*:/m;
+/** What every scenario has one of, in YAML or JSON: what names other files before what may be one of them. */
+const OF_SCENARIOS = [/(^|[{,\s])"?parts"?\s*:/m, /(^|[{,\s])"?bodies"?\s*:/m];
+/** What the names of the gallery's files begin with. */
+const GALLERY = "gallery:";
 
 /** Which of some files is the scenario that names the others; undefined where none can be. */
 export function scenarioAmong(texts: Texts): string | undefined {
   const names = Object.keys(texts).filter((name) => !NO_SCENARIOS.some((ending) => name.endsWith(ending)));
-  return names.find((name) => BODIES.test(texts[name])) ?? names[0];
+  const found = OF_SCENARIOS.map((field) => names.find((name) => field.test(texts[name])));
+  return found.find((name) => name !== undefined) ?? names[0];
+}
+
+/** The texts of all files behind a scenario: a part names files of its own once it is there. */
+export async function gathered(
+  namesBy: (texts: Texts) => readonly string[],
+  take: (names: readonly string[]) => Promise<Texts>,
+): Promise<Texts> {
+  const asked = new Set<string>();
+  let texts: Texts = {};
+  for (;;) {
+    const names = namesBy(texts).filter((name) => !asked.has(name));
+    if (names.length === 0) return texts;
+    names.forEach((name) => asked.add(name));
+    texts = { ...texts, ...(await take(names)) };
+  }
+}
+
+/**
+ * The files of these names: those of the gallery from its folder; others from those that a person opened with the
+ * scenario, for a file of the same name in the gallery would be another, else from the gallery's folder too.
+ */
+export async function textsOf(names: readonly string[], opened: Texts | null, gallery: ScenarioFiles): Promise<Texts> {
+  const own = names.filter((name) => !name.startsWith(GALLERY));
+  const shared = names.filter((name) => name.startsWith(GALLERY)).map((name) => name.slice(GALLERY.length));
+  const found = Object.entries(await gallery.take(shared)).map(([name, text]) => [GALLERY + name, text]);
+  return { ...Object.fromEntries(found), ...(opened ? openedWith(own, opened) : await gallery.take(own)) };
 }
 
 /** Of the files that a scenario names those that a person opened with it, whatever folder it names them in. */

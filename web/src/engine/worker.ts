@@ -1,7 +1,7 @@
 import init, { file_names, Simulation } from "./pkg/kingpost_wasm.js";
 import moduleUrl from "./pkg/kingpost_wasm_bg.wasm?url";
 import { asFault } from "./engine";
-import { fetchText, openedWith, ScenarioFiles } from "./files";
+import { fetchText, gathered, ScenarioFiles, textsOf } from "./files";
 import type { Frame, OpenRequest, Reply, Request } from "./messages";
 import { Runner } from "./runner";
 
@@ -22,12 +22,13 @@ const files = new Map<string, ScenarioFiles>();
 
 /** The files that a scenario names: of a person's own those that were opened with it, of the gallery's from its folder. */
 async function filesOf({ text, file, overrides, opened, folder }: OpenRequest): Promise<Record<string, string>> {
-  const names = JSON.parse(file_names(text, file, JSON.stringify(overrides))) as string[];
-  // A file of the same name in the gallery would be another hull.
-  if (opened) return openedWith(names, opened);
   const known = files.get(folder) ?? new ScenarioFiles(folder, fetchText);
   files.set(folder, known);
-  return known.take(names);
+  const set = JSON.stringify(overrides);
+  return gathered(
+    (texts) => JSON.parse(file_names(text, file, set, JSON.stringify(texts))) as string[],
+    (names) => textsOf(names, opened, known),
+  );
 }
 
 async function answer(request: Request): Promise<unknown> {

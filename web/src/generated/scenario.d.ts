@@ -1,6 +1,55 @@
 /* Generated from schema/scenario.schema.json by `npm run types`; do not edit. */
 
 /**
+ * A part in its place. What stands on the world in the part's file stands on the mounting here.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export type Mounting = {
+  /**
+   * A part of the gallery by its name, or a YAML or JSON file, its path from this file's folder.
+   */
+  part: string;
+  /**
+   * What the names of the part's bodies, joints, forces, drives, loops and parameters begin with here, before a `_`;
+   * without it, the name of this entry. Empty, they stay as they are.
+   */
+  prefix?: string | null;
+  /**
+   * The body that the part stands on, or `world`.
+   */
+  on?: string;
+  /**
+   * Origin of the part in the drawing frame of that body, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The part's axes in that body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  /**
+   * Values for the part, by the names of its parameters or by dotted paths of its fields. Parameters without a value here
+   * are parameters of the whole.
+   */
+  parameters?: {
+    [k: string]: unknown;
+  };
+};
+/**
  * A rigid body. Its geometry is written in a drawing frame of its own; the shape is centred on the centre of mass.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
@@ -2845,9 +2894,16 @@ export interface Scenario {
   parameters?: Parameter[];
   simulation?: SimulationSettings;
   /**
+   * Other files that this scenario is made of, by name. A resolved scenario has them among its own bodies, loops, forces,
+   * drives and parameters.
+   */
+  parts?: {
+    [k: string]: Mounting;
+  };
+  /**
    * The bodies by name.
    */
-  bodies: {
+  bodies?: {
     [k: string]: Body;
   };
   /**

@@ -28,6 +28,8 @@ pub struct Description {
     pub record_every_s: f64,
     /// Name of the integrator.
     pub integrator: schema::Integrator,
+    /// The parts that it is made of, those in parts too.
+    pub parts: Vec<PartDescription>,
     /// The bodies in the order of results.
     pub bodies: Vec<BodyDescription>,
     /// Their joints, in the same order.
@@ -42,6 +44,21 @@ pub struct Description {
     pub hulls: Vec<HullDescription>,
     /// The knobs with their values.
     pub parameters: Vec<ParameterDescription>,
+}
+
+/// A part and where it stands.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PartDescription {
+    /// Name of its mounting.
+    pub name: String,
+    /// A part of the gallery, or a file.
+    pub part: String,
+    /// The body that it stands on, or `world`.
+    pub on: String,
+    /// In the drawing frame of that body, m.
+    pub position_m: [f64; 3],
+    /// Its axes in that body's: roll, pitch, yaw, rad.
+    pub orientation_rad: [f64; 3],
 }
 
 /// A body to draw.
@@ -167,6 +184,7 @@ impl Scenario {
             step_s: self.simulation.step_s.get(),
             record_every_s: self.simulation.record_every_s.get(),
             integrator: self.simulation.integrator,
+            parts: self.parts.iter().map(|(name, mounting)| describe_part(name, mounting)).collect(),
             bodies: model.bodies.iter().zip(&model.tree.nodes).map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
             loops: model.loops.iter().map(|closed| describe_loop(&model, closed)).collect(),
@@ -176,6 +194,11 @@ impl Scenario {
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
         })
     }
+}
+
+fn describe_part(name: &str, mounting: &schema::Mounting) -> PartDescription {
+    let schema::Mounting { part, on, position_m, orientation_rad, .. } = mounting.clone();
+    PartDescription { name: name.to_owned(), part, on: on.to_string(), position_m, orientation_rad }
 }
 
 fn describe_loop(model: &Model, closed: &Loop) -> LoopDescription {

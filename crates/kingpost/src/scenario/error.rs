@@ -1,8 +1,11 @@
 //! The error of a scenario: its place, the field, what was found and what is allowed.
 
 use std::fmt;
+use std::sync::Arc;
 
 use thiserror::Error;
+
+use super::parts::{files, names};
 
 /// What is wrong with a field, where its place in the file is not known.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -77,6 +80,17 @@ pub(super) enum Place {
         /// From 1, in characters.
         column: usize,
     },
+    /// The file of a part.
+    Part {
+        /// The file's name from the main file's folder, or in the gallery.
+        file: Arc<str>,
+        /// What the names of the part begin with in the whole.
+        prefix: Arc<str>,
+        /// From 1.
+        line: usize,
+        /// From 1, in characters.
+        column: usize,
+    },
     /// A value set from outside under this name.
     Set(String),
 }
@@ -108,6 +122,13 @@ impl Fault {
             Place::File { line, column } => {
                 ScenarioError { file: file.to_owned(), line: Some(line), column: Some(column), ..error }
             }
+            Place::Part { file: part, prefix, line, column } => ScenarioError {
+                file: files::beside(file, &part),
+                line: Some(line),
+                column: Some(column),
+                field: names::in_part(&error.field, &prefix),
+                ..error
+            },
             Place::Set(name) => ScenarioError { file: format!("{SET}{name}"), ..error },
         }
     }

@@ -6,32 +6,85 @@ use crate::sea::database::Database;
 use crate::sea::raos::RaoTable;
 use crate::sea::waves::ElevationTable;
 use indexmap::IndexMap;
+use std::borrow::Cow;
+use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Texts of files by the names that scenarios give them. A hydrodynamic database is read once.
-#[derive(Debug, Default)]
+/// Who has the texts of files: the engine reads no disk.
+///
+/// A name that begins with `gallery:` is of a file below the gallery's folder (`gallery:parts/pedestal_crane.yaml`), any
+/// other is a path from the folder of the scenario's own file.
+///
+/// ```
+/// use kingpost::scenario::{Files, Host, read_with};
+/// use std::borrow::Cow;
+/// #[derive(Debug)]
+/// struct Shelf;
+/// impl Host for Shelf {
+///     fn text(&self, name: &str) -> Option<Cow<'_, str>> {
+///         let crate_ = "{version: 1, title: A crate, bodies: {crate: {mass_kg: 5, shape: {sphere: {radius_m: 1}}, \
+///             joint: {fixed: {}}}}}";
+///         (name == "gallery:parts/crate.yaml").then_some(Cow::Borrowed(crate_))
+///     }
+/// }
+/// let text = "{version: 1, title: A crate on a cart, parts: {cargo: {part: crate, on: cart, position_m: [0, 0, 2]}}, \
+///     bodies: {cart: {mass_kg: 9, shape: {sphere: {radius_m: 1}}, joint: {prismatic: {axis: [1, 0, 0]}}}}}";
+/// let scenario = read_with(text, "cart.yaml", &[], &Files::of(Shelf))?;
+/// assert_eq!(scenario.bodies["cargo_crate"].parent, "cart");
+/// # Ok::<(), kingpost::scenario::ScenarioError>(())
+/// ```
+pub trait Host: fmt::Debug + Send + Sync {
+    /// The text of a file, where there is one.
+    fn text(&self, name: &str) -> Option<Cow<'_, str>>;
+}
+
+/// Texts by their names.
+impl Host for IndexMap<String, String> {
+    fn text(&self, name: &str) -> Option<Cow<'_, str>> {
+        self.get(name).map(|text| Cow::Borrowed(text.as_str()))
+    }
+}
+
+/// The files of a host. A hydrodynamic database is read once.
+#[derive(Debug)]
 pub struct Files {
-    texts: IndexMap<String, String>,
+    host: Box<dyn Host>,
     digests: Mutex<IndexMap<String, u64>>,
     databases: Mutex<IndexMap<String, Arc<Database>>>,
+}
+
+impl Default for Files {
+    fn default() -> Self {
+        Self::new([])
+    }
 }
 
 impl Files {
     /// These files.
     pub fn new(texts: impl IntoIterator<Item = (String, String)>) -> Self {
-        Self { texts: texts.into_iter().collect(), ..Self::default() }
+        Self::of(texts.into_iter().collect::<IndexMap<_, _>>())
+    }
+
+    /// Those that a host has.
+    pub fn of(host: impl Host + 'static) -> Self {
+        Self { host: Box::new(host), digests: Mutex::default(), databases: Mutex::default() }
+    }
+
+    /// The text of a file of this name.
+    pub(super) fn text_of(&self, name: &str) -> Option<Cow<'_, str>> {
+        self.host.text(name)
     }
 
     /// The text of a file, which is one of these, that `field` names.
-    fn text(&self, field: &str, name: &str, what: &str) -> Result<&str, FieldError> {
-        let text = self.texts.get(name).map(String::as_str);
+    fn text(&self, field: &str, name: &str, what: &str) -> Result<Cow<'_, str>, FieldError> {
+        let text = self.host.text(name);
         text.ok_or_else(|| FieldError::new(field, format!("no file {name}"), format!("{what} that is there")))
     }
 
     /// A number that two texts share only if they are the same.
     fn digest(&self, name: &str) -> u64 {
         let mut known = self.digests.lock().unwrap_or_else(PoisonError::into_inner);
-        let of_text = || self.texts.get(name).map_or(0, |text| digest(text.as_bytes()));
+        let of_text = || self.text_of(name).map_or(0, |text| digest(text.as_bytes()));
         *known.entry(name.to_owned()).or_insert_with(of_text)
     }
 
@@ -41,7 +94,7 @@ impl Files {
             return Ok(Arc::clone(database));
         }
         let text = self.text(field, name, "a hydrodynamic database")?;
-        let database = Database::read(text).map_err(|error| {
+        let database = Database::read(&text).map_err(|error| {
             FieldError::new(field, format!("{name}: {}: {}", error.field, error.found), error.allowed)
         })?;
         let database = Arc::new(database);
@@ -50,7 +103,7 @@ impl Files {
     }
 
     fn record(&self, field: &str, name: &str) -> Result<Arc<ElevationTable>, FieldError> {
-        let table = ElevationTable::read_csv(self.text(field, name, "a record of the elevation")?);
+        let table = ElevationTable::read_csv(&self.text(field, name, "a record of the elevation")?);
         let table = table.map_err(|error| {
             FieldError::new(field, format!("{name}: {}: {}", error.field, error.found), error.allowed)
         });
@@ -58,7 +111,7 @@ impl Files {
     }
 
     fn raos(&self, field: &str, name: &str) -> Result<Arc<RaoTable>, FieldError> {
-        let table = RaoTable::read(self.text(field, name, "a file of RAOs")?);
+        let table = RaoTable::read(&self.text(field, name, "a file of RAOs")?);
         let table = table.map_err(|error| {
             FieldError::new(field, format!("{name}: {}: {}", error.field, error.found), error.allowed)
         });

@@ -13,6 +13,7 @@ pub mod json_schema;
 pub mod leaf;
 mod parameters;
 mod parse;
+mod parts;
 pub mod range;
 pub(crate) mod read;
 pub mod schema;
@@ -24,7 +25,8 @@ pub mod wording;
 
 pub use assignment::parse_assignment;
 pub use error::{FieldError, ScenarioError};
-pub use files::{Files, NamedFiles};
+pub use files::{Files, Host, NamedFiles};
+pub use parts::{FILES as PART_FILES, REFERENCES as PART_REFERENCES};
 pub use read::{file_names, read, read_with};
 pub use schema::Scenario;
 #[cfg(not(target_family = "wasm"))]

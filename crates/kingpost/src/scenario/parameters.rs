@@ -8,6 +8,21 @@ use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
 use super::tree::{Content, Field, Node, segments, value_child};
 use super::{units, wording};
 
+/// A value that is set by name: of a parameter, or of a field by its dotted path.
+pub(super) struct Override<'a> {
+    pub(super) name: &'a str,
+    pub(super) value: &'a Value,
+    /// Where it is set.
+    pub(super) place: Place,
+}
+
+impl<'a> Override<'a> {
+    /// Set from outside.
+    pub(super) fn from_outside((name, value): &'a (String, Value)) -> Self {
+        Self { name, value, place: Place::Set(name.clone()) }
+    }
+}
+
 /// A tree to write into, and the whole scenario with every default that the tree leaves out.
 pub(super) struct Target<'a> {
     pub(super) tree: &'a mut Node,
@@ -15,11 +30,7 @@ pub(super) struct Target<'a> {
 }
 
 /// Writes the defaults of all parameters, then the overrides in their order.
-pub(super) fn apply(
-    mut target: Target<'_>,
-    parameters: &[Parameter],
-    overrides: &[(String, Value)],
-) -> Result<(), Fault> {
+pub(super) fn apply(mut target: Target<'_>, parameters: &[Parameter], overrides: &[Override<'_>]) -> Result<(), Fault> {
     let mut kinds = IndexMap::new();
     for (index, parameter) in parameters.iter().enumerate() {
         let definition = Definition { parameter, index };
@@ -36,26 +47,25 @@ pub(super) fn apply(
             definition.write(&mut target, default, &place)?;
         }
     }
-    for (name, value) in overrides {
-        let place = Place::Set(name.clone());
-        match kinds.get(name.as_str()) {
+    for Override { name, value, place } in overrides {
+        match kinds.get(name) {
             Some((parameter, kind)) => {
-                let fault = |allowed| Fault::new(&place, name, wording::found(value), allowed);
+                let fault = |allowed| Fault::new(place, *name, wording::found(value), allowed);
                 let value = typed_value(parameter, *kind, value).map_err(fault)?;
                 for path in &parameter.writes {
-                    target.write(path, &value.to_json(), &place, &place)?;
+                    target.write(path, &value.to_json(), place, place)?;
                 }
             }
             None if is_definition(name) => {
-                return Err(Fault::new(&place, name, wording::found(value), wording::SET_BY_NAME));
+                return Err(Fault::new(place, *name, wording::found(value), wording::SET_BY_NAME));
             }
             None if name.contains('.') || schema::is_top_field(name) => {
-                target.write(name, value, &place, &place)?;
+                target.write(name, value, place, place)?;
             }
             None => {
                 let names: Vec<&str> = kinds.keys().copied().collect();
                 let allowed = wording::parameter_or_path(&names, name);
-                return Err(Fault::new(&place, name, wording::UNKNOWN_NAME, allowed));
+                return Err(Fault::new(place, *name, wording::UNKNOWN_NAME, allowed));
             }
         }
     }
@@ -193,7 +203,7 @@ impl Target<'_> {
     }
 
     /// Writes a value that comes from `place` at a path that comes from `name_place`.
-    fn write(&mut self, path: &str, value: &Value, place: &Place, name_place: &Place) -> Result<(), Fault> {
+    pub(super) fn write(&mut self, path: &str, value: &Value, place: &Place, name_place: &Place) -> Result<(), Fault> {
         let written = segments(path);
         let (si, factor) = units::si_path(&written);
         self.check(&si).map_err(|NoSuchField { found, allowed }| Fault::new(name_place, path, found, allowed))?;

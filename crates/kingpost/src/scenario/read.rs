@@ -5,14 +5,14 @@ use serde_path_to_error::Segment;
 
 use super::error::{Fault, ScenarioError};
 use super::files::Files;
-use super::parameters::{self, Target};
+use super::parameters::{self, Override, Target};
 use super::schema::Scenario;
 use super::tree::{Node, segments, value_at};
 #[cfg(not(target_family = "wasm"))]
 use crate::plant::{Form, Number};
 use crate::simulation::{Setup, Simulation};
 
-use super::{parse, units, wording};
+use super::{parse, parts, wording};
 
 /// Reads a scenario from YAML or JSON.
 ///
@@ -46,7 +46,7 @@ pub(crate) fn read_and_build(
     overrides: &[(String, Value)],
     files: &Files,
 ) -> Result<(Scenario, Setup), ScenarioError> {
-    let (mut scenario, tree) = read_tree(text, overrides).map_err(|fault| fault.in_file(file))?;
+    let (mut scenario, tree) = read_tree(text, file, overrides, files).map_err(|fault| fault.in_file(file))?;
     let built = scenario.take_files(files).and_then(|()| super::build::build(&scenario));
     match built {
         Ok(setup) => Ok((scenario, setup)),
@@ -54,31 +54,71 @@ pub(crate) fn read_and_build(
     }
 }
 
-/// Names of the files that a scenario's forces stand on, as they are written there.
+/// Names of the files that a scenario stands on, as far as the `files` that are there already tell: those of its parts,
+/// and what its forces, joints and seas name. Parts name files too, so a host asks until no new name comes.
+///
+/// ```
+/// use kingpost::scenario::{Files, file_names};
+/// let text = "{version: 1, title: x, parts: {crane: {part: pedestal_crane}}}";
+/// let names = file_names(text, "x.yaml", &[], &Files::default())?;
+/// assert_eq!(names, ["gallery:parts/pedestal_crane.yaml"]);
+/// # Ok::<(), kingpost::scenario::ScenarioError>(())
+/// ```
 ///
 /// # Errors
-/// As [`read`], but for bodies, joints and drives that do not fit together.
-pub fn file_names(text: &str, file: &str, overrides: &[(String, Value)]) -> Result<Vec<String>, ScenarioError> {
-    let (scenario, _) = read_tree(text, overrides).map_err(|fault| fault.in_file(file))?;
-    Ok(scenario.file_names().into_iter().map(str::to_owned).collect())
+/// As [`read`], but for bodies, joints and drives that do not fit together, and files that are not there.
+pub fn file_names(
+    text: &str,
+    file: &str,
+    overrides: &[(String, Value)],
+    files: &Files,
+) -> Result<Vec<String>, ScenarioError> {
+    let names = || {
+        let (mut tree, overrides) = parsed(text, overrides)?;
+        let (mounted, overrides) = parts::mount(&mut tree, file, overrides, files, true)?;
+        let mut names = mounted.files;
+        if !mounted.incomplete {
+            let scenario = resolved(&mut tree, &overrides)?;
+            let more = scenario.file_names().into_iter().filter(|name| !names.iter().any(|known| known == name));
+            let more: Vec<String> = more.map(str::to_owned).collect();
+            names.extend(more);
+        }
+        Ok(names)
+    };
+    names().map_err(|fault: Fault| fault.in_file(file))
 }
 
-fn read_tree(text: &str, overrides: &[(String, Value)]) -> Result<(Scenario, Node), Fault> {
-    let mut tree = parse::parse(text)?;
-    check_version(&tree)?;
-    units::to_si(&mut tree)?;
-    let as_written = typed(&tree)?;
-    let whole = serde_json::to_value(&as_written).unwrap_or_default();
-    let target = Target { tree: &mut tree, whole: &whole };
-    parameters::apply(target, &as_written.parameters, overrides)?;
-    let mut scenario = typed(&tree)?;
-    for parameter in &mut scenario.parameters {
-        parameter.default = None;
-    }
+fn read_tree(text: &str, file: &str, overrides: &[(String, Value)], files: &Files) -> Result<(Scenario, Node), Fault> {
+    let (mut tree, overrides) = parsed(text, overrides)?;
+    let (mounted, overrides) = parts::mount(&mut tree, file, overrides, files, false)?;
+    let mut scenario = resolved(&mut tree, &overrides)?;
+    scenario.parts = mounted.parts;
     Ok((scenario, tree))
 }
 
-fn check_version(tree: &Node) -> Result<(), Fault> {
+/// A text's tree, and what is set over it.
+fn parsed<'a>(text: &str, overrides: &'a [(String, Value)]) -> Result<(Node, Vec<Override<'a>>), Fault> {
+    let tree = parse::parse(text)?;
+    check_version(&tree)?;
+    Ok((tree, overrides.iter().map(Override::from_outside).collect()))
+}
+
+/// The scenario of a tree without parts, parameters and overrides in place.
+fn resolved(tree: &mut Node, overrides: &[Override<'_>]) -> Result<Scenario, Fault> {
+    let as_written = typed(tree)?;
+    if tree.field("bodies").is_none() {
+        return Err(Fault::new(&tree.place, "bodies", wording::NOTHING, wording::FIELDS));
+    }
+    let whole = serde_json::to_value(&as_written).unwrap_or_default();
+    parameters::apply(Target { tree, whole: &whole }, &as_written.parameters, overrides)?;
+    let mut scenario = typed(tree)?;
+    for parameter in &mut scenario.parameters {
+        parameter.default = None;
+    }
+    Ok(scenario)
+}
+
+pub(super) fn check_version(tree: &Node) -> Result<(), Fault> {
     match tree.field("version").map(|field| &field.node) {
         None => Err(Fault::new(&tree.place, "version", wording::NOTHING, wording::VERSION)),
         Some(node) if node.to_value().as_f64() == Some(1.0) => Ok(()),
@@ -90,7 +130,7 @@ fn check_version(tree: &Node) -> Result<(), Fault> {
 }
 
 /// The types of a scenario over a tree, with the place of the first error.
-fn typed(tree: &Node) -> Result<Scenario, Fault> {
+pub(super) fn typed(tree: &Node) -> Result<Scenario, Fault> {
     let value = tree.to_value();
     serde_path_to_error::deserialize(&value).map_err(|error| type_fault(tree, &value, &error))
 }

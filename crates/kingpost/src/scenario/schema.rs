@@ -17,6 +17,7 @@ mod joints;
 mod joints_of_several_axes;
 mod lines;
 mod loops;
+mod mounting;
 mod moved_by_waves;
 mod parameter;
 mod sea;
@@ -58,6 +59,7 @@ pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, Pr
 pub use joints_of_several_axes::{CylindricalJoint, PlanarJoint, SphericalJoint, UniversalJoint};
 pub use lines::{CatenaryLine, SpringLine};
 pub use loops::{Attachment, Constraint, Distance, Loop};
+pub use mounting::Mounting;
 pub use moved_by_waves::MovedByWaves;
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;
@@ -90,7 +92,12 @@ pub struct Scenario<S = f64> {
     /// Time stepping and recording.
     #[serde(default)]
     pub simulation: SimulationSettings,
+    /// Other files that this scenario is made of, by name. A resolved scenario has them among its own bodies, loops, forces,
+    /// drives and parameters.
+    #[serde(default, skip_serializing_if = "mounted")]
+    pub parts: IndexMap<Name, Mounting>,
     /// The bodies by name.
+    #[serde(default)]
     pub bodies: IndexMap<Name, Body<S>>,
     /// What ties bodies together beside their joints, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
@@ -173,6 +180,11 @@ pub enum EquationForm {
     MovingFrame,
     /// The same with D set to zero: wrong on purpose, to show what the restricted variation is for.
     MovingFrameWithoutD,
+}
+
+/// Parts are mounted once they are read.
+const fn mounted(_: &IndexMap<Name, Mounting>) -> bool {
+    true
 }
 
 /// The default of `enabled`.

@@ -23,7 +23,11 @@ struct Source {
 const PAPER: Source = Source { text: include_str!("../../../../scenarios/paper.yaml"), files: &[] };
 const BARGE: Source = Source {
     text: include_str!("../../../../scenarios/barge.yaml"),
-    files: &[("hydro/barge.hydro.json", include_str!("../../../../scenarios/hydro/barge.hydro.json"))],
+    files: &[
+        ("gallery:parts/barge_hull.yaml", include_str!("../../../../scenarios/parts/barge_hull.yaml")),
+        ("gallery:parts/paper_crane.yaml", include_str!("../../../../scenarios/parts/paper_crane.yaml")),
+        ("gallery:hydro/barge.hydro.json", include_str!("../../../../scenarios/hydro/barge.hydro.json")),
+    ],
 };
 
 /// Computes all of them, by scenario.

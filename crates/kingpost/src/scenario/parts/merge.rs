@@ -1,0 +1,149 @@
+//! A part's tree into that of the file that includes it.
+
+use indexmap::IndexMap;
+use serde_json::Value;
+
+use super::super::error::{Fault, Place};
+use super::super::tree::{Content, Field, Node};
+use super::super::wording;
+use super::names::SECTIONS;
+use super::{Mount, WORLD, take};
+
+/// A part, its names and places those of the including file.
+pub struct Part {
+    pub tree: Node,
+    /// Paths of what stands on the mounting with its place: a parameter of the place writes them. Where one of them has a
+    /// place of its own, its path.
+    pub frames: Result<Vec<String>, String>,
+}
+
+/// Takes over the part's entries and parameters.
+pub fn into(tree: &mut Node, mut part: Part, mount: &Mount<'_>) -> Result<(), Fault> {
+    place_of_the_part(tree, &part, mount)?;
+    for section in SECTIONS {
+        let Some(Field { node: Node { content: Content::Fields(entries), .. }, .. }) = take(&mut part.tree, section)
+        else {
+            continue;
+        };
+        let Some(here) = section_of(tree, section, mount.place) else { continue };
+        for (name, field) in entries {
+            if here.contains_key(&name) {
+                let found = format!("{section}.{name} a second time");
+                return Err(mount.fault("", found, wording::OTHER_PREFIX));
+            }
+            here.insert(name, field);
+        }
+    }
+    parameters(tree, &mut part.tree, mount)
+}
+
+/// The entries of a section; one that is not there is made.
+fn section_of<'a>(tree: &'a mut Node, section: &str, place: &Place) -> Option<&'a mut IndexMap<String, Field>> {
+    let Content::Fields(fields) = &mut tree.content else { return None };
+    let empty = || Field::new(place.clone(), Node::new(place.clone(), Content::Fields(IndexMap::new())));
+    match &mut fields.entry(section.to_owned()).or_insert_with(empty).node.content {
+        Content::Fields(entries) => Some(entries),
+        _ => None,
+    }
+}
+
+/// The part's parameters after those that are there.
+fn parameters(tree: &mut Node, part: &mut Node, mount: &Mount<'_>) -> Result<(), Fault> {
+    let Some(Field { node: Node { content: Content::List(new), .. }, .. }) = take(part, "parameters") else {
+        return Ok(());
+    };
+    let Content::Fields(fields) = &mut tree.content else { return Ok(()) };
+    let empty = || Field::new(mount.place.clone(), Node::new(mount.place.clone(), Content::List(Vec::new())));
+    let Content::List(here) = &mut fields.entry("parameters".to_owned()).or_insert_with(empty).node.content else {
+        return Ok(());
+    };
+    let name = |parameter: &Node| parameter.field("name").map(|field| field.node.to_value());
+    for parameter in new {
+        if let Some(Value::String(taken)) = name(&parameter)
+            && here.iter().any(|other| name(other).is_some_and(|other| other == taken.as_str()))
+        {
+            let found = format!("the parameter {taken} a second time");
+            return Err(mount.fault("", found, wording::OTHER_PARAMETER));
+        }
+        here.push(parameter);
+    }
+    Ok(())
+}
+
+/// Every path that the parameters of a tree write, with the entry's index.
+fn each_write(
+    tree: &mut Node,
+    mut change: impl FnMut(String, &mut Vec<Node>) -> Result<(), Fault>,
+) -> Result<(), Fault> {
+    let Content::Fields(fields) = &mut tree.content else { return Ok(()) };
+    let Some(Content::List(parameters)) = fields.get_mut("parameters").map(|field| &mut field.node.content) else {
+        return Ok(());
+    };
+    for (index, parameter) in parameters.iter_mut().enumerate() {
+        let Content::Fields(fields) = &mut parameter.content else { continue };
+        if let Some(Content::List(writes)) = fields.get_mut("writes").map(|field| &mut field.node.content) {
+            change(format!("parameters.{index}.writes"), writes)?;
+        }
+    }
+    Ok(())
+}
+
+fn text(node: &Node) -> &str {
+    match &node.content {
+        Content::Scalar(Value::String(text)) => text,
+        _ => "",
+    }
+}
+
+/// Lets parameters that write the part's place write where that stands in the whole.
+fn place_of_the_part(tree: &mut Node, part: &Part, mount: &Mount<'_>) -> Result<(), Fault> {
+    let own = format!("parts.{}.", mount.name);
+    each_write(tree, |field, writes| {
+        let mut written = Vec::with_capacity(writes.len());
+        for (nth, node) in std::mem::take(writes).into_iter().enumerate() {
+            let rest = text(&node).strip_prefix(&own).filter(|rest| is_place(rest)).map(str::to_owned);
+            match (rest, &part.frames) {
+                (None, _) => written.push(node),
+                (Some(rest), Ok(frames)) => written.extend(frames.iter().map(|frame| {
+                    let path = Value::from(format!("{frame}.{rest}"));
+                    Node::new(node.place.clone(), Content::Scalar(path))
+                })),
+                (Some(_), Err(with_own)) => {
+                    let found = format!("the place of a part in which {with_own} has one of its own");
+                    return Err(Fault::new(&node.place, format!("{field}.{nth}"), found, wording::PLACE_OF_A_PART));
+                }
+            }
+        }
+        *writes = written;
+        Ok(())
+    })
+}
+
+fn is_place(path: &str) -> bool {
+    let field = path.split('.').next().unwrap_or_default();
+    ["position_m", "orientation_rad", "orientation_deg"].contains(&field)
+}
+
+/// No parameter writes what is gone once parts are mounted.
+pub fn check_writes(tree: &mut Node) -> Result<(), Fault> {
+    each_write(tree, |field, writes| {
+        match writes.iter().enumerate().find(|(_, node)| text(node).starts_with("parts.")) {
+            Some((nth, node)) => {
+                let found = wording::quoted(text(node));
+                Err(Fault::new(&node.place, format!("{field}.{nth}"), found, wording::PLACE_OF_A_PART))
+            }
+            None => Ok(()),
+        }
+    })
+}
+
+/// The body that a part stands on is there.
+pub fn check_mounted_on(tree: &Node, mount: &Mount<'_>) -> Result<(), Fault> {
+    let on = mount.mounting.on.as_str();
+    let bodies = tree.field("bodies").map(|bodies| bodies.node.names()).unwrap_or_default();
+    if on == WORLD || bodies.contains(&on) {
+        return Ok(());
+    }
+    let names: Vec<&str> = bodies.into_iter().chain([WORLD]).collect();
+    Err(mount.fault("on", on, wording::one_of_with_hint(&names, on)))
+}

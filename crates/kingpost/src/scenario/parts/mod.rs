@@ -1,0 +1,284 @@
+//! Parts: other files mounted into the tree of a scenario, before it is typed as a whole.
+//!
+//! A part's text becomes a tree whose places carry the part's file. Values that its mounting sets are written into it, its
+//! names get the prefix, what stands on the world in it is put on the mounting, and the result is merged into the
+//! including tree, where no `parts` remain.
+
+pub(super) mod files;
+mod merge;
+pub(super) mod names;
+mod overrides;
+mod stand;
+
+pub use names::{FILES, REFERENCES};
+
+use indexmap::IndexMap;
+use serde_json::{Value, json};
+
+use super::error::{Fault, Place};
+use super::files::Files;
+use super::parameters::{self, Override, Target};
+use super::schema::{Mounting, Name, Scenario, WORLD};
+use super::tree::{Content, Field, Node, segments};
+use super::{parse, read, units, wording};
+
+/// Parts in parts, and parts in all: more is a mistake, and would take the machine.
+const MOST_LEVELS: usize = 16;
+const MOST_PARTS: usize = 256;
+
+/// What a whole is made of.
+#[derive(Default)]
+pub(super) struct Mounted {
+    /// The parts by their names in the whole, those in parts too.
+    pub(super) parts: IndexMap<Name, Mounting>,
+    /// The parts' files, as the main file would name them, each once.
+    pub(super) files: Vec<String>,
+    /// Whether a part's file was not there.
+    pub(super) incomplete: bool,
+}
+
+/// Mounts parts, by the texts that the host has.
+pub(super) struct Mounter<'a> {
+    host: &'a Files,
+    /// Whether a file that is not there is left out, to learn which files to ask for.
+    only_names: bool,
+    mounted: Mounted,
+    count: usize,
+}
+
+/// A file whose parts are mounted.
+struct Level<'a> {
+    /// The files that include it, the main one first, and itself.
+    chain: Vec<&'a str>,
+    /// What its names begin with in the whole.
+    prefix: String,
+    /// What the names of its parts begin with in the list of all.
+    list: String,
+}
+
+/// Converts the units of a scenario just parsed and mounts its parts. Gives back what it is made of, and the overrides that
+/// were not of a mounting.
+pub(super) fn mount<'a>(
+    tree: &mut Node,
+    file: &str,
+    given: Vec<Override<'a>>,
+    host: &Files,
+    only_names: bool,
+) -> Result<(Mounted, Vec<Override<'a>>), Fault> {
+    let mut mounter = Mounter { host, only_names, mounted: Mounted::default(), count: 0 };
+    let main = files::of_main(file);
+    let level = Level { chain: vec![&main], prefix: String::new(), list: String::new() };
+    let rest = mounter.mount_all(tree, &level, given)?;
+    Ok((mounter.mounted, rest))
+}
+
+impl Mounter<'_> {
+    /// Mounts every part of a file.
+    fn mount_all<'a>(
+        &mut self,
+        tree: &mut Node,
+        level: &Level<'_>,
+        given: Vec<Override<'a>>,
+    ) -> Result<Vec<Override<'a>>, Fault> {
+        let parts = take(tree, "parts");
+        units::to_si(tree)?;
+        let Some(mut parts) = parts else { return Ok(given) };
+        let rest = overrides::write(&mut parts, tree, given)?;
+        let mountings = overrides::typed_mountings(&mut parts)?;
+        let mounts = mountings.iter().map(|(name, mounting)| {
+            let node = parts.node.field(name).unwrap_or(&parts);
+            Mount { name, mounting, node, place: &node.name_place }
+        });
+        for mount in mounts.clone() {
+            if let Some(part) = self.part(&mount, level)? {
+                merge::into(tree, part, &mount)?;
+            }
+        }
+        if !self.mounted.incomplete {
+            mounts.clone().try_for_each(|mount| merge::check_mounted_on(tree, &mount))?;
+            merge::check_writes(tree)?;
+        }
+        self.mounted.parts.extend(mounts.filter_map(|mount| mount.listed(level)));
+        Ok(rest)
+    }
+
+    /// The tree of a part as it goes into the including file; `None` where only names are asked and a file is not there.
+    fn part(&mut self, mount: &Mount<'_>, level: &Level<'_>) -> Result<Option<merge::Part>, Fault> {
+        let from = level.chain.last().copied().unwrap_or_default();
+        let file = files::of_part(from, &mount.mounting.part);
+        self.check_chain(mount, &level.chain, &file)?;
+        if !self.mounted.files.contains(&file) {
+            self.mounted.files.push(file.clone());
+        }
+        let Some(text) = self.host.text_of(&file) else {
+            if !self.only_names {
+                return Err(mount.fault("part", format!("no file {file}"), wording::PART_THERE));
+            }
+            self.mounted.incomplete = true;
+            return Ok(None);
+        };
+        let prefix = mount.prefix()?;
+        let mut tree = parsed(&text, &file)?;
+        let inside = Level {
+            chain: level.chain.iter().copied().chain([file.as_str()]).collect(),
+            prefix: format!("{}{prefix}", level.prefix),
+            list: format!("{}{}_", level.list, mount.name),
+        };
+        let rest = mount.remapped(self.mount_all(&mut tree, &inside, mount.overrides()))?;
+        if self.mounted.incomplete {
+            return Ok(None);
+        }
+        mount.remapped(apply(&mut tree, &rest))?;
+        passed_up(&mut tree, &mount.mounting.parameters);
+        names::into_whole(&mut tree, &prefix, &file, mount.name)?;
+        names::places_with_prefix(&mut tree, &prefix, from);
+        let whole = mount.remapped(read::typed(&tree))?;
+        let whole = serde_json::to_value(&whole).unwrap_or_default();
+        let frames = stand::on_the_mounting(&mut tree, &whole, mount)?;
+        Ok(Some(merge::Part { tree, frames }))
+    }
+
+    fn check_chain(&mut self, mount: &Mount<'_>, chain: &[&str], file: &str) -> Result<(), Fault> {
+        self.count += 1;
+        if chain.contains(&file) {
+            let found = format!("{} -> {file}", chain.join(" -> "));
+            return Err(mount.fault("part", found, wording::PART_ENDS));
+        }
+        if chain.len() > MOST_LEVELS || self.count > MOST_PARTS {
+            let found = format!("more than {MOST_LEVELS} parts in each other, or {MOST_PARTS} in all");
+            return Err(mount.fault("part", found, wording::FEWER_PARTS));
+        }
+        Ok(())
+    }
+}
+
+/// A part's place in the file that includes it.
+#[derive(Clone, Copy)]
+struct Mount<'a> {
+    name: &'a str,
+    mounting: &'a Mounting,
+    /// Its fields, with their places.
+    node: &'a Field,
+    place: &'a Place,
+}
+
+impl Mount<'_> {
+    /// An error of a field of the mounting.
+    fn fault(&self, field: &str, found: impl ToString, allowed: impl Into<String>) -> Fault {
+        let place = self.node.node.field(field).map_or(self.place, |field| &field.node.place);
+        let dot = if field.is_empty() { "" } else { "." };
+        Fault::new(place, format!("parts.{}{dot}{field}", self.name), found, allowed)
+    }
+
+    /// What the names of the part begin with.
+    fn prefix(&self) -> Result<String, Fault> {
+        match self.mounting.prefix.as_deref() {
+            None | Some("") => {}
+            Some(prefix) if Name::new(prefix).is_some() => {}
+            Some(prefix) => {
+                return Err(self.fault("prefix", wording::quoted(prefix), wording::PREFIX));
+            }
+        }
+        Ok(self.mounting.prefix(self.name))
+    }
+
+    /// As it stands in the list of all.
+    fn listed(&self, level: &Level<'_>) -> Option<(Name, Mounting)> {
+        let mut mounting = self.mounting.clone();
+        if mounting.on != WORLD {
+            mounting.on = Name::new(format!("{}{}", level.prefix, mounting.on))?;
+        }
+        Some((Name::new(format!("{}{}", level.list, self.name))?, mounting))
+    }
+
+    /// What it sets in the part.
+    fn overrides(&self) -> Vec<Override<'_>> {
+        let Some(Content::Fields(places)) = self.node.node.field("parameters").map(|field| &field.node.content) else {
+            return Vec::new();
+        };
+        let set = self.mounting.parameters.iter();
+        set.filter_map(|(name, value)| Some(Override { name, value, place: places.get(name)?.node.place.clone() }))
+            .collect()
+    }
+
+    /// An error in a value that the mounting sets has the field of the mounting.
+    fn remapped<T>(&self, result: Result<T, Fault>) -> Result<T, Fault> {
+        result.map_err(|mut fault| {
+            if let Some(set) = self.overrides().iter().find(|set| set.place == fault.place) {
+                fault.error.field = format!("parts.{}.parameters.{}", self.name, set.name);
+            }
+            fault
+        })
+    }
+}
+
+/// The tree of a part's text, with its places, if it is one that can be mounted.
+fn parsed(text: &str, file: &str) -> Result<Node, Fault> {
+    let in_part = |fault: Fault| Fault { place: names::place_in_part(&fault.place, file), error: fault.error };
+    let mut tree = parse::parse(text).map_err(in_part)?;
+    names::places_of_part(&mut tree, file);
+    read::check_version(&tree)?;
+    for field in ["simulation", "sea", "wind"] {
+        if let Some(found) = tree.field(field) {
+            return Err(Fault::new(&found.name_place, field, field, wording::OF_THE_PART));
+        }
+    }
+    for name in tree.field("forces").map(|forces| forces.node.names()).unwrap_or_default() {
+        let path = ["forces".to_owned(), name.to_owned(), "gravity".to_owned()];
+        if tree.at(&path).is_some() {
+            return Err(Fault::new(&tree.name_place_of(&path), path.join("."), "gravity", wording::OF_THE_PART));
+        }
+    }
+    Ok(tree)
+}
+
+/// Writes a part's own defaults and then what is set.
+fn apply(tree: &mut Node, given: &[Override<'_>]) -> Result<(), Fault> {
+    let as_written: Scenario = read::typed(tree)?;
+    let whole = serde_json::to_value(&as_written).unwrap_or_default();
+    parameters::apply(Target { tree, whole: &whole }, &as_written.parameters, given)
+}
+
+/// Leaves the parameters that are not set, without defaults: their values stand in the fields.
+fn passed_up(tree: &mut Node, set: &IndexMap<String, Value>) {
+    let Content::Fields(fields) = &mut tree.content else { return };
+    let Some(Content::List(parameters)) = fields.get_mut("parameters").map(|field| &mut field.node.content) else {
+        return;
+    };
+    parameters.retain(|parameter| {
+        let name = parameter.field("name").map(|field| field.node.to_value());
+        !name.is_some_and(|name| name.as_str().is_some_and(|name| set.contains_key(name)))
+    });
+    for parameter in parameters {
+        if let Content::Fields(fields) = &mut parameter.content {
+            fields.shift_remove("default");
+        }
+    }
+}
+
+/// A field taken out of a tree.
+fn take(tree: &mut Node, name: &str) -> Option<Field> {
+    match &mut tree.content {
+        Content::Fields(fields) => fields.shift_remove(name),
+        _ => None,
+    }
+}
+
+/// Puts a value that comes from a place at a path of named fields; those that are not there are made.
+fn put(tree: &mut Node, path: &[&str], value: &Value, place: &Place) {
+    let Some((name, rest)) = path.split_first() else {
+        *tree = Node::from_value(value, place);
+        return;
+    };
+    if let Content::Fields(fields) = &mut tree.content {
+        let new = || Field::new(place.clone(), Node::from_value(&json!({}), place));
+        put(&mut fields.entry((*name).to_owned()).or_insert_with(new).node, rest, value, place);
+    }
+}
+
+/// Numbers at a path of a value.
+fn numbers<const N: usize>(value: &Value, path: &str) -> Option<[f64; N]> {
+    let entries = super::tree::value_at(value, &segments(path))?.as_array()?;
+    let numbers: Vec<f64> = entries.iter().filter_map(Value::as_f64).collect();
+    numbers.try_into().ok()
+}

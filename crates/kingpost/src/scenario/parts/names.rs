@@ -1,0 +1,153 @@
+//! Names of a part in the whole: the fields that carry names, and the prefix before them.
+
+use serde_json::Value;
+
+use super::super::error::{Fault, Place};
+use super::super::tree::{Content, Node};
+use super::super::wording;
+use super::files;
+
+/// The fields of a scenario whose entries have names of their own in the whole.
+pub const SECTIONS: [&str; 4] = ["bodies", "loops", "forces", "drives"];
+
+/// Fields below the sections that name something of the scenario, whatever they stand in.
+pub const REFERENCES: [&str; 4] = [
+    // The body that a body hangs on.
+    "parent", // The body that something acts on or is tied to.
+    "body",   // The joint, or the axis of one as `joint.axis`, that a drive acts in.
+    "joint",  // A joint's own.
+    "name",
+];
+
+/// Fields below the sections that name files.
+pub const FILES: [&str; 2] = ["database", "raos"];
+
+/// The field of an error in the whole as the part's file has it.
+pub fn in_part(field: &str, prefix: &str) -> String {
+    let own = |section: &str, rest: &str| {
+        let named = SECTIONS.contains(&section).then(|| rest.strip_prefix(prefix)).flatten();
+        named.map(|rest| format!("{section}.{rest}"))
+    };
+    field.split_once('.').and_then(|(section, rest)| own(section, rest)).unwrap_or_else(|| field.to_owned())
+}
+
+/// A path of a part in the whole.
+fn in_whole(path: &str, prefix: &str) -> String {
+    match path.split_once('.') {
+        Some((section, rest)) if SECTIONS.contains(&section) => format!("{section}.{prefix}{rest}"),
+        _ => path.to_owned(),
+    }
+}
+
+/// Puts the prefix before every name of a part, and the paths of its files where the main file would look for them.
+pub fn into_whole(tree: &mut Node, prefix: &str, file: &str, label: &str) -> Result<(), Fault> {
+    let Content::Fields(fields) = &mut tree.content else { return Ok(()) };
+    for (section, field) in fields.iter_mut() {
+        match &mut field.node.content {
+            Content::Fields(entries) if SECTIONS.contains(&section.as_str()) => {
+                let named = std::mem::take(entries).into_iter();
+                *entries = named.map(|(name, field)| (format!("{prefix}{name}"), field)).collect();
+                entries.values_mut().for_each(|entry| references(&mut entry.node, prefix, file));
+            }
+            Content::List(entries) if section == "parameters" => {
+                for (index, entry) in entries.iter_mut().enumerate() {
+                    parameter(entry, index, prefix, label)?;
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The same inside of an entry.
+fn references(node: &mut Node, prefix: &str, file: &str) {
+    match &mut node.content {
+        Content::Scalar(_) => {}
+        Content::List(entries) => entries.iter_mut().for_each(|entry| references(entry, prefix, file)),
+        Content::Fields(fields) => {
+            for (name, field) in fields.iter_mut() {
+                match &mut field.node.content {
+                    Content::Scalar(Value::String(text)) if REFERENCES.contains(&name.as_str()) => {
+                        if text != super::WORLD {
+                            text.insert_str(0, prefix);
+                        }
+                    }
+                    Content::Scalar(Value::String(text)) if FILES.contains(&name.as_str()) => {
+                        *text = files::from_folder_of(file, text);
+                    }
+                    _ => references(&mut field.node, prefix, file),
+                }
+            }
+        }
+    }
+}
+
+/// A parameter of a part that becomes one of the whole.
+fn parameter(node: &mut Node, index: usize, prefix: &str, label: &str) -> Result<(), Fault> {
+    let Content::Fields(fields) = &mut node.content else { return Ok(()) };
+    if let Some(writes) = fields.get_mut("writes")
+        && let Content::List(paths) = &mut writes.node.content
+    {
+        for (nth, path) in paths.iter_mut().enumerate() {
+            let Content::Scalar(Value::String(text)) = &mut path.content else { continue };
+            let last = text.rsplit('.').next().unwrap_or_default();
+            if REFERENCES.contains(&last) || FILES.contains(&last) {
+                let field = format!("parameters.{index}.writes.{nth}");
+                return Err(Fault::new(&path.place, field, wording::quoted(text), wording::NO_REFERENCE));
+            }
+            *text = in_whole(text, prefix);
+        }
+    }
+    let text = |node: &Node| node.to_value().as_str().map(str::to_owned);
+    let name = fields.get("name").and_then(|field| text(&field.node)).unwrap_or_default();
+    let shown = fields.get("label").and_then(|field| text(&field.node)).unwrap_or_else(|| name.clone());
+    if let Some(field) = fields.get_mut("name") {
+        field.node.content = Content::Scalar(format!("{prefix}{name}").into());
+    }
+    if !prefix.is_empty() {
+        let place = node.place.clone();
+        super::put(node, &["label"], &format!("{label}: {shown}").into(), &place);
+    }
+    Ok(())
+}
+
+/// Makes the places of a file just parsed those of a part.
+pub fn places_of_part(node: &mut Node, file: &str) {
+    each_place(node, &mut |place| *place = place_in_part(place, file));
+}
+
+/// A place of a file just parsed as one of a part.
+pub fn place_in_part(place: &Place, file: &str) -> Place {
+    match place {
+        Place::File { line, column } => {
+            Place::Part { file: file.into(), prefix: "".into(), line: *line, column: *column }
+        }
+        other => other.clone(),
+    }
+}
+
+/// Remembers a prefix in the places of a part; what the including file `from` sets has its own.
+pub fn places_with_prefix(node: &mut Node, prefix: &str, from: &str) {
+    each_place(node, &mut |place| {
+        if let Place::Part { file, prefix: inner, .. } = place
+            && **file != *from
+        {
+            *inner = format!("{prefix}{inner}").into();
+        }
+    });
+}
+
+fn each_place(node: &mut Node, change: &mut impl FnMut(&mut Place)) {
+    change(&mut node.place);
+    match &mut node.content {
+        Content::Scalar(_) => {}
+        Content::List(entries) => entries.iter_mut().for_each(|entry| each_place(entry, change)),
+        Content::Fields(fields) => {
+            for field in fields.values_mut() {
+                change(&mut field.name_place);
+                each_place(&mut field.node, change);
+            }
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! What stands on the world in a part's file stands on its mounting in the whole: roots, pins, anchors, targets.
+
+use serde_json::{Value, json};
+
+use super::super::error::{Fault, Place};
+use super::super::schema::Mounting;
+use super::super::tree::{Content, Node};
+use super::super::wording;
+use super::{Mount, WORLD, numbers, put};
+use crate::spatial::{Matrix3, Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
+
+/// Where a part stands in its body.
+struct Pose {
+    position: [f64; 3],
+    angles: [f64; 3],
+    rotation: Matrix3,
+}
+
+const NONE: [f64; 3] = [0.0; 3];
+
+impl Pose {
+    fn of(mounting: &Mounting) -> Self {
+        let (position, angles) = (mounting.position_m, mounting.orientation_rad);
+        Self { position, angles, rotation: rotation_from_roll_pitch_yaw(Vector3(angles)) }
+    }
+
+    fn is_none(&self) -> bool {
+        self.position == NONE && self.angles == NONE
+    }
+
+    /// p + R x. Without a turn nothing is rounded that need not be.
+    fn point(&self, x: [f64; 3]) -> [f64; 3] {
+        (self.vector(x) + Vector3(self.position)).0
+    }
+
+    /// R x.
+    fn vector(&self, x: [f64; 3]) -> Vector3 {
+        if self.angles == NONE { Vector3(x) } else { self.rotation * Vector3(x) }
+    }
+
+    /// Roll, pitch and yaw of R times a rotation of these.
+    fn turned(&self, angles: [f64; 3]) -> [f64; 3] {
+        match (self.angles, angles) {
+            (NONE, own) => own,
+            (by, NONE) => by,
+            ([0.0, 0.0, by], [0.0, 0.0, own]) => [0.0, 0.0, by + own],
+            _ => roll_pitch_yaw(&(self.rotation * rotation_from_roll_pitch_yaw(Vector3(angles)))).0,
+        }
+    }
+}
+
+/// Puts everything that stands on the world on the mounting. Gives back the paths that hold its place, or the path of what
+/// has a place of its own besides.
+pub fn on_the_mounting(
+    tree: &mut Node,
+    whole: &Value,
+    mount: &Mount<'_>,
+) -> Result<Result<Vec<String>, String>, Fault> {
+    let standing = Standing { whole, mount, pose: Pose::of(mount.mounting) };
+    let mut frames = Ok(Vec::new());
+    let bodies = whole.get("bodies").and_then(Value::as_object);
+    for (name, body) in bodies.into_iter().flatten().filter(|(_, body)| body["parent"] == WORLD) {
+        let Some((kind, _)) = body["joint"].as_object().and_then(|joint| joint.iter().next()) else { continue };
+        match standing.root(tree, name, kind)? {
+            Some(frame) => frames = frames.map(|frames: Vec<String>| [frames, vec![frame]].concat()),
+            None => frames = Err(format!("bodies.{name}.joint.{kind}")),
+        }
+    }
+    for section in ["loops", "forces", "drives"] {
+        for (name, entry) in whole.get(section).and_then(Value::as_object).into_iter().flatten() {
+            let Some((kind, _)) = entry.as_object().and_then(|entry| entry.iter().next()) else { continue };
+            let Some(node) = tree.at(&[section.to_owned(), name.clone()]) else { continue };
+            let mut pins = Vec::new();
+            world_pins(node, &mut vec![section.to_owned(), name.clone()], &mut pins);
+            for pin in &pins {
+                standing.pin(tree, pin);
+            }
+            let in_the_world = standing.in_the_world(tree, section, name, kind)?;
+            if in_the_world || !pins.is_empty() {
+                frames = Err(format!("{section}.{name}"));
+            }
+        }
+    }
+    Ok(frames)
+}
+
+/// Paths of the fields whose `body` is the world.
+fn world_pins(node: &Node, path: &mut Vec<String>, into: &mut Vec<Vec<String>>) {
+    let Content::Fields(fields) = &node.content else { return };
+    for (name, field) in fields {
+        if name == "body" && field.node.to_value() == WORLD {
+            into.push(path.clone());
+        }
+        path.push(name.clone());
+        world_pins(&field.node, path, into);
+        path.pop();
+    }
+}
+
+/// A part on its way to its mounting.
+struct Standing<'a> {
+    /// The part with every default.
+    whole: &'a Value,
+    mount: &'a Mount<'a>,
+    pose: Pose,
+}
+
+impl Standing<'_> {
+    fn on(&self) -> &str {
+        &self.mount.mounting.on
+    }
+
+    /// Where a field of the mounting stands.
+    fn place(&self, field: &str) -> Place {
+        self.mount.fault(field, "", "").place
+    }
+
+    fn write(&self, tree: &mut Node, path: &str, value: &Value) {
+        let place = self.place(if path.ends_with("_rad") { "orientation_rad" } else { "position_m" });
+        put(tree, &path.split('.').collect::<Vec<_>>(), value, &place);
+    }
+
+    /// Moves the point at a path; gives back whether it was at the origin.
+    fn move_point(&self, tree: &mut Node, path: &str) -> bool {
+        let Some(own) = numbers(self.whole, path) else { return true };
+        if !self.pose.is_none() {
+            self.write(tree, path, &json!(self.pose.point(own)));
+        }
+        own == NONE
+    }
+
+    /// Turns the axes whose roll, pitch and yaw are at a path; gives back whether they were even.
+    fn turn_axes(&self, tree: &mut Node, path: &str) -> bool {
+        let Some(own) = numbers(self.whole, path) else { return true };
+        if self.pose.angles != NONE {
+            self.write(tree, path, &json!(self.pose.turned(own)));
+        }
+        own == NONE
+    }
+
+    /// A body that stands on the world; the path that holds its place, unless it has one of its own.
+    fn root(&self, tree: &mut Node, name: &str, kind: &str) -> Result<Option<String>, Fault> {
+        let joint = format!("bodies.{name}.joint.{kind}");
+        let frame = match kind {
+            "floating" => format!("{joint}.initial"),
+            "moved_by_waves" => {
+                self.needs_the_world(&format!("bodies.{name}"))?;
+                self.needs_to_be_level(&format!("bodies.{name}"))?;
+                self.move_point(tree, &format!("{joint}.position_m"));
+                self.turn_heading(tree, &format!("{joint}.heading_rad"));
+                return Ok(None);
+            }
+            _ => joint,
+        };
+        if kind == "floating" {
+            self.needs_the_world(&format!("bodies.{name}"))?;
+            if let Some(velocity) = numbers(self.whole, &format!("{frame}.velocity_m_s"))
+                && velocity != NONE
+                && self.pose.angles != NONE
+            {
+                self.write(tree, &format!("{frame}.velocity_m_s"), &json!(self.pose.vector(velocity).0));
+            }
+        }
+        if self.on() != WORLD {
+            put(tree, &["bodies", name, "parent"], &json!(self.on()), &self.place("on"));
+        }
+        let at_origin = self.move_point(tree, &format!("{frame}.position_m"));
+        let even = self.turn_axes(tree, &format!("{frame}.orientation_rad"));
+        Ok((at_origin && even).then_some(frame))
+    }
+
+    /// A point, or axes, on the world.
+    fn pin(&self, tree: &mut Node, path: &[String]) {
+        let path = path.join(".");
+        self.move_point(tree, &format!("{path}.position_m"));
+        self.turn_axes(tree, &format!("{path}.orientation_rad"));
+        if self.on() != WORLD {
+            let body = format!("{path}.body");
+            put(tree, &body.split('.').collect::<Vec<_>>(), &json!(self.on()), &self.place("on"));
+        }
+    }
+
+    /// What has a place in the world without naming it: anchors, and the place that a ship keeps.
+    fn in_the_world(&self, tree: &mut Node, section: &str, name: &str, kind: &str) -> Result<bool, Fault> {
+        let entry = format!("{section}.{name}.{kind}");
+        match (section, kind) {
+            ("forces", "catenary_line") => {
+                self.needs_the_world(&entry)?;
+                self.move_point(tree, &format!("{entry}.anchor_m"));
+            }
+            ("forces", "dynamic_positioning") => {
+                self.needs_the_world(&entry)?;
+                self.needs_to_be_level(&entry)?;
+                self.move_target(tree, &format!("{entry}.target"));
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn number(&self, path: &str) -> f64 {
+        let found = super::super::tree::value_at(self.whole, &super::segments(path));
+        found.and_then(Value::as_f64).unwrap_or_default()
+    }
+
+    fn move_target(&self, tree: &mut Node, target: &str) {
+        if !self.pose.is_none() {
+            let [x, y, _] =
+                self.pose.point([self.number(&format!("{target}.x_m")), self.number(&format!("{target}.y_m")), 0.0]);
+            self.write(tree, &format!("{target}.x_m"), &json!(x));
+            self.write(tree, &format!("{target}.y_m"), &json!(y));
+        }
+        self.turn_heading(tree, &format!("{target}.heading_rad"));
+    }
+
+    fn turn_heading(&self, tree: &mut Node, path: &str) {
+        let [_, _, by] = self.pose.angles;
+        if by != 0.0 {
+            self.write(tree, path, &json!(self.number(path) + by));
+        }
+    }
+
+    /// An error where the part stands on a body.
+    fn needs_the_world(&self, what: &str) -> Result<(), Fault> {
+        if self.on() == WORLD {
+            return Ok(());
+        }
+        let found = format!("{}, and {what} in the part", self.on());
+        Err(self.mount.fault("on", found, wording::ON_THE_WORLD))
+    }
+
+    /// An error where the part is tilted.
+    fn needs_to_be_level(&self, what: &str) -> Result<(), Fault> {
+        let [roll, pitch, _] = self.pose.angles;
+        if roll == 0.0 && pitch == 0.0 {
+            return Ok(());
+        }
+        let found = format!("roll {roll} and pitch {pitch}, and {what} in the part");
+        Err(self.mount.fault("orientation_rad", found, wording::LEVEL))
+    }
+}
