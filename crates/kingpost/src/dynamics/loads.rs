@@ -60,7 +60,7 @@ impl<S: Scalar> Loads<S> {
     ) {
         let Some(body) = body else { return };
         let (link, in_link) = (model.bodies[body].link, &model.bodies[body].in_link);
-        let frame = link.map_or(*in_link, |link| links.in_root[link].times(in_link));
+        let frame = link.map_or(*in_link, |link| links.in_root(link).times(in_link));
         self.wrenches.push((body, frame.wrench_to_child(in_root)));
     }
 

@@ -19,6 +19,7 @@ mod loads;
 pub mod loops;
 mod moment;
 pub mod moving_frame;
+mod moving_link;
 pub mod pivots;
 
 pub use kinematics::Kinematics;

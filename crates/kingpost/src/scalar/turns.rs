@@ -1,9 +1,10 @@
 //! Sine and cosine of an angle in turns, for sums of many waves.
 
+use super::Scalar;
 use core::f64::consts::TAU;
 
 /// 1.5 * 2^52: what is added to it is rounded to the nearest whole number, which its last bits hold.
-const ROUNDING: f64 = 6_755_399_441_055_744.0;
+pub(super) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// Sine and cosine of 2 pi times a number, to 2 units in the last place of 1.
 ///
@@ -15,8 +16,13 @@ const ROUNDING: f64 = 6_755_399_441_055_744.0;
 pub(super) fn sin_cos_of_turns(turns: f64) -> (f64, f64) {
     let quarters = 4.0 * turns + ROUNDING;
     let angle = TAU * (turns - 0.25 * (quarters - ROUNDING));
-    let (sin, cos) = (sine(angle).to_bits(), cosine(angle).to_bits());
-    let quadrant = quarters.to_bits();
+    to_quadrant(sine(angle), cosine(angle), quarters.to_bits())
+}
+
+/// Sine and cosine of an angle and so many quarters of a turn, from those of the angle; the count is in the last two bits.
+#[inline(always)]
+pub(super) fn to_quadrant(sin: f64, cos: f64, quadrant: u64) -> (f64, f64) {
+    let (sin, cos) = (sin.to_bits(), cos.to_bits());
     let odd = (quadrant & 1).wrapping_neg();
     let sign_of_sine = (quadrant & 2) << 62;
     let sign_of_cosine = (quadrant.wrapping_add(1) & 2) << 62;
@@ -27,8 +33,8 @@ pub(super) fn sin_cos_of_turns(turns: f64) -> (f64, f64) {
 
 /// The sine of an angle from -pi/4 to pi/4.
 #[inline(always)]
-fn sine(x: f64) -> f64 {
-    const S: [f64; 6] = [
+pub(super) fn sine<S: Scalar>(x: S) -> S {
+    const COEFFICIENTS: [f64; 6] = [
         -1.666_666_666_666_663_2e-1,
         8.333_333_333_322_49e-3,
         -1.984_126_982_985_795e-4,
@@ -37,13 +43,13 @@ fn sine(x: f64) -> f64 {
         1.589_690_995_211_55e-10,
     ];
     let z = x * x;
-    x + x * z * (S[0] + z * (S[1] + z * (S[2] + z * (S[3] + z * (S[4] + z * S[5])))))
+    x + x * z * polynomial(COEFFICIENTS, z)
 }
 
 /// The cosine of an angle from -pi/4 to pi/4.
 #[inline(always)]
-fn cosine(x: f64) -> f64 {
-    const C: [f64; 6] = [
+pub(super) fn cosine<S: Scalar>(x: S) -> S {
+    const COEFFICIENTS: [f64; 6] = [
         4.166_666_666_666_66e-2,
         -1.388_888_888_887_411e-3,
         2.480_158_728_947_673e-5,
@@ -52,10 +58,17 @@ fn cosine(x: f64) -> f64 {
         -1.135_964_755_778_819_5e-11,
     ];
     let z = x * x;
-    let rest = z * (C[0] + z * (C[1] + z * (C[2] + z * (C[3] + z * (C[4] + z * C[5])))));
-    let half = 0.5 * z;
-    let near = 1.0 - half;
-    near + (((1.0 - near) - half) + z * rest)
+    let rest = z * polynomial(COEFFICIENTS, z);
+    let half = S::constant(0.5) * z;
+    let near = S::ONE - half;
+    near + (((S::ONE - near) - half) + z * rest)
+}
+
+/// `c0 + z (c1 + z (c2 + ...))`.
+#[inline(always)]
+fn polynomial<S: Scalar>(coefficients: [f64; 6], z: S) -> S {
+    let [c0, c1, c2, c3, c4, c5] = coefficients.map(S::constant);
+    c0 + z * (c1 + z * (c2 + z * (c3 + z * (c4 + z * c5))))
 }
 
 #[cfg(test)]

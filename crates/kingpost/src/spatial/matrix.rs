@@ -76,6 +76,27 @@ impl<S: Scalar> Matrix3<S> {
         Self(a.0.map(|x| b.0.map(|y| x * y)))
     }
 
+    /// A rotation matrix whose last column is the unit vector `z`; a permutation, exactly, where that is along an axis.
+    ///
+    /// The first column is the part across z of the axis that follows, in the order x, y, z, the largest entry of z.
+    pub fn with_z(z: Vector3<S>) -> Self {
+        let ([a, b, c], one) = (z.0.map(|x| x * x), || S::ONE);
+        // Lane by lane: 1 where the entry is the largest, the later of two that are equal.
+        let x_largest = b.select_less(a, || c.select_less(a, one, || S::ZERO), || S::ZERO);
+        let z_largest = c.select_less(b, || S::ZERO, || S::ONE - x_largest);
+        let next = Vector3([z_largest, x_largest, S::ONE - x_largest - z_largest]);
+        let across = next - z * z.dot(next);
+        let x = across * (S::ONE / across.norm());
+        let y = z.cross(x);
+        Self([[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]])
+    }
+
+    /// `self Rz(angle)`: the frame whose axes are the columns, turned about its own z.
+    #[inline]
+    pub fn turned_about_z(&self, (sin, cos): (S, S)) -> Self {
+        Self(self.0.map(|[x, y, z]| [x * cos + y * sin, y * cos - x * sin, z]))
+    }
+
     /// Determinant.
     #[inline]
     pub fn determinant(&self) -> S {
@@ -172,6 +193,14 @@ impl<S: Scalar> Symmetric3<S> {
     pub fn rotated(self, r: &Matrix3<S>) -> Self {
         let rs = *r * self.to_matrix();
         let entry = |i: usize, j: usize| rs.row(i).dot(r.row(j));
+        Self { xx: entry(0, 0), xy: entry(0, 1), xz: entry(0, 2), yy: entry(1, 1), yz: entry(1, 2), zz: entry(2, 2) }
+    }
+
+    /// `R D R^T` with the diagonal matrix D of principal moments.
+    #[inline]
+    pub fn of_principal(moments: [S; 3], r: &Matrix3<S>) -> Self {
+        let rd = r.0.map(|[x, y, z]| Vector3([x * moments[0], y * moments[1], z * moments[2]]));
+        let entry = |i: usize, j: usize| rd[i].dot(r.row(j));
         Self { xx: entry(0, 0), xy: entry(0, 1), xz: entry(0, 2), yy: entry(1, 1), yz: entry(1, 2), zz: entry(2, 2) }
     }
 

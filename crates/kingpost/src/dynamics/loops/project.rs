@@ -135,7 +135,7 @@ impl<S: Scalar> LoopSolver<S> {
 
     /// Factors J M^-1 J^T here, over articulated inertias that are computed anew.
     fn factor_anew(&mut self, on: &mut Projection<'_, S>, v: &[S]) {
-        forward_dynamics(on.model, on.links, v, on.loads, on.work, &mut self.v_dot);
+        forward_dynamics(on.model, on.links, on.loads, on.work, &mut self.v_dot);
         self.factor_here(on.model, on.links, on.work);
     }
 
