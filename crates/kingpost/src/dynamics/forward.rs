@@ -18,7 +18,7 @@ use super::ball::Ball;
 use super::{LinkKinematics, Loads};
 use crate::model::{Link, LinkJoint, Mode, Model};
 use crate::scalar::Scalar;
-use crate::spatial::{SpatialInertia, Twist, Wrench};
+use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
 use articulated::Articulated;
 
 /// Working memory of [`forward_dynamics`], by link, root axes.
@@ -83,11 +83,32 @@ fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<
             link.bias += moving.kirchhoff(&added);
         }
     }
+    if let Some(gravity) = loads.gravity {
+        weigh(model, links, gravity, work);
+    }
     for (body, wrench) in &loads.wrenches {
         let body = &model.bodies[*body];
         if let Some(i) = body.link {
             let in_link = body.in_link.wrench_to_parent(wrench);
             work.links[i].bias -= links.in_root(i).wrench_to_parent(&in_link);
+        }
+    }
+}
+
+/// Takes the weight of each link, `W = m g` at its centre, from the bias.
+#[inline]
+fn weigh<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, gravity: Vector3<S>, work: &mut Workspace<S>) {
+    let (mut root, mut in_root) = (usize::MAX, gravity);
+    for (i, (plan, moving)) in model.plan.iter().zip(links.moving()).enumerate() {
+        if model.roots[i] != root {
+            root = model.roots[i];
+            in_root = links.root_in_world(root).rotation.transpose_times(gravity);
+        }
+        let (force, link) = (in_root * plan.mass, &mut work.links[i]);
+        link.bias.force -= force;
+        link.bias.moment -= moving.in_root.position.cross(force);
+        if let Some(first_moment) = plan.first_moment {
+            link.bias.moment -= (moving.in_root.rotation * first_moment).cross(in_root);
         }
     }
 }
@@ -99,7 +120,7 @@ fn articulate<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Lo
         let (before, rest) = work.links.split_at_mut(i);
         let (link, parent) = (&mut rest[0], plan.parent().map(|p| &mut before[p]));
         match plan.joint {
-            LinkJoint::Floating(_) => {}
+            LinkJoint::Floating => {}
             LinkJoint::Ball => {
                 if let Some(parent) = parent {
                     let (inertia, bias) =
@@ -136,11 +157,11 @@ fn respond<S: Scalar>(
         let (before, rest) = work.links.split_at_mut(i);
         let link = &mut rest[0];
         let carried = plan.parent().map_or(Twist::zero(), |p| before[p].response);
-        match &plan.joint {
-            LinkJoint::Floating(floating) => {
+        match plan.joint {
+            LinkJoint::Floating => {
                 let (at, rotation) = (plan.velocities, &links.root_in_world(i).rotation);
                 let net = root::force(&loads.force[at..], rotation) - link.bias;
-                link.response = root::accelerate(*floating, &link.inertia(moving), &net);
+                link.response = root::accelerate(plan.floating, &link.inertia(moving), &net);
                 root::write(&link.response, rotation, &mut v_dot[at..]);
             }
             LinkJoint::Ball => {

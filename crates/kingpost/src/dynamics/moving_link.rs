@@ -71,7 +71,7 @@ impl<S: Scalar> MovingLink<S> {
         let (arm, Frame { rotation, position }) = (plan.to_child, plan.placement);
         let turned = |rotation: Matrix3<S>| Frame { rotation, position: position + rotation * arm };
         match plan.joint {
-            LinkJoint::Floating(_) => {
+            LinkJoint::Floating => {
                 let frame = Floating::relative(q);
                 self.motion = Motion::floating(Floating::twist(&frame, v));
                 frame
@@ -98,7 +98,7 @@ impl<S: Scalar> MovingLink<S> {
     #[inline(always)]
     pub fn mount(&mut self, plan: &Link<S>, parent: &Self, seat: &Seat<S>, q: &[S], v: &[S]) {
         match plan.joint {
-            LinkJoint::Floating(_) => {}
+            LinkJoint::Floating => {}
             LinkJoint::Hinge => self.hinge(plan, &parent.motion, seat, q[plan.positions].sin_cos(), v[plan.velocities]),
             LinkJoint::Slide => self.slide(plan, &parent.motion, seat, q[plan.positions], v[plan.velocities]),
             LinkJoint::Ball => {

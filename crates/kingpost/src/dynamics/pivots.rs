@@ -19,7 +19,7 @@ pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> 
     for (i, plan) in model.plan.iter().enumerate().rev() {
         let (free, at) = (work.articulated_inertia(links, i), plan.velocities);
         let directions = match plan.joint {
-            LinkJoint::Floating(_) => unit_twists().to_vec(),
+            LinkJoint::Floating => unit_twists().to_vec(),
             LinkJoint::Ball => Ball::new(plan, links.in_root(i)).axes().to_vec(),
             LinkJoint::Hinge | LinkJoint::Slide => vec![*links.axis(i)],
         };

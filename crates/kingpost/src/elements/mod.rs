@@ -68,7 +68,7 @@ impl<S: Scalar> Force<S> {
     /// Adds this force to the loads.
     pub fn apply(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         match self {
-            Force::Gravity(gravity) => gravity.apply(at.model, at.links, loads),
+            Force::Gravity(gravity) => gravity.apply(loads),
             Force::ViscousDamping(damping) => damping.apply(at, loads),
             Force::QuadraticDamping(damping) => damping.apply(at, loads),
             Force::JointDamping(damping) => damping.apply(at.v, loads),

@@ -12,6 +12,8 @@ pub struct Link<S = f64> {
     pub carrier: Carrier,
     /// The joint to the parent.
     pub joint: LinkJoint,
+    /// Which half of a floating joint is held.
+    pub floating: Floating,
     /// How a joint of one axis moves, and whether a ball is held.
     pub mode: Mode,
     /// First entry in q.
@@ -24,6 +26,10 @@ pub struct Link<S = f64> {
     pub to_child: Vector3<S>,
     /// Inertia.
     pub inertia: LinkInertia<S>,
+    /// Mass of its bodies, which weighs, kg. Of an inertia that is no rigid body's, part is the water's.
+    pub mass: S,
+    /// That mass times its centre in the link's axes, kg m; `None` where that is the frame's origin.
+    pub first_moment: Option<Vector3<S>>,
 }
 
 /// What carries a link. Links are numbered from the roots out.
@@ -38,10 +44,10 @@ pub enum Carrier {
 }
 
 /// The joints that links have.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinkJoint {
     /// Six degrees of freedom against the world.
-    Floating(Floating),
+    Floating,
     /// Rotation about the link's z axis.
     Hinge,
     /// Translation along the link's z axis.
@@ -65,6 +71,18 @@ pub enum LinkInertia<S = f64> {
     Rigid(RigidInertia<S>),
     /// No rigid body's.
     Full(SpatialInertia<S>),
+}
+
+impl<S: Scalar> Link<S> {
+    /// The same link with the mass of its bodies.
+    fn laden(self, link: usize, bodies: &[Body<S>]) -> Self {
+        let of_link = || bodies.iter().filter(|body| body.link == Some(link));
+        let mass = of_link().fold(S::ZERO, |sum, body| sum + body.mass);
+        let first_moment = of_link().fold(Vector3::zero(), |sum, body| sum + body.in_link.position * body.mass);
+        let central = matches!(self.inertia, LinkInertia::Central { mass: of_inertia, .. } if of_inertia == mass);
+        let at_origin = central || first_moment == Vector3::zero();
+        Self { mass, first_moment: (!at_origin).then_some(first_moment), ..self }
+    }
 }
 
 impl<S> Link<S> {
@@ -142,28 +160,35 @@ pub(super) fn lowered<S: Scalar>(
         Some(p) if nodes[p].parent.is_none() => Carrier::Root(p),
         Some(p) => Carrier::Branch(p),
     };
-    nodes.iter().zip(rigid).map(|(node, rigid)| lower(node, carrier(node), rigid.as_ref())).collect()
+    nodes
+        .iter()
+        .zip(rigid)
+        .map(|(node, rigid)| lower(node, carrier(node), rigid.as_ref()))
+        .enumerate()
+        .map(|(i, link)| link.laden(i, bodies))
+        .collect()
 }
 
 /// What is constant of a link whose frame is in its place.
 fn lower<S: Scalar>(node: &Node<S>, carrier: Carrier, rigid: Option<&RigidInertia<S>>) -> Link<S> {
     let (joint, placement) = match &node.kind {
-        JointKind::Floating(floating) => (LinkJoint::Floating(*floating), Frame::identity()),
+        JointKind::Floating(_) => (LinkJoint::Floating, Frame::identity()),
         JointKind::Revolute(revolute) => (LinkJoint::Hinge, *revolute.placement()),
         JointKind::Prismatic(prismatic) => (LinkJoint::Slide, *prismatic.placement()),
         JointKind::Spherical(ball) => (LinkJoint::Ball, *ball.placement()),
         JointKind::AxisList(_) | JointKind::Fixed(_) => unreachable!("these are split and fused"),
     };
-    let floats = matches!(joint, LinkJoint::Floating(_));
+    let floating = if let JointKind::Floating(floating) = node.kind { floating } else { Floating::default() };
     let inertia = match rigid {
-        Some(rigid) if floats => LinkInertia::Rigid(*rigid),
+        Some(rigid) if joint == LinkJoint::Floating => LinkInertia::Rigid(*rigid),
         Some(rigid) if rigid.mass.all(|mass| mass > 0.0) || *rigid == RigidInertia::default() => {
             LinkInertia::Central { mass: rigid.mass, moments: Moments::new(node.inertia.angular) }
         }
         _ => LinkInertia::Full(node.inertia),
     };
     let Node { mode, positions, velocities, .. } = *node;
-    Link { carrier, joint, mode, positions, velocities, placement, to_child: node.kind.to_child(), inertia }
+    let (to_child, mass, first_moment) = (node.kind.to_child(), S::ZERO, None);
+    Link { carrier, joint, floating, mode, positions, velocities, placement, to_child, inertia, mass, first_moment }
 }
 
 /// Puts a link's frame to `to`, seen from where it was; bodies and joints stay where they are.

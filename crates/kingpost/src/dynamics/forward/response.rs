@@ -63,8 +63,8 @@ impl<S: Scalar> Response<S> {
             let carried = plan.parent().map_or(Twist::zero(), |p| self.acceleration[p]);
             let (link, bias, at) = (&work.links[i], &self.bias[i], plan.velocities);
             self.acceleration[i] = match plan.joint {
-                LinkJoint::Floating(floating) => {
-                    let twist = root::accelerate(floating, &link.inertia(moving), &-*bias);
+                LinkJoint::Floating => {
+                    let twist = root::accelerate(plan.floating, &link.inertia(moving), &-*bias);
                     root::write(&twist, &links.root_in_world(i).rotation, &mut self.rates[at..]);
                     twist
                 }

@@ -79,10 +79,10 @@ impl<S: Scalar> Row<S> {
                 wrench += self.on_second;
             }
             squares += match plan.joint {
-                LinkJoint::Floating(floating) => {
+                LinkJoint::Floating => {
                     let free = |held: bool| if held { S::ZERO } else { S::ONE };
-                    wrench.force.norm_squared() * free(floating.hold_translation)
-                        + wrench.moment.norm_squared() * free(floating.hold_rotation)
+                    wrench.force.norm_squared() * free(plan.floating.hold_translation)
+                        + wrench.moment.norm_squared() * free(plan.floating.hold_rotation)
                 }
                 LinkJoint::Ball if plan.mode == Mode::Free => {
                     let axes = Ball::new(plan, links.in_root(i)).axes();
