@@ -4,7 +4,7 @@
 //! link. The root's frame is near, so that lengths stay as small as the crane, however far the ship
 //! is from the world's origin.
 
-use super::moving_link::{MovingLink, Seat};
+use super::moving_link::MovingLink;
 use crate::model::{Carrier, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Twist, Vector3};
@@ -40,8 +40,8 @@ impl<S: Scalar> LinkKinematics<S> {
             let link = &mut rest[0];
             match plan.carrier {
                 Carrier::World => self.root_in_world[i] = link.stand(plan, &q[plan.positions..], &v[plan.velocities..]),
-                Carrier::Root(p) => link.mount(plan, &before[p], &Seat::on_root(plan), q, v),
-                Carrier::Branch(p) => link.mount(plan, &before[p], &Seat::on_link(&before[p], plan), q, v),
+                Carrier::Root(p) => link.mount_on_root(plan, &before[p], q, v),
+                Carrier::Branch(p) => link.mount(plan, &before[p], q, v),
             }
             if let Some(full) = link.take_inertia(&plan.inertia) {
                 self.full.push((i, full));

@@ -26,7 +26,7 @@ pub(super) struct MovingLink<S> {
 }
 
 /// Where a joint is that a parent carries, root axes.
-pub(super) struct Seat<S> {
+struct Seat<S> {
     /// The link's axes where the coordinates are zero.
     rotation: Matrix3<S>,
     /// From the parent's origin to the joint, m.
@@ -37,15 +37,15 @@ pub(super) struct Seat<S> {
 
 impl<S: Scalar> Seat<S> {
     /// On the root of the branch.
-    #[inline]
-    pub fn on_root(plan: &Link<S>) -> Self {
+    #[inline(always)]
+    fn on_root(plan: &Link<S>) -> Self {
         let Frame { rotation, position } = plan.placement;
         Self { rotation, way: position, position }
     }
 
     /// On another link.
-    #[inline]
-    pub fn on_link(parent: &MovingLink<S>, plan: &Link<S>) -> Self {
+    #[inline(always)]
+    fn on_link(parent: &MovingLink<S>, plan: &Link<S>) -> Self {
         let Frame { rotation, position } = &parent.in_root;
         let way = *rotation * plan.placement.position;
         Self { rotation: *rotation * plan.placement.rotation, way, position: *position + way }
@@ -94,46 +94,55 @@ impl<S: Scalar> MovingLink<S> {
         }
     }
 
-    /// On a parent that carries its joint at `seat`.
-    #[inline(always)]
-    pub fn mount(&mut self, plan: &Link<S>, parent: &Self, seat: &Seat<S>, q: &[S], v: &[S]) {
+    /// On the root of its branch.
+    #[inline]
+    pub fn mount_on_root(&mut self, plan: &Link<S>, root: &Self, q: &[S], v: &[S]) {
         match plan.joint {
             LinkJoint::Floating => {}
-            LinkJoint::Hinge => self.hinge(plan, &parent.motion, seat, q[plan.positions].sin_cos(), v[plan.velocities]),
-            LinkJoint::Slide => self.slide(plan, &parent.motion, seat, q[plan.positions], v[plan.velocities]),
-            LinkJoint::Ball => {
-                self.ball(plan, &parent.motion, seat, &q[plan.positions..], &v[plan.velocities..]);
-            }
+            LinkJoint::Hinge => self.hinge(plan, &root.motion, &Seat::on_root(plan), q, v),
+            LinkJoint::Slide => self.slide(plan, &root.motion, &Seat::on_root(plan), q, v),
+            LinkJoint::Ball => self.ball(plan, &root.motion, &Seat::on_root(plan), q, v),
+        }
+    }
+
+    /// On another link.
+    #[inline]
+    pub fn mount(&mut self, plan: &Link<S>, parent: &Self, q: &[S], v: &[S]) {
+        match plan.joint {
+            LinkJoint::Floating => {}
+            LinkJoint::Hinge => self.hinge(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
+            LinkJoint::Slide => self.slide(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
+            LinkJoint::Ball => self.ball(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
         }
     }
 
     /// `R = R_seat Rz(angle)`.
-    #[inline]
-    fn hinge(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, turn: (S, S), rate: S) {
-        let rotation = seat.rotation.turned_about_z(turn);
+    #[inline(always)]
+    fn hinge(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
+        let rotation = seat.rotation.turned_about_z(q[plan.positions].sin_cos());
         let (z, arm) = (seat.rotation.column(2), rotation * plan.to_child);
         self.in_root = Frame { rotation, position: seat.position + arm };
         self.axis = Twist { angular: z, linear: seat.position.cross(z) };
-        self.motion = parent.turned(&(self.axis * rate), seat.way, arm);
+        self.motion = parent.turned(&(self.axis * v[plan.velocities]), seat.way, arm);
     }
 
     /// `R = R_seat`.
-    #[inline]
-    fn slide(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, extension: S, rate: S) {
+    #[inline(always)]
+    fn slide(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let z = seat.rotation.column(2);
-        let arm = seat.rotation * plan.to_child + z * extension;
+        let arm = seat.rotation * plan.to_child + z * q[plan.positions];
         self.in_root = Frame { rotation: seat.rotation, position: seat.position + arm };
         self.axis = Twist { angular: Vector3::zero(), linear: z };
-        self.motion = parent.slid(z * rate, seat.way + arm);
+        self.motion = parent.slid(z * v[plan.velocities], seat.way + arm);
     }
 
     /// `R = R_seat R(q)`.
-    #[inline]
+    #[inline(always)]
     fn ball(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
-        let rotation = seat.rotation * Quaternion::from_slice(q).to_matrix();
+        let rotation = seat.rotation * Quaternion::from_slice(&q[plan.positions..]).to_matrix();
         let arm = rotation * plan.to_child;
         self.in_root = Frame { rotation, position: seat.position + arm };
-        let own = Ball::new(plan, &self.in_root).twist(v);
+        let own = Ball::new(plan, &self.in_root).twist(&v[plan.velocities..]);
         self.motion = parent.turned(&own, seat.way, arm);
     }
 

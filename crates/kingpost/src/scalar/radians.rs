@@ -1,6 +1,6 @@
 //! Sine and cosine of an angle in radians, without branches.
 
-use super::turns::{ROUNDING, cosine, sine, to_quadrant};
+use super::turns::{ROUNDING, cosine, sine};
 use super::{LANES, Lanes, Scalar};
 use core::f64::consts::FRAC_2_PI;
 
@@ -21,7 +21,7 @@ pub(super) fn sin_cos(angle: f64) -> (f64, f64) {
         return libm::sincos(angle);
     }
     let (quarters, left) = reduced(angle);
-    to_quadrant(sine(left), cosine(left), quarters.to_bits())
+    turned(sine(left), cosine(left), quarters)
 }
 
 /// The whole number of quarters, in the last bits, and what is left, rad.
@@ -36,13 +36,21 @@ fn reduced<S: Scalar>(angle: S) -> (S, S) {
     (quarters, left + (((near - left) - second) - n * third))
 }
 
+/// Sine and cosine of an angle and so many quarters of a turn, from those of the angle.
+#[inline(always)]
+fn turned(sin: f64, cos: f64, quarters: f64) -> (f64, f64) {
+    let by_quadrant = [sin, cos, -sin, -cos, sin];
+    let quadrant = (quarters.to_bits() & 3) as usize;
+    (by_quadrant[quadrant], by_quadrant[quadrant + 1])
+}
+
 /// The same in lanes, all of angles up to [`LARGEST`].
 #[inline(always)]
 pub(super) fn sin_cos_of_lanes(angle: Lanes) -> (Lanes, Lanes) {
     let (quarters, left) = reduced(angle);
     let (sin, cos) = (sine(left).to_array(), cosine(left).to_array());
-    let quadrants = quarters.to_array().map(f64::to_bits);
-    let both: [(f64, f64); LANES] = core::array::from_fn(|k| to_quadrant(sin[k], cos[k], quadrants[k]));
+    let quarters = quarters.to_array();
+    let both: [(f64, f64); LANES] = core::array::from_fn(|k| turned(sin[k], cos[k], quarters[k]));
     (Lanes::new(both.map(|(sin, _)| sin)), Lanes::new(both.map(|(_, cos)| cos)))
 }
 

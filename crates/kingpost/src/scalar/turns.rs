@@ -16,13 +16,8 @@ pub(super) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 pub(super) fn sin_cos_of_turns(turns: f64) -> (f64, f64) {
     let quarters = 4.0 * turns + ROUNDING;
     let angle = TAU * (turns - 0.25 * (quarters - ROUNDING));
-    to_quadrant(sine(angle), cosine(angle), quarters.to_bits())
-}
-
-/// Sine and cosine of an angle and so many quarters of a turn, from those of the angle; the count is in the last two bits.
-#[inline(always)]
-pub(super) fn to_quadrant(sin: f64, cos: f64, quadrant: u64) -> (f64, f64) {
-    let (sin, cos) = (sin.to_bits(), cos.to_bits());
+    let (sin, cos) = (sine(angle).to_bits(), cosine(angle).to_bits());
+    let quadrant = quarters.to_bits();
     let odd = (quadrant & 1).wrapping_neg();
     let sign_of_sine = (quadrant & 2) << 62;
     let sign_of_cosine = (quadrant.wrapping_add(1) & 2) << 62;

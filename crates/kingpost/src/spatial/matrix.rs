@@ -285,3 +285,41 @@ impl<S: Scalar> AddAssign for Symmetric3<S> {
         *self = *self + b;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spatial::exp;
+
+    #[test]
+    fn a_frame_with_z_along_an_axis_is_a_permutation_and_otherwise_a_rotation() {
+        for (k, sign) in [(0, 1.0), (1, 1.0), (2, 1.0), (0, -1.0), (1, -1.0), (2, -1.0)] {
+            let z = Vector3(core::array::from_fn(|i| if i == k { sign } else { 0.0 }));
+            let r = Matrix3::with_z(z);
+            assert_eq!((r.column(2), r.determinant()), (z, 1.0));
+            assert!(r.0.iter().flatten().all(|x: &f64| [0.0, 1.0].contains(&x.abs())));
+        }
+        let turn = exp(Vector3::new(0.4, -0.7, 1.1));
+        for z in [turn.column(0), turn.column(1), turn.column(2), Vector3::new(1.0, 1.0, 1.0) * (1.0 / 3.0_f64.sqrt())]
+        {
+            let r = Matrix3::with_z(z);
+            let difference = r * r.transpose() - Matrix3::identity();
+            assert!(difference.0.iter().flatten().all(|x: &f64| x.abs() < 4e-16));
+            assert!((r.determinant() - 1.0_f64).abs() < 4e-16 && (r.column(2) - z).norm() < 1e-16);
+        }
+    }
+
+    #[test]
+    fn turning_columns_is_a_product_with_a_rotation_about_z() {
+        let (r, angle) = (exp(Vector3::new(0.4, -0.7, 1.1)), 0.8_f64);
+        let difference = r.turned_about_z(angle.sin_cos()) - r * exp(Vector3::new(0.0, 0.0, angle));
+        assert!(difference.0.iter().flatten().all(|x: &f64| x.abs() < 4e-16));
+    }
+
+    #[test]
+    fn principal_moments_turn_like_a_diagonal_matrix() {
+        let r = exp(Vector3::new(0.4, -0.7, 1.1));
+        let moments = [3.0, 0.0, 5.0];
+        assert_eq!(Symmetric3::of_principal(moments, &r), Symmetric3::diagonal(moments).rotated(&r));
+    }
+}
