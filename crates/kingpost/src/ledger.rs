@@ -80,6 +80,12 @@ impl<S: Scalar> Entries<'_, S> {
         for (body, wrench) in self.loads.wrenches.iter().filter(|(body, _)| moves(*body)) {
             add(&self.links.body_frame(self.model, *body), wrench);
         }
+        for (i, body) in self.model.bodies.iter().enumerate().filter(|(i, _)| moves(*i)) {
+            if let Some(weight) = self.loads.weight(body.mass) {
+                let centre = self.links.body_frame(self.model, i).position;
+                add(&Frame::translation(centre), &Wrench { moment: Vector3::zero(), force: weight });
+            }
+        }
         let mut prescribed_power = S::ZERO;
         for (i, node) in self.tree.nodes.iter().enumerate() {
             let on_the_world = node.parent.is_none_or(|p| self.has_fixed && !moves(p));

@@ -50,7 +50,7 @@ impl Case {
 
     fn accelerate(&mut self) {
         self.links.update(&self.model, &self.q, &self.v);
-        forward_dynamics(&self.model, &self.links, &self.v, &self.loads, &mut self.work, &mut self.v_dot);
+        forward_dynamics(&self.model, &self.links, &self.loads, &mut self.work, &mut self.v_dot);
         self.open.copy_from_slice(&self.v_dot);
         self.solver.accelerate(&self.model, &self.links, &mut self.work, &mut self.v_dot);
     }

@@ -6,7 +6,8 @@ use common::relative_difference;
 use common::trees::for_all;
 use kingpost::dynamics::moving_frame::{MovingFrame, Variation};
 use kingpost::dynamics::{Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
-use kingpost::model::{Mode, Model};
+use kingpost::model::{LinkJoint, Mode, Model};
+use kingpost::spatial::{Twist, Vector3, Wrench};
 use proptest::prelude::*;
 
 const STATES: u32 = 1000;
@@ -42,9 +43,66 @@ fn accelerations_agree_over_random_trees_and_states() {
         let mut links = LinkKinematics::new(&model);
         links.update(&model, &q, &v);
         let (mut work, mut v_dot) = (forward::Workspace::new(&model), vec![0.0; v.len()]);
-        forward::forward_dynamics(&model, &links, &v, &loads, &mut work, &mut v_dot);
+        forward::forward_dynamics(&model, &links, &loads, &mut work, &mut v_dot);
         let difference = relative_difference(&free_part(&model, &v_dot), expected.as_slice());
         prop_assert!(difference < 1e-9, "{difference:e}");
+        Ok(())
+    });
+}
+
+/// Every load with the weight of all bodies as a field, and as a wrench on each body.
+fn weighed_twice(model: &Model, q: &[f64], v: &[f64], loads: &Loads) -> [Loads; 2] {
+    let (mut as_field, mut as_wrenches) = (loads.clone(), loads.clone());
+    let gravity = Vector3::new(1.5, -2.0, -9.8);
+    as_field.add_gravity(gravity);
+    let mut bodies = Kinematics::new(&model.tree);
+    bodies.update(&model.tree, q, v);
+    for (i, (body, frame)) in model.bodies.iter().zip(&bodies.world).enumerate() {
+        let force = frame.rotation.transpose_times(gravity * body.mass);
+        as_wrenches.wrenches.push((i, Wrench { moment: Vector3::zero(), force }));
+    }
+    [as_field, as_wrenches]
+}
+
+#[test]
+fn weight_as_a_field_is_weight_on_every_body_in_both_forms_and_in_inverse_dynamics() {
+    for_all(200, |tree| {
+        let model = tree.model();
+        let ((q, v), loads) = (tree.state(&model), tree.loads(&model));
+        let of = |loads: &Loads| {
+            let matrices = MovingFrame::assemble(&model, &q, &v, loads, Variation::Restricted);
+            let (mut links, mut work) = (LinkKinematics::new(&model), forward::Workspace::new(&model));
+            let mut v_dot = vec![0.0; v.len()];
+            links.update(&model, &q, &v);
+            forward::forward_dynamics(&model, &links, loads, &mut work, &mut v_dot);
+            let forces = inverse_dynamics(&model, &q, &v, &v_dot, loads);
+            (v_dot, matrices.f_star, forces)
+        };
+        let [field, wrenches] = weighed_twice(&model, &q, &v, &loads);
+        let ((a, f, tau), (b, g, sigma)) = (of(&field), of(&wrenches));
+        // The recursion's own difference from M*^-1, where the branches hang on little mass.
+        prop_assert!(relative_difference(&a, &b) < 1e-9);
+        prop_assert!(relative_difference(f.as_slice(), g.as_slice()) < 1e-12);
+        prop_assert!(relative_difference(&tau, &sigma) < 1e-9);
+        Ok(())
+    });
+}
+
+#[test]
+fn links_on_one_axis_have_it_as_their_z() {
+    for_all(200, |tree| {
+        let model = tree.model();
+        let (q, v) = tree.state(&model);
+        let mut links = LinkKinematics::new(&model);
+        links.update(&model, &q, &v);
+        for (i, plan) in model.plan.iter().enumerate() {
+            let (z, axis) = (links.in_root(i).rotation.column(2), links.axis(i));
+            match plan.joint {
+                LinkJoint::Hinge => prop_assert!((axis.angular - z).norm() < 1e-15),
+                LinkJoint::Slide => prop_assert!((axis.linear - z).norm() < 1e-15),
+                LinkJoint::Floating | LinkJoint::Ball => prop_assert_eq!(*axis, Twist::zero()),
+            }
+        }
         Ok(())
     });
 }

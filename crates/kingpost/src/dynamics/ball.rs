@@ -5,13 +5,13 @@
 //! it (Featherstone 2008, sec. 7.2, with S taken about the joint).
 
 use super::Loads;
-use crate::model::{Mode, Node, joint::Spherical};
+use crate::model::{Link, Mode};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 
 /// A link on its ball, root axes.
 pub(super) struct Ball<'a, S> {
-    node: &'a Node<S>,
+    plan: &'a Link<S>,
     /// The link in its root's frame.
     in_root: &'a Frame<S>,
     /// From the root's origin to the ball, m.
@@ -19,8 +19,8 @@ pub(super) struct Ball<'a, S> {
 }
 
 impl<'a, S: Scalar> Ball<'a, S> {
-    pub(super) fn new(joint: &Spherical<S>, node: &'a Node<S>, in_root: &'a Frame<S>) -> Self {
-        Self { node, in_root, position: in_root.point(-joint.to_child()) }
+    pub(super) fn new(plan: &'a Link<S>, in_root: &'a Frame<S>) -> Self {
+        Self { plan, in_root, position: in_root.point(-plan.to_child) }
     }
 
     /// The twist about the root's origin of a rate (or of its derivative) in child axes.
@@ -45,7 +45,7 @@ impl<'a, S: Scalar> Ball<'a, S> {
         bias: &Wrench<S>,
         loads: &Loads<S>,
     ) -> (SpatialInertia<S>, Wrench<S>) {
-        if self.node.mode != Mode::Free {
+        if self.plan.mode != Mode::Free {
             return (*inertia, *bias);
         }
         let to_ball = Frame::translation(-self.position);
@@ -63,7 +63,7 @@ impl<'a, S: Scalar> Ball<'a, S> {
 
     /// The moment applied in the joint.
     fn moment(&self, loads: &Loads<S>) -> Vector3<S> {
-        self.in_root.rotation * Vector3::from_slice(&loads.force[self.node.velocities..])
+        self.in_root.rotation * Vector3::from_slice(&loads.force[self.plan.velocities..])
     }
 
     /// Acceleration of the link, once what the parent and the velocities carry is known; writes that
@@ -91,18 +91,18 @@ impl<'a, S: Scalar> Ball<'a, S> {
         let to_ball = Frame::translation(-self.position);
         let load = inertia.times(carried) + *bias;
         let missing = applied - to_ball.wrench_to_parent(&load).moment;
-        let rate = if self.node.mode == Mode::Free {
+        let rate = if self.plan.mode == Mode::Free {
             inertia.to_parent(&to_ball).angular.inverse() * missing
         } else {
             Vector3::zero()
         };
         let in_child = self.in_root.rotation.transpose_times(rate);
-        in_child.write_to(&mut v_dot[self.node.velocities..]);
+        in_child.write_to(&mut v_dot[self.plan.velocities..]);
         *carried + self.twist(&in_child.0)
     }
     /// What the ball lets through of a bias alone, without velocities and other loads.
     pub(super) fn passes(&self, inertia: &SpatialInertia<S>, bias: &Wrench<S>) -> Wrench<S> {
-        if self.node.mode != Mode::Free {
+        if self.plan.mode != Mode::Free {
             return *bias;
         }
         let to_ball = Frame::translation(-self.position);

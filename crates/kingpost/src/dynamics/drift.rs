@@ -20,45 +20,52 @@ pub(super) struct Drift<S> {
     pub gradient: Matrix3<S>,
 }
 
-/// How a link moves against its parent, root axes.
-pub(super) struct Relative<S> {
-    /// Angular velocity, rad/s.
-    pub turning: Vector3<S>,
-    /// Velocity along a slide, m/s.
-    pub sliding: Option<Vector3<S>>,
+/// How a link moves: what velocities alone say.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Motion<S> {
+    /// About the root's origin.
+    pub twist: Twist<S>,
+    /// Its points' acceleration with every coordinate's at zero.
+    pub drift: Drift<S>,
 }
 
-impl<S: Scalar> Drift<S> {
-    /// Of a floating link that turns with `omega`: its origin's acceleration is a coordinate's.
+impl<S: Scalar> Motion<S> {
+    /// Of a floating link: its origin's acceleration is a coordinate's.
     #[inline]
-    pub fn floating(omega: Vector3<S>) -> Self {
-        Self { angular: Vector3::zero(), linear: Vector3::zero(), gradient: centripetal(omega) }
+    pub fn floating(twist: Twist<S>) -> Self {
+        let drift = Drift { angular: Vector3::zero(), linear: Vector3::zero(), gradient: centripetal(twist.angular) };
+        Self { twist, drift }
     }
 
-    /// Of a link on this parent, which turns with `omega` about its origin: `pivot` is the joint's
-    /// point that moves with both, `origin` and `own` are the link's.
+    /// Of a link that turns against this one with the twist `own`, about a pivot that moves with both: `way` leads from
+    /// this one's origin to it, `arm` from there to the link's origin.
+    ///
+    /// `alpha = alpha_p + omega_p x omega_own`, `a = a_p + G_p way + G arm`.
     #[inline]
-    pub fn carry(
-        &self,
-        (parent_origin, omega): (Vector3<S>, Vector3<S>),
-        pivot: Vector3<S>,
-        relative: &Relative<S>,
-        (origin, own): (Vector3<S>, Vector3<S>),
-        link: &mut Self,
-    ) {
-        link.angular = self.angular + omega.cross(relative.turning);
-        link.gradient = hat(link.angular) + centripetal(own);
-        link.linear = self.linear + self.gradient * (pivot - parent_origin) + link.gradient * (origin - pivot);
-        if let Some(sliding) = relative.sliding {
-            link.linear += omega.cross(sliding) * S::constant(2.0);
-        }
+    pub fn turned(&self, own: &Twist<S>, way: Vector3<S>, arm: Vector3<S>) -> Self {
+        let twist = self.twist + *own;
+        let angular = self.drift.angular + self.twist.angular.cross(own.angular);
+        let gradient = hat(angular) + centripetal(twist.angular);
+        let linear = self.drift.linear + self.drift.gradient * way + gradient * arm;
+        Self { twist, drift: Drift { angular, linear, gradient } }
     }
 
-    /// The same as the rate of the link's twist about the root's origin.
+    /// Of a link that slides on this one at a velocity; `way` leads from this one's origin to the link's.
+    ///
+    /// `a = a_p + G_p way + 2 omega_p x v_own`, Coriolis' term.
     #[inline]
-    pub fn spatial(&self, origin: Vector3<S>, twist: &Twist<S>) -> Twist<S> {
-        let linear = self.linear - self.gradient * origin - twist.angular.cross(twist.linear);
-        Twist { angular: self.angular, linear }
+    pub fn slid(&self, sliding: Vector3<S>, way: Vector3<S>) -> Self {
+        let own = Twist { angular: Vector3::zero(), linear: sliding };
+        let coriolis = self.twist.angular.cross(sliding) * S::constant(2.0);
+        let linear = self.drift.linear + self.drift.gradient * way + coriolis;
+        Self { twist: self.twist + own, drift: Drift { linear, ..self.drift } }
+    }
+
+    /// The drift as the rate of the link's twist about the root's origin; the link's own origin is given.
+    #[inline]
+    pub fn spatial_drift(&self, origin: Vector3<S>) -> Twist<S> {
+        let Drift { angular, linear, gradient } = &self.drift;
+        Twist { angular: *angular, linear: *linear - *gradient * origin - self.twist.angular.cross(self.twist.linear) }
     }
 }
 
@@ -85,11 +92,9 @@ mod tests {
             (0..steps).fold(Matrix3::identity(), |r, k| exp((omega + alpha * (dt * (f64::from(k) + 0.5))) * dt) * r)
         };
         let second = (turned(h) + turned(-h) - Matrix3::identity().scaled(2.0)).scaled(1.0 / (h * h));
-        let mut drift = Drift::default();
-        let relative = Relative { turning: Vector3::zero(), sliding: None };
-        let still = Drift { angular: alpha, ..Drift::default() };
-        let nowhere = (Vector3::zero(), Vector3::zero());
-        still.carry(nowhere, Vector3::zero(), &relative, (Vector3::zero(), omega), &mut drift);
+        let motion = Motion { drift: Drift { angular: alpha, ..Drift::default() }, ..Motion::default() };
+        let own = Twist { angular: omega, linear: Vector3::zero() };
+        let drift = motion.turned(&own, Vector3::zero(), Vector3::zero()).drift;
         // Second order in h, and rounding over h^2.
         assert!((drift.gradient - second).0.iter().flatten().all(|x: &f64| x.abs() < 5e-6));
     }

@@ -53,6 +53,11 @@ impl<S: Scalar> InverseDynamics<S> {
         for (body, wrench) in &loads.wrenches {
             self.joint_wrench[*body] -= *wrench;
         }
+        for (i, body) in model.bodies.iter().enumerate() {
+            if let Some(weight) = loads.weight(body.mass) {
+                self.joint_wrench[i].force -= bodies.world[i].rotation.transpose_times(weight);
+            }
+        }
         for (body, added) in &loads.added_inertia {
             let twist = &bodies.twist[*body];
             self.joint_wrench[*body] +=

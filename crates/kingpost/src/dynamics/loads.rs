@@ -3,7 +3,7 @@
 use super::LinkKinematics;
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::spatial::{SpatialInertia, Twist, Wrench};
+use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
 
 /// The paper's {F} (eq. 59), the motors, and what moves with the water.
 #[derive(Clone, Debug)]
@@ -17,6 +17,9 @@ pub struct Loads<S = f64> {
     /// Inertia added to a body, in body axes about its centre of mass. Energy and momentum of the
     /// bodies do not contain it: to them it is a load from outside, its [reaction](Self::hand_over).
     pub added_inertia: Vec<(usize, SpatialInertia<S>)>,
+    /// Acceleration of free fall, world axes, m/s^2: every body's mass weighs, at its centre. A body's wrenches above do not
+    /// contain it.
+    pub gravity: Option<Vector3<S>>,
     /// Who does the work.
     pub power: Power<S>,
 }
@@ -45,6 +48,7 @@ impl<S: Scalar> Loads<S> {
             force: vec![S::ZERO; model.velocity_count],
             acceleration: vec![S::ZERO; model.velocity_count],
             added_inertia: Vec::with_capacity(model.bodies.len()),
+            gravity: None,
             power: Power::default(),
         }
     }
@@ -60,8 +64,19 @@ impl<S: Scalar> Loads<S> {
     ) {
         let Some(body) = body else { return };
         let (link, in_link) = (model.bodies[body].link, &model.bodies[body].in_link);
-        let frame = link.map_or(*in_link, |link| links.in_root[link].times(in_link));
+        let frame = link.map_or(*in_link, |link| links.in_root(link).times(in_link));
         self.wrenches.push((body, frame.wrench_to_child(in_root)));
+    }
+
+    /// Puts all masses into a uniform field of this acceleration, world axes, m/s^2.
+    pub fn add_gravity(&mut self, acceleration: Vector3<S>) {
+        self.gravity = Some(self.gravity.unwrap_or(Vector3::zero()) + acceleration);
+    }
+
+    /// The weight of a body, world axes, N; `None` without gravity.
+    #[inline]
+    pub fn weight(&self, mass: S) -> Option<Vector3<S>> {
+        self.gravity.map(|gravity| gravity * mass)
     }
 
     /// Once accelerations are known: makes the added inertia I a wrench, `-(I a + nu x* I nu)`. `twist_and_rate` of a body
@@ -81,6 +96,7 @@ impl<S: Scalar> Loads<S> {
         self.force.fill(S::ZERO);
         self.acceleration.fill(S::ZERO);
         self.added_inertia.clear();
+        self.gravity = None;
         self.power = Power::default();
     }
 }

@@ -19,6 +19,7 @@ mod link_kinematics;
 mod loads;
 pub mod loops;
 pub mod moving_frame;
+mod moving_link;
 pub mod pivots;
 
 pub use clock::Clock;

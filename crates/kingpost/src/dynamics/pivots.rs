@@ -2,7 +2,7 @@
 
 use super::ball::Ball;
 use super::{LinkKinematics, Loads, forward};
-use crate::model::{JointKind, Mode, Model};
+use crate::model::{LinkJoint, Mode, Model};
 use crate::spatial::{SpatialInertia, Twist};
 
 /// A pivot of M* below this share of what the coordinate moves with its branch locked is rounding.
@@ -14,14 +14,14 @@ const SMALLEST_SHARE: f64 = 1e-13;
 pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> Option<usize> {
     let (loads, mut work) = (Loads::new(model), forward::Workspace::new(model));
     let mut v_dot = vec![0.0; v.len()];
-    forward::forward_dynamics(model, links, v, &loads, &mut work, &mut v_dot);
+    forward::forward_dynamics(model, links, &loads, &mut work, &mut v_dot);
     let locked = locked_inertias(model, links);
-    for (i, node) in model.links.nodes.iter().enumerate().rev() {
-        let (free, at) = (work.articulated_inertia(i), node.velocities);
-        let directions = match &node.kind {
-            JointKind::Floating(_) => unit_twists().to_vec(),
-            JointKind::Spherical(joint) => Ball::new(joint, node, &links.in_root[i]).axes().to_vec(),
-            _ => vec![links.axis[i]],
+    for (i, plan) in model.plan.iter().enumerate().rev() {
+        let (free, at) = (work.articulated_inertia(links, i), plan.velocities);
+        let directions = match plan.joint {
+            LinkJoint::Floating => unit_twists().to_vec(),
+            LinkJoint::Ball => Ball::new(plan, links.in_root(i)).axes().to_vec(),
+            LinkJoint::Hinge | LinkJoint::Slide => vec![*links.axis(i)],
         };
         // A floating joint's coordinates list the translation first, its twists the rotation.
         let coordinate = |k: usize| at + if directions.len() == 6 { (k + 3) % 6 } else { k };
@@ -40,7 +40,7 @@ pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> 
 fn locked_inertias(model: &Model, links: &LinkKinematics) -> Vec<SpatialInertia> {
     let nodes = &model.links.nodes;
     let mut locked: Vec<SpatialInertia> =
-        nodes.iter().zip(&links.in_root).map(|(node, frame)| node.inertia.to_parent(frame)).collect();
+        nodes.iter().enumerate().map(|(i, node)| node.inertia.to_parent(links.in_root(i))).collect();
     for i in (0..nodes.len()).rev() {
         if let Some(parent) = nodes[i].parent {
             let own = locked[i];

@@ -3,7 +3,7 @@
 use super::{Element, Moment};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
-use crate::spatial::{Vector3, Wrench};
+use crate::spatial::Vector3;
 
 /// A uniform field.
 #[derive(Clone, Copy, Debug)]
@@ -13,14 +13,9 @@ pub struct Gravity<S = f64> {
 }
 
 impl<S: Scalar> Element<S> for Gravity<S> {
-    /// Adds each body's weight at its centre of mass.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
-        let Moment { model, links, .. } = *at;
-        for (i, body) in model.bodies.iter().enumerate() {
-            let weight = Vector3::new(S::ZERO, S::ZERO, -(body.mass * self.acceleration));
-            let force = links.to_body_axes(model, i, weight);
-            loads.wrenches.push((i, Wrench { moment: Vector3::zero(), force }));
-        }
+    /// Puts every body's mass into the field.
+    fn loads(&mut self, _: &Moment<'_, S>, loads: &mut Loads<S>) {
+        loads.add_gravity(Vector3::new(S::ZERO, S::ZERO, -self.acceleration));
     }
 
     /// `sum m g z`, J, with z measured from the world's origin.

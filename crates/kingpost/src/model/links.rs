@@ -1,59 +1,201 @@
-//! Bodies that are fixed to one another, fused into links for the recursion.
+//! The links of the recursion: bodies that are fixed to one another, fused, each in a frame that makes its joint simple.
 
-use super::{Body, JointKind, Tree};
+use super::joint::Floating;
+use super::{Body, JointKind, Mode, Node, Tree};
 use crate::scalar::Scalar;
-use crate::spatial::{Frame, RigidInertia, Symmetric3, Vector3};
+use crate::spatial::{Frame, Matrix3, RigidInertia, SpatialInertia, Symmetric3, Vector3};
 
-/// The inertia of a link about its frame's origin, in its axes, as the recursion takes it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A link as the recursion takes it: what of it is constant.
+#[derive(Clone, Copy, Debug)]
+pub struct Link<S = f64> {
+    /// What carries it.
+    pub carrier: Carrier,
+    /// The joint to the parent.
+    pub joint: LinkJoint,
+    /// Which half of a floating joint is held.
+    pub floating: Floating,
+    /// How a joint of one axis moves, and whether a ball is held.
+    pub mode: Mode,
+    /// First entry in q.
+    pub positions: usize,
+    /// First entry in v.
+    pub velocities: usize,
+    /// The joint's frame in the parent's: the link's axes where the coordinates are zero.
+    pub placement: Frame<S>,
+    /// From the joint to the origin of the link's frame, link axes, m.
+    pub to_child: Vector3<S>,
+    /// Inertia.
+    pub inertia: LinkInertia<S>,
+    /// Mass of its bodies, which weighs, kg. Of an inertia that is no rigid body's, part is the water's.
+    pub mass: S,
+    /// That mass times its centre in the link's axes, kg m; `None` where that is the frame's origin.
+    pub first_moment: Option<Vector3<S>>,
+}
+
+/// What carries a link. Links are numbered from the roots out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carrier {
+    /// The world: the link is the root of its branch.
+    World,
+    /// The root of its branch.
+    Root(usize),
+    /// Another link of it.
+    Branch(usize),
+}
+
+/// The joints that links have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LinkJoint {
+    /// Six degrees of freedom against the world.
+    Floating,
+    /// Rotation about the link's z axis.
+    Hinge,
+    /// Translation along the link's z axis.
+    Slide,
+    /// Rotation about a point.
+    Ball,
+}
+
+/// The inertia of a link about its frame's origin, in its axes.
+#[derive(Clone, Copy, Debug)]
 pub enum LinkInertia<S = f64> {
-    /// None: a frame between the axes of a joint.
-    Massless,
-    /// Rigid, with the frame at its centre of mass: every link but a floating one.
+    /// Rigid, with the frame at its centre of mass: every link but a floating one. A frame between the axes of a joint
+    /// has none.
     Central {
         /// kg.
         mass: S,
-        /// Moments of inertia about the centre of mass, kg m^2.
-        moments: Symmetric3<S>,
+        /// Moments of inertia about the centre of mass.
+        moments: Moments<S>,
     },
     /// Rigid: a floating link, whose frame is where its first body's is.
     Rigid(RigidInertia<S>),
-    /// No rigid body's: the node's full 6x6 inertia.
-    Full,
+    /// No rigid body's.
+    Full(SpatialInertia<S>),
 }
 
-/// Moves the frame of each rigid link to its centre of mass, except where it floats, and says what
-/// inertia each has; `rigid` holds the sums over the bodies in ten numbers, `None` where one of
-/// them is not rigid.
-pub(super) fn centred<S: Scalar>(
+impl<S: Scalar> Link<S> {
+    /// The same link with the mass of its bodies.
+    fn laden(self, link: usize, bodies: &[Body<S>]) -> Self {
+        let of_link = || bodies.iter().filter(|body| body.link == Some(link));
+        let mass = of_link().fold(S::ZERO, |sum, body| sum + body.mass);
+        let first_moment = of_link().fold(Vector3::zero(), |sum, body| sum + body.in_link.position * body.mass);
+        let central = matches!(self.inertia, LinkInertia::Central { mass: of_inertia, .. } if of_inertia == mass);
+        let at_origin = central || first_moment == Vector3::zero();
+        Self { mass, first_moment: (!at_origin).then_some(first_moment), ..self }
+    }
+}
+
+impl<S> Link<S> {
+    /// Index of the parent link; `None` is the world.
+    #[inline]
+    pub fn parent(&self) -> Option<usize> {
+        match self.carrier {
+            Carrier::World => None,
+            Carrier::Root(parent) | Carrier::Branch(parent) => Some(parent),
+        }
+    }
+}
+
+/// Moments of inertia in a link's axes, kg m^2.
+#[derive(Clone, Copy, Debug)]
+pub enum Moments<S = f64> {
+    /// The link's axes are principal axes.
+    Principal([S; 3]),
+    /// They are not.
+    General(Symmetric3<S>),
+}
+
+impl<S: Scalar> Moments<S> {
+    /// Whether they are principal is seen from the entries beside the diagonal: exact zeros, in every lane.
+    fn new(moments: Symmetric3<S>) -> Self {
+        let Symmetric3 { xx, xy, xz, yy, yz, zz } = moments;
+        if [xy, xz, yz].iter().all(|product| *product == S::ZERO) {
+            Moments::Principal([xx, yy, zz])
+        } else {
+            Moments::General(moments)
+        }
+    }
+
+    /// In axes of which the rotation matrix to these is the transpose of R: `R J R^T`.
+    #[inline]
+    pub fn rotated(&self, r: &Matrix3<S>) -> Symmetric3<S> {
+        match self {
+            Moments::Principal(moments) => Symmetric3::of_principal(*moments, r),
+            Moments::General(moments) => moments.rotated(r),
+        }
+    }
+
+    /// In the link's axes.
+    pub fn in_link(&self) -> Symmetric3<S> {
+        match self {
+            Moments::Principal(moments) => Symmetric3::diagonal(*moments),
+            Moments::General(moments) => *moments,
+        }
+    }
+}
+
+/// Moves the frame of each rigid link to its centre of mass, except where it floats, turns that of a link on one axis so
+/// that the axis is its z, and writes down what is constant of each; `rigid` holds the sums over the bodies in ten numbers,
+/// `None` where one of them is not rigid.
+pub(super) fn lowered<S: Scalar>(
     links: &mut Tree<S>,
     bodies: &mut [Body<S>],
-    rigid: Vec<Option<RigidInertia<S>>>,
-) -> Vec<LinkInertia<S>> {
-    let mut inertias = Vec::with_capacity(rigid.len());
-    for (i, rigid) in rigid.into_iter().enumerate() {
+    rigid: &[Option<RigidInertia<S>>],
+) -> Vec<Link<S>> {
+    for (i, rigid) in rigid.iter().enumerate() {
         let floats = matches!(links.nodes[i].kind, JointKind::Floating(_));
-        inertias.push(match rigid {
-            None => LinkInertia::Full,
-            Some(rigid) if floats => LinkInertia::Rigid(rigid),
-            Some(rigid) if rigid.mass.all(|mass| mass > 0.0) => {
-                let to_centre = rigid.first_moment * (S::ONE / rigid.mass);
-                move_link(links, bodies, i, to_centre);
-                let central = rigid.to_parent(&Frame::translation(-to_centre));
-                LinkInertia::Central { mass: rigid.mass, moments: central.moments }
-            }
-            Some(rigid) if rigid == RigidInertia::default() => LinkInertia::Massless,
-            Some(_) => LinkInertia::Full,
-        });
+        if let Some(rigid) = rigid.filter(|rigid| !floats && rigid.mass.all(|mass| mass > 0.0)) {
+            move_link(links, bodies, i, &Frame::translation(rigid.first_moment * (S::ONE / rigid.mass)));
+        }
+        let axis = match &links.nodes[i].kind {
+            JointKind::Revolute(revolute) => revolute.axis(),
+            JointKind::Prismatic(prismatic) => prismatic.axis(),
+            _ => continue,
+        };
+        move_link(links, bodies, i, &Frame { rotation: Matrix3::with_z(axis), position: Vector3::zero() });
     }
-    inertias
+    let nodes = &links.nodes;
+    let carrier = |node: &Node<S>| match node.parent {
+        None => Carrier::World,
+        Some(p) if nodes[p].parent.is_none() => Carrier::Root(p),
+        Some(p) => Carrier::Branch(p),
+    };
+    nodes
+        .iter()
+        .zip(rigid)
+        .map(|(node, rigid)| lower(node, carrier(node), rigid.as_ref()))
+        .enumerate()
+        .map(|(i, link)| link.laden(i, bodies))
+        .collect()
 }
 
-/// Moves a link's frame by `offset`, its own axes; bodies and joints stay where they are.
-fn move_link<S: Scalar>(links: &mut Tree<S>, bodies: &mut [Body<S>], link: usize, offset: Vector3<S>) {
-    let back = Frame::translation(-offset);
+/// What is constant of a link whose frame is in its place.
+fn lower<S: Scalar>(node: &Node<S>, carrier: Carrier, rigid: Option<&RigidInertia<S>>) -> Link<S> {
+    let (joint, placement) = match &node.kind {
+        JointKind::Floating(_) => (LinkJoint::Floating, Frame::identity()),
+        JointKind::Revolute(revolute) => (LinkJoint::Hinge, *revolute.placement()),
+        JointKind::Prismatic(prismatic) => (LinkJoint::Slide, *prismatic.placement()),
+        JointKind::Spherical(ball) => (LinkJoint::Ball, *ball.placement()),
+        JointKind::AxisList(_) | JointKind::Fixed(_) => unreachable!("these are split and fused"),
+    };
+    let floating = if let JointKind::Floating(floating) = node.kind { floating } else { Floating::default() };
+    let inertia = match rigid {
+        Some(rigid) if joint == LinkJoint::Floating => LinkInertia::Rigid(*rigid),
+        Some(rigid) if rigid.mass.all(|mass| mass > 0.0) || *rigid == RigidInertia::default() => {
+            LinkInertia::Central { mass: rigid.mass, moments: Moments::new(node.inertia.angular) }
+        }
+        _ => LinkInertia::Full(node.inertia),
+    };
+    let Node { mode, positions, velocities, .. } = *node;
+    let (to_child, mass, first_moment) = (node.kind.to_child(), S::ZERO, None);
+    Link { carrier, joint, floating, mode, positions, velocities, placement, to_child, inertia, mass, first_moment }
+}
+
+/// Puts a link's frame to `to`, seen from where it was; bodies and joints stay where they are.
+fn move_link<S: Scalar>(links: &mut Tree<S>, bodies: &mut [Body<S>], link: usize, to: &Frame<S>) {
+    let back = to.inverse();
     let node = &mut links.nodes[link];
-    node.kind = node.kind.with_child_moved(offset);
+    node.kind = node.kind.with_child_moved(to);
     node.inertia = node.inertia.to_parent(&back);
     for child in links.nodes.iter_mut().filter(|node| node.parent == Some(link)) {
         child.kind = child.kind.seen_from(&back);

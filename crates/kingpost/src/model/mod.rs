@@ -13,7 +13,7 @@ mod tree;
 
 pub use beam::Beam;
 pub use joint::{AxisMotion, Joint, JointKind, Mode};
-pub use links::LinkInertia;
+pub use links::{Carrier, Link, LinkInertia, LinkJoint, Moments};
 pub use loops::{Attachment, Constraint, Loop, Turn};
 pub use section::Section;
 pub use shape::{Axis, Shape};
@@ -73,8 +73,8 @@ pub struct Model<S = f64> {
     pub links: Tree<S>,
     /// The link at the foot of each link's branch.
     pub roots: Vec<usize>,
-    /// The inertia of each link.
-    pub link_inertias: Vec<LinkInertia<S>>,
+    /// The same links as the recursion takes them, each lowered to one record.
+    pub plan: Vec<Link<S>>,
     /// Length of q.
     pub position_count: usize,
     /// Length of v.
@@ -129,7 +129,7 @@ impl<S: Scalar> Model<S> {
         for (i, link) in links.nodes.iter().enumerate() {
             roots.push(link.parent.map_or(i, |p| roots[p]));
         }
-        let link_inertias = links::centred(&mut links, &mut bodies, rigid);
+        let plan = links::lowered(&mut links, &mut bodies, &rigid);
         let (position_count, velocity_count) = (positions, velocities);
         let (rotor_inertia, loops, added_inertias) = (vec![S::ZERO; velocity_count], Vec::new(), Vec::new());
         Self {
@@ -138,7 +138,7 @@ impl<S: Scalar> Model<S> {
             tree,
             links,
             roots,
-            link_inertias,
+            plan,
             position_count,
             velocity_count,
             modes,
@@ -171,7 +171,7 @@ impl<S: Scalar> Model<S> {
         let link = self.bodies[body].link.expect("added inertia is of a body that moves");
         self.tree.nodes[body].inertia += added;
         self.links.nodes[link].inertia += added.to_parent(&self.bodies[body].in_link);
-        self.link_inertias[link] = LinkInertia::Full;
+        self.plan[link].inertia = LinkInertia::Full(self.links.nodes[link].inertia);
         self.added_inertias.push((body, added));
         self
     }

@@ -56,7 +56,10 @@ impl<S: Scalar> Tree<S> {
     pub fn retract(&self, q: &[S], xi: &[S], out: &mut [S]) {
         for node in &self.nodes {
             let (p, v) = (node.positions, node.velocities);
-            node.kind.retract(&q[p..], &xi[v..], &mut out[p..]);
+            match &node.kind {
+                JointKind::Revolute(_) | JointKind::Prismatic(_) => out[p] = q[p] + xi[v],
+                kind => kind.retract(&q[p..], &xi[v..], &mut out[p..]),
+            }
         }
     }
 
@@ -64,7 +67,10 @@ impl<S: Scalar> Tree<S> {
     pub fn dexp_inverse(&self, xi: &[S], v: &[S], out: &mut [S]) {
         for node in &self.nodes {
             let i = node.velocities;
-            node.kind.dexp_inverse(&xi[i..], &v[i..], &mut out[i..]);
+            match &node.kind {
+                JointKind::Revolute(_) | JointKind::Prismatic(_) => out[i] = v[i],
+                kind => kind.dexp_inverse(&xi[i..], &v[i..], &mut out[i..]),
+            }
         }
     }
 }

@@ -145,7 +145,7 @@ impl<S: Scalar> Plant<S> {
     fn accelerate(&mut self, q: &[S], v: &[S], v_dot: &mut [S]) {
         match self.solve_matrices {
             None => {
-                forward::forward_dynamics(&self.model, &self.links, v, &self.loads, &mut self.work, v_dot);
+                forward::forward_dynamics(&self.model, &self.links, &self.loads, &mut self.work, v_dot);
                 if !self.model.loops.is_empty() {
                     self.loops.accelerate(&self.model, &self.links, &mut self.work, v_dot);
                     self.loops.apply(&self.model, &self.links, &mut self.loads);
@@ -347,8 +347,8 @@ impl<S: Scalar> System<S> for Plant<S> {
         let entries = Entries { model, tree, has_fixed, links, v: at.v, loads, centre };
         match self.form {
             Form::Recursive => entries.rates(
-                |i| JointLoad { frame: links.root_in_world[model.roots[i]], wrench: work.joint_wrench(i) },
-                |i, at| work.joint_wrench(i).dot(&links.axis[i]) + model.rotor_inertia[at] * v_dot[at],
+                |i| JointLoad { frame: *links.root_in_world(model.roots[i]), wrench: work.joint_wrench(links, i) },
+                |i, at| work.joint_wrench(links, i).dot(links.axis(i)) + model.rotor_inertia[at] * v_dot[at],
                 s_dot,
             ),
             Form::MovingFrame(_) => entries.rates(

@@ -123,7 +123,7 @@ impl<const N: usize> Scalar for Dual<N> {
     }
 
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = libm::sincos(self.value);
+        let (sin, cos) = self.value.sin_cos();
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 

@@ -1,6 +1,6 @@
 //! Lanes: several runs of one structure side by side in SIMD registers.
 
-use super::Scalar;
+use super::{Scalar, radians};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 use wide::f64x4;
 
@@ -110,8 +110,11 @@ impl Scalar for Lanes {
 
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        let both = self.to_array().map(libm::sincos);
-        (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)))
+        if !self.0.abs().simd_lt(f64x4::splat(radians::LARGEST)).all() {
+            let both = self.to_array().map(f64::sin_cos);
+            return (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)));
+        }
+        radians::sin_cos_of_lanes(self)
     }
 
     #[inline]

@@ -2,11 +2,12 @@
 //!
 //! The folders from [`spatial`](crate::spatial) to [`simulation`](crate::simulation) are generic
 //! over [`Scalar`]. `f64` is the everyday choice, [`Dual`] carries exact derivatives, and [`Lanes`]
-//! holds several runs side by side. Transcendental functions go through the pure-Rust `libm` on
+//! holds several runs side by side. Transcendental functions are the pure-Rust `libm`'s or our own on
 //! every target, so native and WASM runs give the same bits.
 
 mod dual;
 mod lanes;
+mod radians;
 mod turns;
 
 pub use dual::Dual;
@@ -111,7 +112,7 @@ impl Scalar for f64 {
 
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        libm::sincos(self)
+        radians::sin_cos(self)
     }
 
     #[inline(always)]

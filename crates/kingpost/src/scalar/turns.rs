@@ -3,10 +3,11 @@
 //! Without branches, so that a loop over many waves becomes SIMD code, and of the four operations alone, so that the bits
 //! are the same on every machine.
 
+use super::Scalar;
 use core::f64::consts::{PI, TAU};
 
 /// 1.5 * 2^52: what is added to it is rounded to the nearest whole number, which its last bits hold.
-const ROUNDING: f64 = 6_755_399_441_055_744.0;
+pub(super) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// 1.5 * 2^51: what is added to it is rounded to the nearest half, and its last bits hold the number of halves.
 const ROUNDING_TO_HALVES: f64 = 0.5 * ROUNDING;
@@ -61,8 +62,8 @@ pub(super) fn power_of_two(power: f64) -> f64 {
 
 /// The sine of an angle from -pi/4 to pi/4.
 #[inline(always)]
-fn sine(x: f64) -> f64 {
-    const S: [f64; 6] = [
+pub(super) fn sine<S: Scalar>(x: S) -> S {
+    const COEFFICIENTS: [f64; 6] = [
         -1.666_666_666_666_663_2e-1,
         8.333_333_333_322_49e-3,
         -1.984_126_982_985_795e-4,
@@ -71,13 +72,13 @@ fn sine(x: f64) -> f64 {
         1.589_690_995_211_55e-10,
     ];
     let z = x * x;
-    x + x * z * (S[0] + z * (S[1] + z * (S[2] + z * (S[3] + z * (S[4] + z * S[5])))))
+    x + x * z * polynomial(COEFFICIENTS, z)
 }
 
 /// The cosine of an angle from -pi/4 to pi/4.
 #[inline(always)]
-fn cosine(x: f64) -> f64 {
-    const C: [f64; 6] = [
+pub(super) fn cosine<S: Scalar>(x: S) -> S {
+    const COEFFICIENTS: [f64; 6] = [
         4.166_666_666_666_66e-2,
         -1.388_888_888_887_411e-3,
         2.480_158_728_947_673e-5,
@@ -86,10 +87,17 @@ fn cosine(x: f64) -> f64 {
         -1.135_964_755_778_819_5e-11,
     ];
     let z = x * x;
-    let rest = z * (C[0] + z * (C[1] + z * (C[2] + z * (C[3] + z * (C[4] + z * C[5])))));
-    let half = 0.5 * z;
-    let near = 1.0 - half;
-    near + (((1.0 - near) - half) + z * rest)
+    let rest = z * polynomial(COEFFICIENTS, z);
+    let half = S::constant(0.5) * z;
+    let near = S::ONE - half;
+    near + (((S::ONE - near) - half) + z * rest)
+}
+
+/// `c0 + z (c1 + z (c2 + ...))`.
+#[inline(always)]
+fn polynomial<S: Scalar>(coefficients: [f64; 6], z: S) -> S {
+    let [c0, c1, c2, c3, c4, c5] = coefficients.map(S::constant);
+    c0 + z * (c1 + z * (c2 + z * (c3 + z * (c4 + z * c5))))
 }
 
 #[cfg(test)]

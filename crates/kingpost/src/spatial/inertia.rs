@@ -1,6 +1,6 @@
 //! The 6x6 inertia of a body.
 
-use super::{Frame, Matrix3, Symmetric3, Twist, Wrench, hat};
+use super::{Frame, Matrix3, RigidInertia, Symmetric3, Twist, Vector3, Wrench, hat};
 use crate::scalar::Scalar;
 use core::ops::{Add, AddAssign, Sub};
 
@@ -67,6 +67,18 @@ impl<S: Scalar> SpatialInertia<S> {
         Self { angular: Symmetric3::from_upper(&angular), coupling, linear }
     }
 
+    /// The sum with a rigid body's inertia about the same origin.
+    #[inline]
+    pub fn plus_rigid(&self, rigid: &RigidInertia<S>) -> Self {
+        let ([x, y, z], [p, q, r], m) = (rigid.first_moment.0, self.coupling.0, rigid.mass);
+        let Symmetric3 { xx, yy, zz, .. } = self.linear;
+        Self {
+            angular: self.angular + rigid.moments,
+            coupling: Matrix3([[p[0], p[1] - z, p[2] + y], [q[0] + z, q[1], q[2] - x], [r[0] - y, r[1] + x, r[2]]]),
+            linear: Symmetric3 { xx: xx + m, yy: yy + m, zz: zz + m, ..self.linear },
+        }
+    }
+
     /// `self - u u^T k`: what remains of an articulated inertia once a joint direction is free.
     #[inline]
     pub fn minus_outer(&self, u: &Wrench<S>, k: S) -> Self {
@@ -77,15 +89,25 @@ impl<S: Scalar> SpatialInertia<S> {
         }
     }
 
-    /// The twist that has this momentum, by the Schur complement of the linear block.
+    /// The twist that has this momentum: elimination with `I = N D N^T`, N of ones on its diagonal (Golub & Van Loan,
+    /// *Matrix Computations*, 2013, sec. 4.1.2). First the linear part, of whose equations `[C^T | p]` is on the right,
+    /// then what remains of the angular part, `J - C L^-1 C^T`.
     #[inline]
     pub fn solve(&self, p: &Wrench<S>) -> Twist<S> {
-        let linear_inverse = self.linear.inverse();
-        let gain = Matrix3(core::array::from_fn(|i| (linear_inverse * self.coupling.row(i)).0));
-        let schur = self.angular.to_matrix() - gain * self.coupling.transpose();
-        let angular = Symmetric3::from_upper(&schur).inverse() * (p.moment - gain * p.force);
-        let linear = linear_inverse * (p.force - self.coupling.transpose_times(angular));
-        Twist { angular, linear }
+        let (pivots, c, f) = (Pivots::new(&self.linear), &self.coupling.0, &p.force.0);
+        let right: [[S; 4]; 3] = core::array::from_fn(|k| [c[0][k], c[1][k], c[2][k], f[k]]);
+        let reduced = pivots.forward(right);
+        let scaled = pivots.scale(reduced);
+        let j = self.angular.to_matrix().0;
+        let schur: [[S; 4]; 3] = core::array::from_fn(|i| {
+            let row = [j[i][0], j[i][1], j[i][2], p.moment[i]];
+            (0..3).fold(row, |row, k| minus(row, reduced[k][i], scaled[k]))
+        });
+        let angular_pivots = Pivots::new(&Symmetric3::from_upper(&Matrix3(schur.map(|[x, y, z, _]| [x, y, z]))));
+        let moment = angular_pivots.forward(schur.map(|[_, _, _, m]| [m]));
+        let angular = angular_pivots.back(angular_pivots.scale(moment).map(|[m]| m));
+        let left = scaled.map(|[x, y, z, f]| f - (x * angular[0] + y * angular[1] + z * angular[2]));
+        Twist { angular: Vector3(angular), linear: Vector3(pivots.back(left)) }
     }
 
     /// Whether this is a rigid body about its centre of mass: the paper's block-diagonal M.
@@ -96,6 +118,56 @@ impl<S: Scalar> SpatialInertia<S> {
             && m.yy == m.zz
             && [m.xy, m.xz, m.yz].iter().all(|x| *x == S::ZERO)
     }
+}
+
+/// `N D N^T` of a symmetric matrix.
+struct Pivots<S> {
+    /// Reciprocals of D.
+    reciprocal: [S; 3],
+    /// Entries (y, x), (z, x) and (z, y) of N.
+    below: [S; 3],
+}
+
+impl<S: Scalar> Pivots<S> {
+    #[inline]
+    fn new(m: &Symmetric3<S>) -> Self {
+        let first = S::ONE / m.xx;
+        let (yx, zx) = (m.xy * first, m.xz * first);
+        let second = S::ONE / (m.yy - yx * m.xy);
+        let rest = m.yz - yx * m.xz;
+        let zy = rest * second;
+        let third = S::ONE / (m.zz - zx * m.xz - zy * rest);
+        Self { reciprocal: [first, second, third], below: [yx, zx, zy] }
+    }
+
+    /// `N^-1 rows`.
+    #[inline]
+    fn forward<const K: usize>(&self, [x, y, z]: [[S; K]; 3]) -> [[S; K]; 3] {
+        let [yx, zx, zy] = self.below;
+        let y = minus(y, yx, x);
+        [x, y, minus(minus(z, zx, x), zy, y)]
+    }
+
+    /// `D^-1 rows`.
+    #[inline]
+    fn scale<const K: usize>(&self, [x, y, z]: [[S; K]; 3]) -> [[S; K]; 3] {
+        let [a, b, c] = self.reciprocal;
+        [x.map(|x| x * a), y.map(|y| y * b), z.map(|z| z * c)]
+    }
+
+    /// `N^-T v`.
+    #[inline]
+    fn back(&self, [x, y, z]: [S; 3]) -> [S; 3] {
+        let [yx, zx, zy] = self.below;
+        let y = y - zy * z;
+        [x - zx * z - yx * y, y, z]
+    }
+}
+
+/// `a - k b`, entry by entry.
+#[inline]
+fn minus<S: Scalar, const K: usize>(a: [S; K], k: S, b: [S; K]) -> [S; K] {
+    core::array::from_fn(|i| a[i] - k * b[i])
 }
 
 impl<S: Scalar> Add for SpatialInertia<S> {

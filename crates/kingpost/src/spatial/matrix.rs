@@ -76,6 +76,27 @@ impl<S: Scalar> Matrix3<S> {
         Self(a.0.map(|x| b.0.map(|y| x * y)))
     }
 
+    /// A rotation matrix whose last column is the unit vector `z`; a permutation, exactly, where that is along an axis.
+    ///
+    /// The first column is the part across z of the axis that follows, in the order x, y, z, the largest entry of z.
+    pub fn with_z(z: Vector3<S>) -> Self {
+        let ([a, b, c], one) = (z.0.map(|x| x * x), || S::ONE);
+        // Lane by lane: 1 where the entry is the largest, the later of two that are equal.
+        let x_largest = b.select_less(a, || c.select_less(a, one, || S::ZERO), || S::ZERO);
+        let z_largest = c.select_less(b, || S::ZERO, || S::ONE - x_largest);
+        let next = Vector3([z_largest, x_largest, S::ONE - x_largest - z_largest]);
+        let across = next - z * z.dot(next);
+        let x = across * (S::ONE / across.norm());
+        let y = z.cross(x);
+        Self([[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]])
+    }
+
+    /// `self Rz(angle)`: the frame whose axes are the columns, turned about its own z.
+    #[inline]
+    pub fn turned_about_z(&self, (sin, cos): (S, S)) -> Self {
+        Self(self.0.map(|[x, y, z]| [x * cos + y * sin, y * cos - x * sin, z]))
+    }
+
     /// Determinant.
     #[inline]
     pub fn determinant(&self) -> S {
@@ -175,6 +196,14 @@ impl<S: Scalar> Symmetric3<S> {
         Self { xx: entry(0, 0), xy: entry(0, 1), xz: entry(0, 2), yy: entry(1, 1), yz: entry(1, 2), zz: entry(2, 2) }
     }
 
+    /// `R D R^T` with the diagonal matrix D of principal moments.
+    #[inline]
+    pub fn of_principal(moments: [S; 3], r: &Matrix3<S>) -> Self {
+        let rd = r.0.map(|[x, y, z]| Vector3([x * moments[0], y * moments[1], z * moments[2]]));
+        let entry = |i: usize, j: usize| rd[i].dot(r.row(j));
+        Self { xx: entry(0, 0), xy: entry(0, 1), xz: entry(0, 2), yy: entry(1, 1), yz: entry(1, 2), zz: entry(2, 2) }
+    }
+
     /// `self - u u^T k`, the rank-one downdate of the articulated inertia.
     #[inline]
     pub fn minus_outer(self, u: Vector3<S>, k: S) -> Self {
@@ -254,5 +283,43 @@ impl<S: Scalar> AddAssign for Symmetric3<S> {
     #[inline]
     fn add_assign(&mut self, b: Self) {
         *self = *self + b;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spatial::exp;
+
+    #[test]
+    fn a_frame_with_z_along_an_axis_is_a_permutation_and_otherwise_a_rotation() {
+        for (k, sign) in [(0, 1.0), (1, 1.0), (2, 1.0), (0, -1.0), (1, -1.0), (2, -1.0)] {
+            let z = Vector3(core::array::from_fn(|i| if i == k { sign } else { 0.0 }));
+            let r = Matrix3::with_z(z);
+            assert_eq!((r.column(2), r.determinant()), (z, 1.0));
+            assert!(r.0.iter().flatten().all(|x: &f64| [0.0, 1.0].contains(&x.abs())));
+        }
+        let turn = exp(Vector3::new(0.4, -0.7, 1.1));
+        for z in [turn.column(0), turn.column(1), turn.column(2), Vector3::new(1.0, 1.0, 1.0) * (1.0 / 3.0_f64.sqrt())]
+        {
+            let r = Matrix3::with_z(z);
+            let difference = r * r.transpose() - Matrix3::identity();
+            assert!(difference.0.iter().flatten().all(|x: &f64| x.abs() < 4e-16));
+            assert!((r.determinant() - 1.0_f64).abs() < 4e-16 && (r.column(2) - z).norm() < 1e-16);
+        }
+    }
+
+    #[test]
+    fn turning_columns_is_a_product_with_a_rotation_about_z() {
+        let (r, angle) = (exp(Vector3::new(0.4, -0.7, 1.1)), 0.8_f64);
+        let difference = r.turned_about_z(angle.sin_cos()) - r * exp(Vector3::new(0.0, 0.0, angle));
+        assert!(difference.0.iter().flatten().all(|x: &f64| x.abs() < 4e-16));
+    }
+
+    #[test]
+    fn principal_moments_turn_like_a_diagonal_matrix() {
+        let r = exp(Vector3::new(0.4, -0.7, 1.1));
+        let moments = [3.0, 0.0, 5.0];
+        assert_eq!(Symmetric3::of_principal(moments, &r), Symmetric3::diagonal(moments).rotated(&r));
     }
 }

@@ -4,12 +4,12 @@
 //! articulated inertias that [`forward_dynamics`](super::forward_dynamics) left behind. It is linear
 //! in the wrenches, so that responses add to the accelerations that stand.
 
-use super::Workspace;
+use super::{Workspace, root};
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::ball::Ball;
-use crate::model::{JointKind, Mode, Model, joint::Floating};
+use crate::model::{LinkJoint, Mode, Model};
 use crate::scalar::Scalar;
-use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
+use crate::spatial::{Twist, Wrench};
 
 /// Wrenches and the accelerations that they make, root axes.
 #[derive(Clone, Debug)]
@@ -25,7 +25,7 @@ pub struct Response<S = f64> {
 impl<S: Scalar> Response<S> {
     /// Room for a model.
     pub fn new(model: &Model<S>) -> Self {
-        let n = model.links.nodes.len();
+        let n = model.plan.len();
         Self {
             bias: vec![Wrench::zero(); n],
             acceleration: vec![Twist::zero(); n],
@@ -48,34 +48,34 @@ impl<S: Scalar> Response<S> {
 
     /// Computes the response of all links.
     pub fn update(&mut self, model: &Model<S>, links: &LinkKinematics<S>, work: &Workspace<S>) {
-        for (i, node) in model.links.nodes.iter().enumerate().rev() {
-            let Some(parent) = node.parent else { continue };
+        let plan = || model.plan.iter().zip(links.moving()).enumerate();
+        for (i, (plan, moving)) in plan().rev() {
+            let Some(parent) = plan.parent() else { continue };
             let (link, bias) = (&work.links[i], self.bias[i]);
-            let passed = match &node.kind {
-                JointKind::Spherical(joint) => Ball::new(joint, node, &links.in_root[i]).passes(&link.inertia, &bias),
-                _ if node.mode == Mode::Free => bias - link.gain * (bias.dot(&links.axis[i]) * link.compliance),
+            let passed = match plan.joint {
+                LinkJoint::Ball => Ball::new(plan, &moving.in_root).passes(&link.inertia(moving), &bias),
+                _ if plan.mode == Mode::Free => bias - link.gain * (bias.dot(&moving.axis) * link.compliance),
                 _ => bias,
             };
             self.bias[parent] += passed;
         }
-        for (i, node) in model.links.nodes.iter().enumerate() {
-            let carried = node.parent.map_or(Twist::zero(), |p| self.acceleration[p]);
-            let (link, bias, at) = (&work.links[i], &self.bias[i], node.velocities);
-            self.acceleration[i] = match &node.kind {
-                JointKind::Floating(floating) => {
-                    let twist = float(floating, &link.inertia, &-*bias);
-                    (links.root_in_world[i].rotation * twist.linear).write_to(&mut self.rates[at..]);
-                    twist.angular.write_to(&mut self.rates[at + 3..]);
+        for (i, (plan, moving)) in plan() {
+            let carried = plan.parent().map_or(Twist::zero(), |p| self.acceleration[p]);
+            let (link, bias, at) = (&work.links[i], &self.bias[i], plan.velocities);
+            self.acceleration[i] = match plan.joint {
+                LinkJoint::Floating => {
+                    let twist = root::accelerate(plan.floating, &link.inertia(moving), &-*bias);
+                    root::write(&twist, &links.root_in_world(i).rotation, &mut self.rates[at..]);
                     twist
                 }
-                JointKind::Spherical(joint) => {
-                    let ball = Ball::new(joint, node, &links.in_root[i]);
-                    ball.respond(&link.inertia, bias, &carried, &mut self.rates)
+                LinkJoint::Ball => {
+                    let ball = Ball::new(plan, &moving.in_root);
+                    ball.respond(&link.inertia(moving), bias, &carried, &mut self.rates)
                 }
-                _ => {
-                    let free = -(bias.dot(&links.axis[i]) + link.gain.dot(&carried)) * link.compliance;
-                    self.rates[at] = if node.mode == Mode::Free { free } else { S::ZERO };
-                    carried + links.axis[i] * self.rates[at]
+                LinkJoint::Hinge | LinkJoint::Slide => {
+                    let free = -(bias.dot(&moving.axis) + link.gain.dot(&carried)) * link.compliance;
+                    self.rates[at] = if plan.mode == Mode::Free { free } else { S::ZERO };
+                    carried + moving.axis * self.rates[at]
                 }
             };
         }
@@ -102,16 +102,5 @@ impl<S: Scalar> Response<S> {
         for (v_dot, rate) in v_dot.iter_mut().zip(&self.rates) {
             *v_dot += *rate;
         }
-    }
-}
-
-/// The acceleration of a floating link: six equations, or the three that are not held.
-fn float<S: Scalar>(floating: &Floating, inertia: &SpatialInertia<S>, net: &Wrench<S>) -> Twist<S> {
-    let still = Vector3::zero();
-    match (floating.hold_translation, floating.hold_rotation) {
-        (false, false) => inertia.solve(net),
-        (true, false) => Twist { angular: inertia.angular.inverse() * net.moment, linear: still },
-        (false, true) => Twist { angular: still, linear: inertia.linear.inverse() * net.force },
-        (true, true) => Twist::zero(),
     }
 }

@@ -65,7 +65,7 @@ impl<S: Scalar> LoopSolver<S> {
     pub fn begin_at(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &[S]) {
         self.look(on, q, v);
         self.begin();
-        self.factor_anew(on, v);
+        self.factor_anew(on);
     }
 
     /// After a step: closes the loops, and stops their opening.
@@ -133,15 +133,15 @@ impl<S: Scalar> LoopSolver<S> {
     }
 
     /// Factors J M^-1 J^T here, over articulated inertias that are computed anew.
-    fn factor_anew(&mut self, on: &mut Projection<'_, S>, v: &[S]) {
-        forward_dynamics(on.model, on.links, v, on.loads, on.work, &mut self.v_dot);
+    fn factor_anew(&mut self, on: &mut Projection<'_, S>) {
+        forward_dynamics(on.model, on.links, on.loads, on.work, &mut self.v_dot);
         self.factor_here(on.model, on.links, on.work);
     }
 
     /// One correction of the positions. A lane whose gap is below `closed` stays as it is, to the
     /// bit, whatever the others need.
     fn correct_positions(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &[S], closed: f64) {
-        self.factor_anew(on, v);
+        self.factor_anew(on);
         for (right, row) in self.multipliers.iter_mut().zip(&self.rows) {
             *right = -row.residual;
         }
@@ -161,7 +161,7 @@ impl<S: Scalar> LoopSolver<S> {
 
     /// The correction of the velocities: linear, so that one is enough.
     fn correct_velocities(&mut self, on: &mut Projection<'_, S>, v: &mut [S]) {
-        self.factor_anew(on, v);
+        self.factor_anew(on);
         for (right, row) in self.multipliers.iter_mut().zip(&self.rows) {
             *right = -row.rate;
         }

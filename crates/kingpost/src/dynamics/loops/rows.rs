@@ -13,7 +13,7 @@
 
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::ball::Ball;
-use crate::model::{Attachment, Constraint, JointKind, Mode, Model};
+use crate::model::{Attachment, Constraint, LinkJoint, Mode, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3, Wrench};
 
@@ -69,7 +69,7 @@ impl<S: Scalar> Row<S> {
     pub fn motion(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
         let size = |wrench: &Wrench<S>| wrench.force.norm_squared() + wrench.moment.norm_squared();
         let mut squares = S::ZERO;
-        for (i, node) in model.links.nodes.iter().enumerate() {
+        for (i, plan) in model.plan.iter().enumerate() {
             let carries = |end: Option<usize>| end.is_some_and(|end| is_on_the_way(model, i, end));
             let mut wrench = Wrench::zero();
             if carries(self.first) {
@@ -78,17 +78,17 @@ impl<S: Scalar> Row<S> {
             if carries(self.second) {
                 wrench += self.on_second;
             }
-            squares += match &node.kind {
-                JointKind::Floating(floating) => {
+            squares += match plan.joint {
+                LinkJoint::Floating => {
                     let free = |held: bool| if held { S::ZERO } else { S::ONE };
-                    wrench.force.norm_squared() * free(floating.hold_translation)
-                        + wrench.moment.norm_squared() * free(floating.hold_rotation)
+                    wrench.force.norm_squared() * free(plan.floating.hold_translation)
+                        + wrench.moment.norm_squared() * free(plan.floating.hold_rotation)
                 }
-                JointKind::Spherical(joint) if node.mode == Mode::Free => {
-                    let axes = Ball::new(joint, node, &links.in_root[i]).axes();
+                LinkJoint::Ball if plan.mode == Mode::Free => {
+                    let axes = Ball::new(plan, links.in_root(i)).axes();
                     axes.iter().fold(S::ZERO, |sum, axis| sum + wrench.dot(axis) * wrench.dot(axis))
                 }
-                _ if node.mode == Mode::Free => wrench.dot(&links.axis[i]) * wrench.dot(&links.axis[i]),
+                _ if plan.mode == Mode::Free => wrench.dot(links.axis(i)) * wrench.dot(links.axis(i)),
                 _ => S::ZERO,
             };
         }
@@ -103,7 +103,7 @@ fn is_on_the_way<S>(model: &Model<S>, link: usize, from: usize) -> bool {
         if at == link {
             return true;
         }
-        next = model.links.nodes[at].parent;
+        next = model.plan[at].parent();
     }
     false
 }
@@ -140,7 +140,7 @@ fn seen_from_root<S: Scalar>(
     attachment: &Attachment<S>,
 ) -> (Option<usize>, Frame<S>) {
     match attachment.link {
-        Some(link) => (Some(model.roots[link]), links.in_root[link].times(&attachment.in_link)),
+        Some(link) => (Some(model.roots[link]), links.in_root(link).times(&attachment.in_link)),
         None => (None, attachment.in_link),
     }
 }
@@ -156,14 +156,14 @@ impl<S: Scalar> Pair<S> {
     fn new(model: &Model<S>, links: &LinkKinematics<S>, a: &Attachment<S>, b: &Attachment<S>) -> Self {
         let (first_root, first) = seen_from_root(model, links, a);
         let (second_root, second) = seen_from_root(model, links, b);
-        let root = |root: Option<usize>| root.map_or(Frame::identity(), |r| links.root_in_world[r]);
+        let root = |root: Option<usize>| root.map_or(Frame::identity(), |r| *links.root_in_world(r));
         let first_in_other_root = if first_root == second_root {
             first
         } else {
             between(&root(second_root), &root(first_root)).times(&first)
         };
         let twist = |attachment: &Attachment<S>, frame: &Frame<S>| {
-            attachment.link.map_or(Twist::zero(), |link| frame.twist_to_child(&links.twist[link]))
+            attachment.link.map_or(Twist::zero(), |link| frame.twist_to_child(links.twist(link)))
         };
         let twist_first = twist(a, &first);
         Self {

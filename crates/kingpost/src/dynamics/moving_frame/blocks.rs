@@ -175,6 +175,11 @@ pub(super) fn force_list(model: &Model, frames: &[Frame], columns: &[Columns], l
     for (body, wrench) in &loads.wrenches {
         add(&mut f, *body, frames[*body].rotation * wrench.force, wrench.moment);
     }
+    for (i, body) in model.bodies.iter().enumerate() {
+        if let Some(weight) = loads.weight(body.mass) {
+            add(&mut f, i, weight, Vector3::zero());
+        }
+    }
     for (body, node) in model.tree.nodes.iter().enumerate() {
         let tau = &loads.force[node.velocities..][..node.kind.velocity_count()];
         if let JointKind::Floating(_) = node.kind {

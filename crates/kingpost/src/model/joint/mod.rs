@@ -30,18 +30,6 @@ pub use spherical::Spherical;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
 
-/// A child on its joint, seen from one frame.
-#[derive(Clone, Copy, Debug)]
-pub struct Mounted<S = f64> {
-    /// The child's frame.
-    pub frame: Frame<S>,
-    /// A point of the joint that moves with both its bodies, m; the child's origin for a slide.
-    pub pivot: Vector3<S>,
-    /// Twist of the child against its parent, per unit rate, about the origin of what it is seen from;
-    /// zero where the joint has not one axis.
-    pub axis: Twist<S>,
-}
-
 /// How a coordinate comes by its acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
@@ -140,12 +128,14 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// The same joint, the child's frame moved by `offset` in its own axes; a floating joint's stays.
-    pub fn with_child_moved(self, offset: Vector3<S>) -> Self {
+    /// The same joint, the child's frame put to `to`, seen from where it was; a floating joint's stays. Only a joint of one
+    /// axis lets it be turned: other joints have coordinates along its axes.
+    pub fn with_child_moved(self, to: &Frame<S>) -> Self {
+        let offset = to.position;
         match self {
             JointKind::Floating(floating) => JointKind::Floating(floating),
-            JointKind::Revolute(revolute) => JointKind::Revolute(revolute.with_child_moved(offset)),
-            JointKind::Prismatic(prismatic) => JointKind::Prismatic(prismatic.with_child_moved(offset)),
+            JointKind::Revolute(revolute) => JointKind::Revolute(revolute.with_child_moved(to)),
+            JointKind::Prismatic(prismatic) => JointKind::Prismatic(prismatic.with_child_moved(to)),
             JointKind::AxisList(list) => JointKind::AxisList(list.with_child_moved(offset)),
             JointKind::Spherical(ball) => JointKind::Spherical(ball.with_child_moved(offset)),
             JointKind::Fixed(fixed) => JointKind::Fixed(fixed.with_child_moved(offset)),
@@ -163,21 +153,6 @@ impl<S: Scalar> JointKind<S> {
             JointKind::AxisList(list) => list.relative(q),
             JointKind::Spherical(ball) => ball.relative(q),
             JointKind::Fixed(fixed) => fixed.relative(),
-        }
-    }
-
-    /// The child and its joint where the parent's frame is `parent`; `None` where they are seen from
-    /// the parent itself.
-    #[inline]
-    pub fn mounted(&self, parent: Option<&Frame<S>>, q: &[S]) -> Mounted<S> {
-        match self {
-            JointKind::Revolute(revolute) => revolute.mounted(parent, q[0]),
-            JointKind::Prismatic(prismatic) => prismatic.mounted(parent, q[0]),
-            kind => {
-                let relative = kind.relative(q);
-                let frame = parent.map_or(relative, |parent| parent.times(&relative));
-                Mounted { frame, pivot: frame.point(-kind.to_child()), axis: Twist::zero() }
-            }
         }
     }
 

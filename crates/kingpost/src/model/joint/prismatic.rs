@@ -1,6 +1,5 @@
 //! Translation along one axis: a telescope.
 
-use super::Mounted;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
 
@@ -26,9 +25,11 @@ impl<S: Scalar> Prismatic<S> {
         Self { placement: parent.times(&self.placement), ..*self }
     }
 
-    /// The same slide, the child's frame moved by `offset`, child axes, m.
-    pub fn with_child_moved(&self, offset: Vector3<S>) -> Self {
-        Self { to_child: self.to_child + offset, ..*self }
+    /// The same slide, the child's frame put to `to`, seen from where it was.
+    pub fn with_child_moved(&self, to: &Frame<S>) -> Self {
+        let turned = |v: Vector3<S>| to.rotation.transpose_times(v);
+        let placement = Frame { rotation: self.placement.rotation * to.rotation, ..self.placement };
+        Self::new(placement, turned(self.twist.linear), turned(self.to_child + to.position))
     }
 
     /// E(child/parent) at an extension in m.
@@ -38,13 +39,9 @@ impl<S: Scalar> Prismatic<S> {
         Frame { rotation: self.placement.rotation, position }
     }
 
-    /// See [`JointKind::mounted`](super::JointKind::mounted).
-    #[inline]
-    pub fn mounted(&self, parent: Option<&Frame<S>>, extension: S) -> Mounted<S> {
-        let relative = self.relative(extension);
-        let frame = parent.map_or(relative, |parent| parent.times(&relative));
-        let axis = Twist { angular: Vector3::zero(), linear: frame.rotation * self.twist.linear };
-        Mounted { frame, pivot: frame.position, axis }
+    /// The joint's frame in the parent's.
+    pub fn placement(&self) -> &Frame<S> {
+        &self.placement
     }
 
     /// Child's twist per unit rate.

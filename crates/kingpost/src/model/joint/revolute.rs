@@ -1,6 +1,5 @@
 //! Rotation about one axis: the tower's slew (eq. 34) and the arm's luff (eq. 40).
 
-use super::Mounted;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, Twist, Vector3, hat};
 
@@ -14,8 +13,6 @@ pub struct Revolute<S = f64> {
     to_child: Vector3<S>,
     /// Child's twist per unit rate.
     twist: Twist<S>,
-    /// The same in parent axes about the parent's origin: a constant too.
-    twist_in_parent: Twist<S>,
     /// R = constant + sin(angle) * sine + cos(angle) * cosine, from Rodrigues' formula.
     constant: Matrix3<S>,
     sine: Matrix3<S>,
@@ -26,12 +23,10 @@ impl<S: Scalar> Revolute<S> {
     /// A hinge about the unit vector `axis` (child axes).
     pub fn new(placement: Frame<S>, axis: Vector3<S>, to_child: Vector3<S>) -> Self {
         let along = Matrix3::outer(axis, axis);
-        let at_hinge = Twist { angular: axis, linear: Vector3::zero() };
         Self {
             placement,
             to_child,
             twist: Twist { angular: axis, linear: axis.cross(to_child) },
-            twist_in_parent: placement.twist_to_parent(&at_hinge),
             constant: placement.rotation * along,
             sine: placement.rotation * hat(axis),
             cosine: placement.rotation * (Matrix3::identity() - along),
@@ -43,9 +38,11 @@ impl<S: Scalar> Revolute<S> {
         Self::new(parent.times(&self.placement), self.twist.angular, self.to_child)
     }
 
-    /// The same hinge, the child's frame moved by `offset`, child axes, m.
-    pub fn with_child_moved(&self, offset: Vector3<S>) -> Self {
-        Self::new(self.placement, self.twist.angular, self.to_child + offset)
+    /// The same hinge, the child's frame put to `to`, seen from where it was.
+    pub fn with_child_moved(&self, to: &Frame<S>) -> Self {
+        let turned = |v: Vector3<S>| to.rotation.transpose_times(v);
+        let placement = Frame { rotation: self.placement.rotation * to.rotation, ..self.placement };
+        Self::new(placement, turned(self.twist.angular), turned(self.to_child + to.position))
     }
 
     /// E(child/parent) at an angle in rad.
@@ -63,18 +60,9 @@ impl<S: Scalar> Revolute<S> {
         Matrix3::from_fn(entry)
     }
 
-    /// See [`JointKind::mounted`](super::JointKind::mounted).
-    #[inline]
-    pub fn mounted(&self, parent: Option<&Frame<S>>, angle: S) -> Mounted<S> {
-        let (turned, hinge) = (self.rotation(angle), self.placement.position);
-        let (rotation, pivot, axis) = match parent {
-            None => (turned, hinge, self.twist_in_parent),
-            Some(parent) => {
-                let (pivot, angular) = (parent.point(hinge), parent.rotation * self.twist_in_parent.angular);
-                (parent.rotation * turned, pivot, Twist { angular, linear: pivot.cross(angular) })
-            }
-        };
-        Mounted { frame: Frame { rotation, position: pivot + rotation * self.to_child }, pivot, axis }
+    /// The joint's frame in the parent's.
+    pub fn placement(&self) -> &Frame<S> {
+        &self.placement
     }
 
     /// Child's twist per unit rate.

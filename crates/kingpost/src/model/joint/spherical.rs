@@ -49,6 +49,11 @@ impl<S: Scalar> Spherical<S> {
         Columns::of(&[unit(0), unit(1), unit(2)])
     }
 
+    /// The joint's frame in the parent's.
+    pub fn placement(&self) -> &Frame<S> {
+        &self.placement
+    }
+
     /// From the ball to the child's centre of mass, child axes, m.
     #[inline]
     pub fn to_child(&self) -> Vector3<S> {

@@ -1,0 +1,68 @@
+//! A link with all that hangs on it.
+
+use crate::dynamics::moving_link::MovingLink;
+use crate::scalar::Scalar;
+use crate::spatial::{SpatialInertia, Twist, Wrench};
+
+/// A link with all that hangs on it, root axes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Articulated<S> {
+    /// Inertia beside the link's own: what its joints to other links let through, and what is no rigid body's.
+    more: SpatialInertia<S>,
+    /// Whether there is any.
+    pub has_more: bool,
+    /// Articulated bias force: what the drift takes, less the loads.
+    pub bias: Wrench<S>,
+    /// Articulated inertia times the joint's axis.
+    pub gain: Wrench<S>,
+    /// Reciprocal inertia along the joint's axis, the rotor's included, 1/kg or 1/(kg m^2).
+    pub compliance: S,
+    /// Force along the joint's axis that is left to accelerate it.
+    pub drive: S,
+    /// Acceleration beyond the drift.
+    pub response: Twist<S>,
+}
+
+impl<S: Scalar> Articulated<S> {
+    /// Articulated inertia.
+    #[inline]
+    pub fn inertia(&self, moving: &MovingLink<S>) -> SpatialInertia<S> {
+        if self.has_more { self.more.plus_rigid(&moving.inertia) } else { moving.inertia.to_spatial() }
+    }
+
+    /// Takes an inertia beside the link's own.
+    #[inline]
+    pub fn carry(&mut self, inertia: &SpatialInertia<S>) {
+        self.more = if self.has_more { self.more + *inertia } else { *inertia };
+        self.has_more = true;
+    }
+
+    /// A joint that is free along its axis S: `U = I S`, `D = S . U + rotor`, `u = tau - S . p`; the parent takes
+    /// `I - U U^T / D` and `p + U u / D` (Featherstone 2008, table 7.1). At the end of a branch I has ten numbers.
+    #[inline]
+    pub fn yield_along(&mut self, moving: &MovingLink<S>, force: S, rotor: S, parent: Option<&mut Self>) {
+        if self.has_more {
+            let inertia = self.more.plus_rigid(&moving.inertia);
+            self.resolve(inertia.times(&moving.axis), &moving.axis, force, rotor);
+            self.hand_over(&inertia, parent);
+        } else {
+            self.resolve(moving.inertia.times(&moving.axis), &moving.axis, force, rotor);
+            self.hand_over(&moving.inertia.to_spatial(), parent);
+        }
+    }
+
+    /// U, 1 / D and u.
+    #[inline]
+    fn resolve(&mut self, gain: Wrench<S>, axis: &Twist<S>, force: S, rotor: S) {
+        self.compliance = S::ONE / (gain.dot(axis) + rotor);
+        self.drive = force - self.bias.dot(axis);
+        self.gain = gain;
+    }
+
+    #[inline]
+    fn hand_over(&self, inertia: &SpatialInertia<S>, parent: Option<&mut Self>) {
+        let Some(parent) = parent else { return };
+        parent.carry(&inertia.minus_outer(&self.gain, self.compliance));
+        parent.bias += self.bias + self.gain * (self.drive * self.compliance);
+    }
+}

@@ -1,0 +1,189 @@
+//! One link of the recursion where it is: its place, its motion, its inertia, and what its drift takes.
+//!
+//! The kernels of the pass outward, one a joint. Each is compiled once for a parent that is its branch's root, whose frame
+//! is that of the root axes, and once for any other.
+
+use super::ball::Ball;
+use super::drift::Motion;
+use crate::model::joint::Floating;
+use crate::model::{Link, LinkInertia, LinkJoint};
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Matrix3, Quaternion, RigidInertia, SpatialInertia, Twist, Vector3, Wrench};
+
+/// A link, root axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MovingLink<S> {
+    /// Its frame.
+    pub in_root: Frame<S>,
+    /// Twist about the root's origin per unit rate of the link's own joint, where that has one axis.
+    pub axis: Twist<S>,
+    /// Twist and drift.
+    pub motion: Motion<S>,
+    /// Inertia about the root's origin; none where that is no rigid body's.
+    pub inertia: RigidInertia<S>,
+    /// What the drift takes, about the root's origin.
+    pub bias: Wrench<S>,
+}
+
+/// Where a joint is that a parent carries, root axes.
+struct Seat<S> {
+    /// The link's axes where the coordinates are zero.
+    rotation: Matrix3<S>,
+    /// From the parent's origin to the joint, m.
+    way: Vector3<S>,
+    /// From the root's origin to the joint, m.
+    position: Vector3<S>,
+}
+
+impl<S: Scalar> Seat<S> {
+    /// On the root of the branch.
+    #[inline(always)]
+    fn on_root(plan: &Link<S>) -> Self {
+        let Frame { rotation, position } = plan.placement;
+        Self { rotation, way: position, position }
+    }
+
+    /// On another link.
+    #[inline(always)]
+    fn on_link(parent: &MovingLink<S>, plan: &Link<S>) -> Self {
+        let Frame { rotation, position } = &parent.in_root;
+        let way = *rotation * plan.placement.position;
+        Self { rotation: *rotation * plan.placement.rotation, way, position: *position + way }
+    }
+}
+
+impl<S: Scalar> MovingLink<S> {
+    /// At the root's origin and at rest, without inertia: what a root's frame stays, and an inertia that is no rigid body's.
+    pub fn still() -> Self {
+        Self {
+            in_root: Frame::identity(),
+            axis: Twist::zero(),
+            motion: Motion::default(),
+            inertia: RigidInertia::default(),
+            bias: Wrench::zero(),
+        }
+    }
+
+    /// On the world: its frame, which is returned, is what its branch is seen from.
+    #[inline]
+    pub fn stand(&mut self, plan: &Link<S>, q: &[S], v: &[S]) -> Frame<S> {
+        let (world, z) = (Motion::default(), Vector3::new(S::ZERO, S::ZERO, S::ONE));
+        let (arm, Frame { rotation, position }) = (plan.to_child, plan.placement);
+        let turned = |rotation: Matrix3<S>| Frame { rotation, position: position + rotation * arm };
+        match plan.joint {
+            LinkJoint::Floating => {
+                let frame = Floating::relative(q);
+                self.motion = Motion::floating(Floating::twist(&frame, v));
+                frame
+            }
+            LinkJoint::Hinge => {
+                self.axis = Twist { angular: z, linear: z.cross(arm) };
+                self.motion = world.turned(&(self.axis * v[0]), Vector3::zero(), arm);
+                turned(rotation.turned_about_z(q[0].sin_cos()))
+            }
+            LinkJoint::Slide => {
+                self.axis = Twist { angular: Vector3::zero(), linear: z };
+                self.motion = world.slid(z * v[0], Vector3::zero());
+                Frame { rotation, position: position + rotation * (arm + z * q[0]) }
+            }
+            LinkJoint::Ball => {
+                let own = Ball::new(plan, &self.in_root).twist(v);
+                self.motion = world.turned(&own, Vector3::zero(), arm);
+                turned(rotation * Quaternion::from_slice(q).to_matrix())
+            }
+        }
+    }
+
+    /// On the root of its branch.
+    #[inline]
+    pub fn mount_on_root(&mut self, plan: &Link<S>, root: &Self, q: &[S], v: &[S]) {
+        match plan.joint {
+            LinkJoint::Floating => {}
+            LinkJoint::Hinge => self.hinge(plan, &root.motion, &Seat::on_root(plan), q, v),
+            LinkJoint::Slide => self.slide(plan, &root.motion, &Seat::on_root(plan), q, v),
+            LinkJoint::Ball => self.ball(plan, &root.motion, &Seat::on_root(plan), q, v),
+        }
+    }
+
+    /// On another link.
+    #[inline]
+    pub fn mount(&mut self, plan: &Link<S>, parent: &Self, q: &[S], v: &[S]) {
+        match plan.joint {
+            LinkJoint::Floating => {}
+            LinkJoint::Hinge => self.hinge(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
+            LinkJoint::Slide => self.slide(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
+            LinkJoint::Ball => self.ball(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
+        }
+    }
+
+    /// `R = R_seat Rz(angle)`.
+    #[inline(always)]
+    fn hinge(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
+        let rotation = seat.rotation.turned_about_z(q[plan.positions].sin_cos());
+        let (z, arm) = (seat.rotation.column(2), rotation * plan.to_child);
+        self.in_root = Frame { rotation, position: seat.position + arm };
+        self.axis = Twist { angular: z, linear: seat.position.cross(z) };
+        self.motion = parent.turned(&(self.axis * v[plan.velocities]), seat.way, arm);
+    }
+
+    /// `R = R_seat`.
+    #[inline(always)]
+    fn slide(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
+        let z = seat.rotation.column(2);
+        let arm = seat.rotation * plan.to_child + z * q[plan.positions];
+        self.in_root = Frame { rotation: seat.rotation, position: seat.position + arm };
+        self.axis = Twist { angular: Vector3::zero(), linear: z };
+        self.motion = parent.slid(z * v[plan.velocities], seat.way + arm);
+    }
+
+    /// `R = R_seat R(q)`.
+    #[inline(always)]
+    fn ball(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
+        let rotation = seat.rotation * Quaternion::from_slice(&q[plan.positions..]).to_matrix();
+        let arm = rotation * plan.to_child;
+        self.in_root = Frame { rotation, position: seat.position + arm };
+        let own = Ball::new(plan, &self.in_root).twist(&v[plan.velocities..]);
+        self.motion = parent.turned(&own, seat.way, arm);
+    }
+
+    /// Inertia in root axes, and what the drift takes; an inertia that is no rigid body's is returned.
+    #[inline]
+    pub fn take_inertia(&mut self, inertia: &LinkInertia<S>) -> Option<SpatialInertia<S>> {
+        let Motion { twist, drift } = &self.motion;
+        match inertia {
+            // Newton and Euler about the centre of mass: f = m a, n = J alpha + omega x J omega.
+            LinkInertia::Central { mass, moments } => {
+                let (centre, moments) = (self.in_root.position, moments.rotated(&self.in_root.rotation));
+                let force = drift.linear * *mass;
+                let about_centre = moments * drift.angular + twist.angular.cross(moments * twist.angular);
+                self.bias = Wrench { moment: about_centre + centre.cross(force), force };
+                self.inertia = RigidInertia::of_centre(*mass, centre, &moments);
+                None
+            }
+            // A floating body that turns at a steady rate about its frame's origin, which is let go.
+            LinkInertia::Rigid(rigid) => {
+                let moment = twist.angular.cross(rigid.moments * twist.angular);
+                self.bias = Wrench { moment, force: drift.gradient * rigid.first_moment };
+                self.inertia = *rigid;
+                None
+            }
+            LinkInertia::Full(full) => {
+                let full = full.to_parent(&self.in_root);
+                self.bias = self.kirchhoff(&full);
+                Some(full)
+            }
+        }
+    }
+
+    /// What the drift takes of an inertia in root axes by Kirchhoff's equations, `I a + v x* I v`.
+    #[inline]
+    pub fn kirchhoff(&self, inertia: &SpatialInertia<S>) -> Wrench<S> {
+        inertia.times(&self.spatial_drift()) + self.motion.twist.cross_momentum(&inertia.times(&self.motion.twist))
+    }
+
+    /// The rate of the twist about the root's origin with every coordinate's acceleration at zero.
+    #[inline]
+    pub fn spatial_drift(&self) -> Twist<S> {
+        self.motion.spatial_drift(self.in_root.position)
+    }
+}
