@@ -6,7 +6,6 @@ use kingpost::elements::drives::Motor;
 use kingpost::integrate::{Interval, Scheme, Sizes, Stage, System};
 use kingpost::plant::Plant;
 use kingpost::scalar::{LANES, Lanes, Scalar};
-use kingpost::scenario::build::{assemble, reading::Reading};
 use kingpost::scenario::{self, Files, Scenario};
 use kingpost::simulation::{Setup, Simulation};
 use kingpost::state::State;
@@ -168,7 +167,7 @@ struct SideBySide {
 impl SideBySide {
     /// All from one state, but for a thousandth more velocity in each lane.
     fn new(Task { scenario, q, v, .. }: Task, scheme: fn(Sizes) -> Scheme<Lanes>) -> Outcome<Self> {
-        let setup = assemble::<Lanes>(&Reading::new(vec![&scenario; LANES]))?;
+        let setup = scenario.setup_over::<Lanes>()?;
         let mut plant = Plant::new(setup.model, setup.world, setup.elements);
         plant.keep_ledger(false);
         let scheme = scheme(plant.sizes());

@@ -91,11 +91,15 @@ impl Linearizer {
     /// A scenario that does not build.
     pub fn new(scenario: &Scenario) -> Result<Self, ScenarioError> {
         let setup = scenario.setup_over::<Number>()?;
-        let plant = Plant::new(setup.model, setup.world, setup.elements);
+        Ok(Self::of_plant(Plant::new(setup.model, setup.world, setup.elements)))
+    }
+
+    /// For simulations of what a plant is made of.
+    pub fn of_plant(plant: Plant<Number>) -> Self {
         let inputs: Vec<String> = plant.layout().inputs.iter().map(|input| input.name.clone()).collect();
         let (states, along) = states(&plant);
         let prescribed = prescribed(&plant);
-        Ok(Self { tangent: Tangent::new(plant), states, inputs, along, prescribed })
+        Self { tangent: Tangent::new(plant), states, inputs, along, prescribed }
     }
 
     /// The same without the sea's waves, and with what is prescribed held.

@@ -9,7 +9,7 @@ mod side_by_side;
 use crate::elements::Layout;
 use crate::plant::Form;
 use crate::results::{Channel, Channels};
-use crate::scalar::LANES;
+use crate::scalar::{LANES, Lanes};
 use crate::scenario::read::read_and_build;
 use crate::scenario::{Files, Scenario, ScenarioError, side_by_side};
 use crate::simulation::{Run, SchemeName, Setup, Simulation};
@@ -78,26 +78,76 @@ pub fn run(
     threads: usize,
     progress: impl Fn(usize) -> bool + Sync,
 ) -> Result<Batch, BatchError> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    let pool = pool.map_err(|_| BatchError::Threads(threads))?;
+    let pool = pool(threads)?;
     pool.install(|| {
         let members = members(text, file, files, variants)?;
-        let channels = members.first().map_or_else(Vec::new, Member::channels);
-        let done = AtomicUsize::new(0);
-        let run_group = |group: &[usize]| {
-            let runs = run_group(group, &members, &|| progress(done.load(Ordering::Relaxed)));
-            done.fetch_add(group.len(), Ordering::Relaxed);
-            (runs.is_some() && progress(done.load(Ordering::Relaxed)))
-                .then_some(runs)
-                .flatten()
-                .ok_or(BatchError::Stopped)
-        };
-        let groups = groups(&members);
-        let by_group: Vec<Vec<Run>> = groups.par_iter().map(|group| run_group(group)).collect::<Result<_, _>>()?;
-        let mut runs: Vec<(usize, Run)> = groups.into_iter().flatten().zip(by_group.into_iter().flatten()).collect();
-        runs.sort_by_key(|(run, _)| *run);
-        Ok(Batch { channels, runs: runs.into_iter().map(|(_, run)| run).collect() })
+        run_all(&members, &progress)
     })
+}
+
+/// Runs that are built, whatever they were built from; see [`run_built`].
+pub trait Built: Sync {
+    /// How many.
+    fn count(&self) -> usize;
+
+    /// What a run is made of.
+    fn setup(&self, run: usize) -> &Setup;
+
+    /// A text that runs share which may go side by side.
+    fn structure(&self, run: usize) -> &str;
+
+    /// A run by itself, at its start.
+    fn simulation(&self, run: usize) -> Simulation {
+        Simulation::new(self.setup(run).clone())
+    }
+
+    /// The runs of a group side by side, as many as there are lanes at most; `None` where they cannot go together.
+    fn side_by_side(&self, group: &[usize]) -> Option<Setup<Lanes>>;
+}
+
+/// The same as [`run`] for runs that are built.
+///
+/// # Errors
+/// A run whose channels are not those of the first.
+pub fn run_built(
+    built: &impl Built,
+    threads: usize,
+    progress: impl Fn(usize) -> bool + Sync,
+) -> Result<Batch, BatchError> {
+    pool(threads)?.install(|| run_all(built, &progress))
+}
+
+fn pool(threads: usize) -> Result<rayon::ThreadPool, BatchError> {
+    rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|_| BatchError::Threads(threads))
+}
+
+fn run_all(built: &impl Built, progress: &(impl Fn(usize) -> bool + Sync)) -> Result<Batch, BatchError> {
+    let channels = common_channels(built)?;
+    let done = AtomicUsize::new(0);
+    let run_group = |group: &[usize]| {
+        let runs = run_group(group, built, &|| progress(done.load(Ordering::Relaxed)));
+        done.fetch_add(group.len(), Ordering::Relaxed);
+        (runs.is_some() && progress(done.load(Ordering::Relaxed))).then_some(runs).flatten().ok_or(BatchError::Stopped)
+    };
+    let groups = groups(built);
+    let by_group: Vec<Vec<Run>> = groups.par_iter().map(|group| run_group(group)).collect::<Result<_, _>>()?;
+    let mut runs: Vec<(usize, Run)> = groups.into_iter().flatten().zip(by_group.into_iter().flatten()).collect();
+    runs.sort_by_key(|(run, _)| *run);
+    Ok(Batch { channels, runs: runs.into_iter().map(|(_, run)| run).collect() })
+}
+
+/// The channels that all runs have.
+fn common_channels(built: &impl Built) -> Result<Vec<Channel>, BatchError> {
+    let of = |run: usize| {
+        let Setup { model, elements, .. } = built.setup(run);
+        Channels::new(model, &Layout::new(elements, 0)).list
+    };
+    if built.count() == 0 {
+        return Ok(Vec::new());
+    }
+    let first = of(0);
+    let other = (0..built.count()).into_par_iter().position_first(|run| of(run) != first);
+    other.map_or(Ok(first), |run| Err(BatchError::Channels { run }))
 }
 
 /// One variant, read and built.
@@ -108,14 +158,29 @@ struct Member {
     structure: String,
 }
 
-impl Member {
-    fn channels(&self) -> Vec<Channel> {
-        Channels::new(&self.setup.model, &Layout::new(&self.setup.elements, 0)).list
+impl Built for Vec<Member> {
+    fn count(&self) -> usize {
+        self.len()
     }
 
-    /// The run by itself.
-    fn simulation(&self) -> Simulation {
-        self.scenario.simulation_of(self.setup.clone()).unwrap_or_else(|_| Simulation::new(self.setup.clone()))
+    fn setup(&self, run: usize) -> &Setup {
+        &self[run].setup
+    }
+
+    fn structure(&self, run: usize) -> &str {
+        &self[run].structure
+    }
+
+    fn simulation(&self, run: usize) -> Simulation {
+        let Member { scenario, setup, .. } = &self[run];
+        scenario.simulation_of(setup.clone()).unwrap_or_else(|_| Simulation::new(setup.clone()))
+    }
+
+    fn side_by_side(&self, group: &[usize]) -> Option<Setup<Lanes>> {
+        let scenarios: Vec<&Scenario> = group.iter().map(|&run| &self[run].scenario).collect();
+        let setups: Vec<&Setup> = group.iter().map(|&run| &self[run].setup).collect();
+        // Where a number that decides how a run is made up differs, each goes alone.
+        side_by_side(&scenarios, &setups).ok()
     }
 }
 
@@ -126,20 +191,14 @@ fn members(text: &str, file: &str, files: &Files, variants: &[Variant]) -> Resul
         let structure = scenario.structure();
         Ok(Member { scenario, setup, structure })
     };
-    let members: Vec<Member> = variants.par_iter().enumerate().map(member).collect::<Result<_, _>>()?;
-    if let Some(first) = members.first().map(Member::channels)
-        && let Some(run) = members.par_iter().position_first(|member| member.channels() != first)
-    {
-        return Err(BatchError::Channels { run });
-    }
-    Ok(members)
+    variants.par_iter().enumerate().map(member).collect()
 }
 
 /// Runs that go side by side: of one structure, as many as there are lanes.
-fn groups(members: &[Member]) -> Vec<Vec<usize>> {
+fn groups(built: &impl Built) -> Vec<Vec<usize>> {
     let mut by_structure: IndexMap<&str, Vec<usize>> = IndexMap::new();
-    for (run, member) in members.iter().enumerate() {
-        by_structure.entry(&member.structure).or_default().push(run);
+    for run in 0..built.count() {
+        by_structure.entry(built.structure(run)).or_default().push(run);
     }
     let mut groups: Vec<Vec<usize>> = by_structure
         .into_values()
@@ -150,19 +209,16 @@ fn groups(members: &[Member]) -> Vec<Vec<usize>> {
 }
 
 /// The runs of a group; `None` where `go_on` said no.
-fn run_group(group: &[usize], members: &[Member], go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
-    let alone: Vec<Simulation> = group.iter().map(|&run| members[run].simulation()).collect();
-    let settings = &members[group[0]].setup.settings;
+fn run_group(group: &[usize], built: &impl Built, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
+    let alone: Vec<Simulation> = group.iter().map(|&run| built.simulation(run)).collect();
+    let Setup { settings, model, .. } = built.setup(group[0]);
     // The loops' projection takes as many iterations as each run needs: not the same in all lanes.
-    let open = members[group[0]].setup.model.loops.is_empty();
-    let fits = open && settings.form == Form::Recursive && steps_lanes(settings.scheme);
-    if group.len() > 1 && fits {
-        let scenarios: Vec<&Scenario> = group.iter().map(|&run| &members[run].scenario).collect();
-        let setups: Vec<&Setup> = group.iter().map(|&run| &members[run].setup).collect();
-        // Where a number that decides how a run is made up differs, each goes alone.
-        if let Ok(setup) = side_by_side(&scenarios, &setups) {
-            return side_by_side::run(setup, alone, go_on);
-        }
+    let fits = model.loops.is_empty() && settings.form == Form::Recursive && steps_lanes(settings.scheme);
+    if group.len() > 1
+        && fits
+        && let Some(setup) = built.side_by_side(group)
+    {
+        return side_by_side::run(setup, alone, go_on);
     }
     let finish = |mut simulation: Simulation| {
         let mut stopped = false;
