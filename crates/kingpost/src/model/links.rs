@@ -140,19 +140,21 @@ impl<S: Scalar> Moments<S> {
 pub(super) fn lowered<S: Scalar>(
     links: &mut Tree<S>,
     bodies: &mut [Body<S>],
-    rigid: &[Option<RigidInertia<S>>],
+    mut rigid: Vec<Option<RigidInertia<S>>>,
 ) -> Vec<Link<S>> {
-    for (i, rigid) in rigid.iter().enumerate() {
+    for (i, rigid) in rigid.iter_mut().enumerate() {
         let floats = matches!(links.nodes[i].kind, JointKind::Floating(_));
-        if let Some(rigid) = rigid.filter(|rigid| !floats && rigid.mass.all(|mass| mass > 0.0)) {
-            move_link(links, bodies, i, &Frame::translation(rigid.first_moment * (S::ONE / rigid.mass)));
+        if let Some(sum) = rigid.filter(|rigid| !floats && rigid.mass.all(|mass| mass > 0.0)) {
+            let to_centre = Frame::translation(sum.first_moment * (S::ONE / sum.mass));
+            move_link(links, bodies, i, rigid, &to_centre);
         }
         let axis = match &links.nodes[i].kind {
             JointKind::Revolute(revolute) => revolute.axis(),
             JointKind::Prismatic(prismatic) => prismatic.axis(),
             _ => continue,
         };
-        move_link(links, bodies, i, &Frame { rotation: Matrix3::with_z(axis), position: Vector3::zero() });
+        let onto_axis = Frame { rotation: Matrix3::with_z(axis), position: Vector3::zero() };
+        move_link(links, bodies, i, rigid, &onto_axis);
     }
     let nodes = &links.nodes;
     let carrier = |node: &Node<S>| match node.parent {
@@ -182,7 +184,7 @@ fn lower<S: Scalar>(node: &Node<S>, carrier: Carrier, rigid: Option<&RigidInerti
     let inertia = match rigid {
         Some(rigid) if joint == LinkJoint::Floating => LinkInertia::Rigid(*rigid),
         Some(rigid) if rigid.mass.all(|mass| mass > 0.0) || *rigid == RigidInertia::default() => {
-            LinkInertia::Central { mass: rigid.mass, moments: Moments::new(node.inertia.angular) }
+            LinkInertia::Central { mass: rigid.mass, moments: Moments::new(rigid.moments) }
         }
         _ => LinkInertia::Full(node.inertia),
     };
@@ -192,8 +194,15 @@ fn lower<S: Scalar>(node: &Node<S>, carrier: Carrier, rigid: Option<&RigidInerti
 }
 
 /// Puts a link's frame to `to`, seen from where it was; bodies and joints stay where they are.
-fn move_link<S: Scalar>(links: &mut Tree<S>, bodies: &mut [Body<S>], link: usize, to: &Frame<S>) {
+fn move_link<S: Scalar>(
+    links: &mut Tree<S>,
+    bodies: &mut [Body<S>],
+    link: usize,
+    rigid: &mut Option<RigidInertia<S>>,
+    to: &Frame<S>,
+) {
     let back = to.inverse();
+    *rigid = rigid.map(|rigid| rigid.to_parent(&back));
     let node = &mut links.nodes[link];
     node.kind = node.kind.with_child_moved(to);
     node.inertia = node.inertia.to_parent(&back);

@@ -123,7 +123,7 @@ impl<const N: usize> Scalar for Dual<N> {
     }
 
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = self.value.sin_cos();
+        let (sin, cos) = Scalar::sin_cos(self.value);
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 

@@ -111,7 +111,7 @@ impl Scalar for Lanes {
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         if !self.0.abs().simd_lt(f64x4::splat(radians::LARGEST)).all() {
-            let both = self.to_array().map(f64::sin_cos);
+            let both = self.to_array().map(Scalar::sin_cos);
             return (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)));
         }
         radians::sin_cos_of_lanes(self)

@@ -28,12 +28,14 @@ impl Floating {
     /// Absolute frame connection matrix (eq. 20).
     #[inline]
     pub fn relative<S: Scalar>(q: &[S]) -> Frame<S> {
+        let q = &q[..7];
         Frame { rotation: Quaternion::from_slice(&q[3..7]).to_matrix(), position: Vector3::from_slice(q) }
     }
 
     /// The twist in body components of the velocity `v`.
     #[inline]
     pub fn twist<S: Scalar>(frame: &Frame<S>, v: &[S]) -> Twist<S> {
+        let v = &v[..6];
         Twist { angular: Vector3::from_slice(&v[3..6]), linear: frame.rotation.transpose_times(Vector3::from_slice(v)) }
     }
 
@@ -59,6 +61,7 @@ impl Floating {
     /// Position adds; rotation is multiplied by the exponential of the local rotation vector.
     #[inline]
     pub fn retract<S: Scalar>(q: &[S], xi: &[S], out: &mut [S]) {
+        let (q, xi, out) = (&q[..7], &xi[..6], &mut out[..7]);
         (Vector3::from_slice(q) + Vector3::from_slice(xi)).write_to(out);
         let turn = Quaternion::exp(Vector3::from_slice(&xi[3..6]));
         let turned = Quaternion::from_slice(&q[3..7]).times(turn).normalized();
@@ -68,6 +71,7 @@ impl Floating {
     /// Rate of the local coordinates.
     #[inline]
     pub fn dexp_inverse<S: Scalar>(xi: &[S], v: &[S], out: &mut [S]) {
+        let (xi, v, out) = (&xi[..6], &v[..6], &mut out[..6]);
         out[..3].copy_from_slice(&v[..3]);
         dexp_inverse_body(Vector3::from_slice(&xi[3..6]), Vector3::from_slice(&v[3..6])).write_to(&mut out[3..6]);
     }
