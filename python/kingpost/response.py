@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -128,9 +127,17 @@ def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | 
     variables: dict[str, Any] = {}
     for name, (dim, units, long_name) in QUANTITIES.items():
         dims = ("direction", "frequency", *across[dim])
-        about = {"units": units, "long_name": f"amplitude of the {long_name}"}
+        columns = [
+            ".".join([f"{{{dim}}}", of, *(f"{{{k}}}" for k in across[dim][1:])])
+            for of in (name, name + PHASE)
+        ]
+        about = {"units": units, "long_name": f"amplitude of the {long_name}", "column": columns[0]}
         variables[name] = (dims, np.abs(values[name]), about)
-        about = {"units": "rad", "long_name": f"lag of the {long_name} behind the crest"}
+        about = {
+            "units": "rad",
+            "long_name": f"lag of the {long_name} behind the crest",
+            "column": columns[1],
+        }
         variables[name + PHASE] = (dims, np.angle(values[name]), about)
     attributes = results.attributes(scenario, "about rest in still water")
     attributes["reference_m"] = found["reference_m"]
@@ -185,12 +192,12 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
         "direction_deg": np.rad2deg(directions).ravel(),
         "frequency_rad_s": frequencies.ravel(),
     }
-    for name, values in found.data_vars.items():
+    for values in found.data_vars.values():
         dims = [dim for dim in values.dims if dim not in ("direction", "frequency")]
         flat = values.stack(entry=dims)
         for entry in range(flat.sizes["entry"]):
             labels = {dim: flat[dim].values[entry] for dim in dims}
-            columns[results.column_name(str(name), labels)] = flat.isel(entry=entry).values.ravel()
+            columns[results.column_name(values, labels)] = flat.isel(entry=entry).values.ravel()
     return pandas.DataFrame(columns)
 
 
@@ -212,7 +219,7 @@ def _plot(found: xarray.Dataset, path: Path) -> None:
     from matplotlib.figure import Figure
 
     rows = [("displacement", "point", point, "axis") for point in found["point"].values]
-    floating = floating_bodies(found)
+    floating = results.floating_bodies(found)
     rows += [("rotation", "body", body, "angle") for body in found["body"].values if body in floating]
     figure = Figure(figsize=(10, 2.4 * len(rows)), layout="constrained")
     axes = figure.subplots(len(rows), 3, sharex=True, squeeze=False)
@@ -256,13 +263,7 @@ def main_points(scenario: Scenario) -> list[str]:
     ['ship', 'tower.top', 'arm.tip']
     """
     bodies = scenario.resolved["bodies"]
-    floating = [name for name, body in bodies.items() if "floating" in body["joint"]]
+    floating = [body["name"] for body in scenario.model["bodies"] if body["floats"]]
     return floating + [
         f"{name}.{point}" for name, body in bodies.items() for point in body.get("points") or {}
     ]
-
-
-def floating_bodies(found: xarray.Dataset) -> list[str]:
-    """Names of the bodies that float."""
-    bodies = json.loads(found.attrs["scenario"])["bodies"]
-    return [name for name, body in bodies.items() if "floating" in body["joint"]]

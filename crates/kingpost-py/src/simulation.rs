@@ -146,6 +146,14 @@ impl Simulation {
         matrix(py, poses, bodies, 7)
     }
 
+    fn lines_json(&self) -> PyResult<String> {
+        serde_json::to_string(&self.inner.lines()).map_err(errors::input)
+    }
+
+    fn line_points<'py>(&mut self, py: Python<'py>) -> Vector<'py> {
+        self.inner.line_points().into_pyarray(py)
+    }
+
     #[pyo3(signature = (tau=None))]
     fn acceleration<'py>(&mut self, py: Python<'py>, tau: Option<PyReadonlyArray1<'_, f64>>) -> PyResult<Vector<'py>> {
         let tau = tau.as_ref().map(|tau| tau.as_slice()).transpose()?;

@@ -16,6 +16,7 @@ use serde::Serialize;
 
 /// One result variable of a model, with its place in a row.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Channel {
     /// Name in a data set.
     pub variable: &'static str,
@@ -33,6 +34,8 @@ pub struct Channel {
     pub dims: Vec<&'static str>,
     /// Labels along each dimension.
     pub labels: Vec<Vec<String>>,
+    /// How a column is named by its labels: `{body}.angular_velocity.{axis}`.
+    pub column: String,
     /// Names of its columns in a flat table: `ship.angular_velocity.x`.
     pub columns: Vec<String>,
     /// First entry in a row.
@@ -150,8 +153,8 @@ impl<S: Scalar> Table<S> {
     const OF_LEDGER: &[Entry<S>] = &[
         Entry { variable: "kinetic_energy", description: "kinetic energy, the water's part included", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.kinetic_energy) },
         Entry { variable: "potential_energy", description: "potential energy", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.potential_energy) },
-        Entry { variable: "work_done", description: "work by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(work_done(x)) },
-        Entry { variable: "work_by_drives", description: "work by motors, servos and prescribed motions", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
+        Entry { variable: "work_done", description: "work done by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(work_done(x)) },
+        Entry { variable: "work_by_drives", description: "work by drives", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
         Entry { variable: "work_by_outside", description: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
         Entry { variable: "energy_dissipated", description: "energy turned into heat", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
         Entry { variable: "linear_momentum", description: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], write: |x, out| out.extend(x.observed.totals.linear_momentum.0) },
@@ -161,6 +164,10 @@ impl<S: Scalar> Table<S> {
         Entry { variable: "momentum_error", description: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Number, dims: &[], write: |x, out| out.push(momentum_error(x)) },
         Entry { variable: "linear_momentum_error", description: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Number, dims: &[],
             write: |x, out| out.push((x.observed.totals.linear_momentum - Vector3::from_slice(&x.s[ledger::LINEAR_MOMENTUM..])).norm()) },
+        Entry { variable: "energy_scale", description: "energy in play, beside whose largest value so far the energy error counts: the root of the squares of kinetic energy and work done", unit: Plain("J"), frame: Number,
+            dims: &[], write: |x, out| out.push(energy_scale(x)) },
+        Entry { variable: "momentum_scale", description: "angular momentum in play, beside whose largest value so far the momentum error counts: the root of the squares of that of all and of each body's about its own centre",
+            unit: Plain("N m s"), frame: Number, dims: &[], write: |x, out| out.push(momentum_scale(x)) },
     ];
 }
 
@@ -229,6 +236,7 @@ fn channel_of(outputs: &[&Output]) -> Channel {
     let components = one.components.labels().map(|labels| labels.iter().map(|label| (*label).to_owned()).collect());
     let columns: Vec<String> = outputs.iter().flat_map(|output| output.columns()).collect();
     let units: Vec<&'static str> = one.units.iter().copied().cycle().take(columns.len()).collect();
+    let dims: Vec<&'static str> = [Some(one.dimension), one.components.dimension()].into_iter().flatten().collect();
     Channel {
         variable: one.variable,
         long_name: short_name(one.description),
@@ -237,11 +245,19 @@ fn channel_of(outputs: &[&Output]) -> Channel {
         len: units.len(),
         units,
         frame: one.frame,
-        dims: [Some(one.dimension), one.components.dimension()].into_iter().flatten().collect(),
+        column: column_by(one.variable, &dims, true),
+        dims,
         labels: [Some(things), components].into_iter().flatten().collect(),
         columns,
         offset: 0,
     }
+}
+
+/// How a column is named by its labels: that of a thing leads the variable.
+fn column_by(variable: &str, dims: &[&str], thing_leads: bool) -> String {
+    let mut parts: Vec<String> = dims.iter().map(|dim| format!("{{{dim}}}")).collect();
+    parts.insert(usize::from(thing_leads && !dims.is_empty()), variable.to_owned());
+    parts.join(".")
 }
 
 /// The unit that all columns have.
@@ -261,6 +277,7 @@ impl<S: Scalar> Entry<S> {
         let labels: Vec<Vec<String>> = self.dims.iter().map(|dimension| dimension.labels(model)).collect();
         let columns = self.columns(&labels);
         let units = self.unit.of_columns(model, columns.len());
+        let dims: Vec<&'static str> = self.dims.iter().map(|dimension| dimension.name()).collect();
         Channel {
             variable: self.variable,
             long_name: short_name(self.description),
@@ -268,7 +285,8 @@ impl<S: Scalar> Entry<S> {
             unit: common(&units),
             units,
             frame: self.frame,
-            dims: self.dims.iter().map(|dimension| dimension.name()).collect(),
+            column: column_by(self.variable, &dims, self.thing_leads()),
+            dims,
             labels,
             len: columns.len(),
             columns,
@@ -276,9 +294,13 @@ impl<S: Scalar> Entry<S> {
         }
     }
 
+    fn thing_leads(&self) -> bool {
+        self.dims.first().is_some_and(|dimension| dimension.names_things())
+    }
+
     /// What names a thing stands before the variable, what names a component behind it.
     fn columns(&self, labels: &[Vec<String>]) -> Vec<String> {
-        let leads = self.dims.first().is_some_and(|dimension| dimension.names_things());
+        let leads = self.thing_leads();
         let mut columns = vec![if leads { String::new() } else { self.variable.to_owned() }];
         for (k, along) in labels.iter().enumerate() {
             let with = |head: &String, label: &String| match k {
@@ -447,4 +469,20 @@ fn energy_error<S: Scalar>(x: &Sample<'_, S>) -> S {
 
 fn momentum_error<S: Scalar>(x: &Sample<'_, S>) -> S {
     (x.observed.totals.angular_momentum - Vector3::from_slice(&x.s[ledger::ANGULAR_MOMENTUM..])).norm()
+}
+
+/// Smooth, so that it has derivatives: the root of both squares.
+fn energy_scale<S: Scalar>(x: &Sample<'_, S>) -> S {
+    Vector3::new(x.observed.totals.kinetic_energy, work_done(x), S::ZERO).norm()
+}
+
+/// The same, of all angular momentum and of what each body has about its own centre.
+fn momentum_scale<S: Scalar>(x: &Sample<'_, S>) -> S {
+    let Observation { model, bodies, .. } = &x.observed;
+    let spin = |(node, twist): (&Node<S>, &Twist<S>)| {
+        let turning = Twist { angular: twist.angular, linear: Vector3::zero() };
+        node.inertia.times(&turning).moment.norm()
+    };
+    let spins = model.tree.nodes.iter().zip(&bodies.twist).map(spin);
+    spins.fold(x.observed.totals.angular_momentum.norm(), |sum, spin| Vector3::new(sum, spin, S::ZERO).norm())
 }
