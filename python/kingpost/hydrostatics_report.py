@@ -54,7 +54,9 @@ def _hull(hull: dict[str, Any]) -> list[str]:
         ("GM, fluid", *both("metacentric_height_m")),
         ("GM, solid", _metres(hull["solid_metacentric_height_m"][across]), solid),
     ]
-    how = "its mesh" if hull["by_mesh"] else "its database's waterplane"
+    rests = "its mesh" if hull["rests_by_mesh"] else "linear hydrostatics"
+    shape = "its mesh" if hull["by_mesh"] else "its database's waterplane"
+    how = rests if rests == shape else f"{rests}; displacement, KB and BM of {shape} there"
     return [f"{hull['body']} afloat at rest in still water, by {how}", *table(rows, "<><")]
 
 
@@ -106,11 +108,12 @@ def _arms(hull: dict[str, Any]) -> list[str]:
         ("GZ, m", *(fixed(point["arm_m"], 3) for point in points)),
         ("trim by the bow, deg", *(fixed(degrees(point["trim_rad"]), 2) for point in points)),
     ]
-    return [f"righting arms to {side}: {_range(curve)}", *table(rows)]
+    of_mesh = "" if hull["rests_by_mesh"] else " of the mesh"
+    return [f"righting arms{of_mesh} to {side}: {_range(curve, hull['rests_by_mesh'])}", *table(rows)]
 
 
-def _range(curve: dict[str, Any]) -> str:
-    """Equilibrium, the largest arm and how far stability reaches."""
+def _range(curve: dict[str, Any], rests_by_mesh: bool) -> str:
+    """Equilibrium, where the run has that of the curve, the largest arm and how far stability reaches."""
     rest, vanishing = curve["equilibrium_rad"], curve["vanishing_rad"]
     if rest is None:
         return "none that rises through zero to 90 deg"
@@ -120,7 +123,5 @@ def _range(curve: dict[str, Any]) -> str:
         if vanishing is None
         else f"vanishing at {degrees(vanishing):.1f} deg, a range of {degrees(vanishing - rest):.1f} deg"
     )
-    return (
-        f"equilibrium at {fixed(degrees(rest), 2)} deg, largest GZ {_metres(top['arm_m'])} at "
-        f"{degrees(top['heel_rad']):.1f} deg, {reach}"
-    )
+    equilibrium = f"equilibrium at {fixed(degrees(rest), 2)} deg, " if rests_by_mesh else ""
+    return f"{equilibrium}largest GZ {_metres(top['arm_m'])} at {degrees(top['heel_rad']):.1f} deg, {reach}"

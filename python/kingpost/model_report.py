@@ -132,23 +132,24 @@ def target(given: str | dict[str, Any]) -> str:
 
 
 def _fields(fields: dict[str, Any]) -> str:
-    """A law's fields as a scenario writes them; a pulse only where it is the history.
+    """A law's fields as a scenario writes them; of a pulse and a list what is the history.
 
     >>> _fields({"enabled": True, "joint": "luff", "target_rad": 0.5, "pulse": None})
     'joint: luff, target_rad: 0.5'
     """
-    hidden = {"enabled"} if fields.get("history") == "pulse" else {"enabled", "pulse"}
+    hidden = {"enabled", "pulse", "list"} - {fields.get("history")}
     return ", ".join(f"{name}: {written(value)}" for name, value in fields.items() if name not in hidden)
 
 
 def _prescribed(resolved: dict[str, Any]) -> list[str]:
-    """The joints that a given rate moves."""
+    """The joints that a given rate moves, or that go a given way."""
     rows = [("prescribed", "")]
     for name, body in resolved["bodies"].items():
         ((_, joint),) = body["joint"].items()
         mode = joint.get("mode")
         if body["enabled"] and isinstance(mode, dict):
-            rows.append((joint.get("name") or name, _fields(mode["prescribed"])))
+            ((_, given),) = mode.items()
+            rows.append((joint.get("name") or name, _fields(given)))
     return table(rows, "<<") if len(rows) > 1 else []
 
 

@@ -62,7 +62,10 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
         lines += ["", *_reactions(results, "loop", "loop reaction, largest"), *_loop_error(results)]
     if results.sizes.get("cylinder", 0):
         lines += ["", *_cylinders(results)]
-    return "\n".join([*lines, "", *_ledger(results)])
+    lines += ["", *_ledger(results)]
+    if "warning" in results.attrs:
+        lines += ["", f"warning: {results.attrs['warning']}"]
+    return "\n".join(lines)
 
 
 def steps(simulation: dict[str, Any]) -> str:

@@ -215,6 +215,6 @@ def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
         "gravity_m_s2": described["gravity_m_s2"],
         "water_density_kg_m3": sea["density_kg_m3"] if sea else 0.0,
         "floating_bodies": json.dumps([body["name"] for body in described["bodies"] if body["floats"]]),
-        "warnings": json.dumps(described["warnings"]),
+        "model_warnings": json.dumps(described["warnings"]),
         "axes": AXES,
     }

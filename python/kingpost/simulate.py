@@ -122,7 +122,8 @@ class Simulation:
         self._engine.step(int(n))
 
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
-        """Run from here to the scenario's duration and return what was recorded.
+        """Run from here to the scenario's duration and return what was recorded. The attribute ``warning``
+        is there where a rod that stands for a rope did what no rope does.
 
         `progress` is called now and then with the time in seconds.
 
@@ -134,10 +135,13 @@ class Simulation:
             On Ctrl-C; `.results` holds what was computed. So it is with whatever `progress` raises.
         """
         from .results import dataset
+        from .rope_report import warnings
 
         rows, error = self._engine.run(progress)
         status = "finished" if error is None else str(error) or "interrupted"
         results = dataset(self.scenario, self.channels, rows, status)
+        if found := warnings(results, self.scenario):
+            results.attrs["warning"] = "; ".join(found)
         if error is not None:
             error.results = results
             raise error

@@ -168,7 +168,7 @@ def test_the_water_carries_a_ship_and_without_it_a_ship_falls():
     falls = ["gravity acts and nothing carries ship: it falls"]
     paper = kingpost.load("paper", {"simulation.duration_s": 0.001}, gravity=True, hold_centre=False)
     assert paper.model["warnings"] == falls
-    assert json.loads(kingpost.run(paper).attrs["warnings"]) == falls
+    assert json.loads(kingpost.run(paper).attrs["model_warnings"]) == falls
     assert kingpost.load("barge").model["warnings"] == []
 
 

@@ -2,56 +2,19 @@
 //!
 //! Those of the model and of the ledger stand in one table; those of the elements are what their [`Layout`] says.
 
+mod channels;
 mod loops;
 
-use crate::elements::{Components, Frame as ComponentFrame, Layout, Output, WRENCH};
+pub use channels::{Channel, Channels};
+use channels::{column_by, common, short_name};
+
+use crate::elements::{Components, Frame as ComponentFrame, WRENCH};
 use crate::ledger;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::plant::Observation;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Quaternion, Twist, Vector3, Wrench, roll_pitch_yaw};
 use core::marker::PhantomData;
-use indexmap::IndexMap;
-use serde::Serialize;
-
-/// One result variable of a model, with its place in a row.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Channel {
-    /// Name in a data set.
-    pub variable: &'static str,
-    /// What it is, as short as the axis of a plot needs it.
-    pub long_name: String,
-    /// What it is.
-    pub description: &'static str,
-    /// SI unit of all its columns; absent where they differ.
-    pub unit: Option<&'static str>,
-    /// SI unit of each column.
-    pub units: Vec<&'static str>,
-    /// Frame of the components.
-    pub frame: ComponentFrame,
-    /// Names of the dimensions, slowest first.
-    pub dims: Vec<&'static str>,
-    /// Labels along each dimension.
-    pub labels: Vec<Vec<String>>,
-    /// How a column is named by its labels: `{body}.angular_velocity.{axis}`.
-    pub column: String,
-    /// Names of its columns in a flat table: `ship.angular_velocity.x`.
-    pub columns: Vec<String>,
-    /// First entry in a row.
-    pub offset: usize,
-    /// Number of entries.
-    pub len: usize,
-}
-
-/// The channels of a model and its elements, in the order of a row.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Channels {
-    /// One after another.
-    pub list: Vec<Channel>,
-    /// Place in a row of each number that the elements write.
-    places: Vec<usize>,
-}
 
 /// Everything that a row is computed from.
 pub struct Sample<'a, S = f64> {
@@ -169,107 +132,6 @@ impl<S: Scalar> Table<S> {
         Entry { variable: "momentum_scale", description: "angular momentum in play, beside whose largest value so far the momentum error counts: the root of the squares of that of all and of each body's about its own centre",
             unit: Plain("N m s"), frame: Number, dims: &[], write: |x, out| out.push(momentum_scale(x)) },
     ];
-}
-
-impl Channels {
-    /// Of a model and what its elements show: the model's channels, those of the elements, the ledger's.
-    pub fn new<S: Scalar>(model: &Model<S>, layout: &Layout) -> Self {
-        let mut channels = Self { list: Vec::new(), places: Vec::new() };
-        Table::OF_MODEL.iter().for_each(|entry| channels.push(entry.channel(model)));
-        channels.push_outputs(layout);
-        Table::<S>::OF_LEDGER.iter().for_each(|entry| channels.push(entry.channel(model)));
-        channels
-    }
-
-    /// Entries in a row.
-    pub fn columns(&self) -> usize {
-        self.list.last().map_or(0, |channel| channel.offset + channel.len)
-    }
-
-    fn push(&mut self, channel: Channel) {
-        let offset = self.columns();
-        // A model without loops, say, has no channel of them.
-        if channel.len > 0 {
-            self.list.push(Channel { offset, ..channel });
-        }
-    }
-
-    /// Outputs of one variable stand side by side, in the order of their elements.
-    fn push_outputs(&mut self, layout: &Layout) {
-        let mut by_variable: IndexMap<&str, Vec<(usize, &Output)>> = IndexMap::new();
-        let mut written = 0;
-        for (_, output) in &layout.outputs {
-            by_variable.entry(output.variable).or_default().push((written, output));
-            written += output.len();
-        }
-        self.places = vec![0; written];
-        for outputs in by_variable.into_values() {
-            let mut place = self.columns();
-            for (first, output) in &outputs {
-                for k in 0..output.len() {
-                    self.places[first + k] = place + k;
-                }
-                place += output.len();
-            }
-            let outputs: Vec<&Output> = outputs.into_iter().map(|(_, output)| output).collect();
-            self.push(channel_of(&outputs));
-        }
-    }
-
-    /// Appends one row.
-    pub fn write_row<S: Scalar>(&self, sample: &Sample<'_, S>, out: &mut Vec<S>) {
-        let first = out.len();
-        Table::OF_MODEL.iter().for_each(|entry| (entry.write)(sample, out));
-        let outputs = sample.observed.outputs;
-        out.resize(out.len() + outputs.len(), S::ZERO);
-        for (place, value) in self.places.iter().zip(outputs) {
-            out[first + place] = *value;
-        }
-        Table::OF_LEDGER.iter().for_each(|entry| (entry.write)(sample, out));
-    }
-}
-
-/// One channel of the outputs of one variable.
-fn channel_of(outputs: &[&Output]) -> Channel {
-    let one = outputs[0];
-    let things: Vec<String> = outputs.iter().flat_map(|output| output.labels.clone()).collect();
-    let components = one.components.labels().map(|labels| labels.iter().map(|label| (*label).to_owned()).collect());
-    let columns: Vec<String> = outputs.iter().flat_map(|output| output.columns()).collect();
-    let units: Vec<&'static str> = one.units.iter().copied().cycle().take(columns.len()).collect();
-    let dims: Vec<&'static str> = [Some(one.dimension), one.components.dimension()].into_iter().flatten().collect();
-    Channel {
-        variable: one.variable,
-        long_name: short_name(one.description),
-        description: one.description,
-        unit: common(&units),
-        len: units.len(),
-        units,
-        frame: one.frame,
-        column: column_by(one.variable, &dims, true),
-        dims,
-        labels: [Some(things), components].into_iter().flatten().collect(),
-        columns,
-        offset: 0,
-    }
-}
-
-/// How a column is named by its labels: that of a thing leads the variable.
-fn column_by(variable: &str, dims: &[&str], thing_leads: bool) -> String {
-    let mut parts: Vec<String> = dims.iter().map(|dim| format!("{{{dim}}}")).collect();
-    parts.insert(usize::from(thing_leads && !dims.is_empty()), variable.to_owned());
-    parts.join(".")
-}
-
-/// The unit that all columns have.
-fn common(units: &[&'static str]) -> Option<&'static str> {
-    let (first, rest) = units.split_first()?;
-    rest.iter().all(|unit| unit == first).then_some(*first)
-}
-
-/// The first words of a description, for the axis of a plot.
-fn short_name(description: &str) -> String {
-    let ends = [",", ";", ":", " at its ", " where the hull "].into_iter().filter_map(|end| description.find(end));
-    description[..ends.min().unwrap_or(description.len())].to_owned()
 }
 
 impl<S: Scalar> Entry<S> {

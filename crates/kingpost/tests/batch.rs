@@ -113,14 +113,16 @@ fn runs_with_closed_loops_and_cylinders_have_the_bits_that_they_have_alone() {
     }
 }
 
-/// Both pulses change their form at 0.04, 0.12, 0.20 and 0.24 s: one holds, the other reverses.
+/// Both change their form at 0.04, 0.12, 0.20 and 0.24 s: one holds before it reverses, the other does not.
 #[test]
 fn histories_with_the_same_edges_do_not_go_side_by_side() {
-    let pulse = |hold: f64, reverse: f64| {
-        let times = json!({"rise_s": 0.04, "hold_s": hold, "reverse_s": reverse});
-        variant(&[("torque_history", json!("pulse")), ("drives.motor_1.motor.pulse", times)])
+    let with = |history: &str, name: &str, times: Value| {
+        variant(&[("drives.motor_1.motor.history", json!(history)), (name, times)])
     };
-    let variants = [pulse(0.08, 0.0), pulse(0.0, 0.08)];
+    let (pulse, list) = ("drives.motor_1.motor.pulse", "drives.motor_1.motor.list");
+    let points = json!({"time_s": [0, 0.04, 0.12, 0.2, 0.24], "share": [0, 1, 1, -1, 0]});
+    let variants =
+        [with("list", list, points), with("pulse", pulse, json!({"rise_s": 0.04, "hold_s": 0.0, "reverse_s": 0.08}))];
     let batch = batch::run(TEXT, "paper.yaml", &Files::default(), &variants, 1, |_| true).expect("the variants build");
     for (run, variant) in batch.runs.iter().zip(&variants) {
         assert!(bits(run) == bits(&alone(variant)));

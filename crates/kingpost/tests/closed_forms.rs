@@ -35,7 +35,7 @@ fn simulation(
         form: Form::Recursive,
     };
     elements.extend(drives);
-    Simulation::new(Setup { model: Model::new(bodies), world: World::calm(), elements, settings, q, v })
+    Simulation::new(Setup { model: Model::new(bodies), world: World::calm(), elements, settings, q, v, fingerprint: 0 })
 }
 
 fn hinge(axis: [f64; 3], to_child: [f64; 3]) -> JointKind {
@@ -158,7 +158,7 @@ fn a_servo_holds_an_arm_up_with_the_droop_of_its_stiffness() {
 #[test]
 fn a_prescribed_joint_follows_its_rate_and_its_drive_does_the_work() {
     // A hinge on a slide: the prescribed slew shakes the slide, and what it takes is accounted for.
-    let pulse = Profile::pulse(Pulse { rise_s: 0.2, hold_s: 0.3, reverse_s: 0.0 });
+    let pulse = Profile::pulse(Pulse { start_s: 0.0, rise_s: 0.2, hold_s: 0.3, reverse_s: 0.0 });
     let motion = PrescribedMotion { coordinate: 1, rate: 2.0, profile: pulse };
     let mut arm = body("arm", Some(0), hinge([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), 3.0, [0.5; 3]);
     arm.joint.mode = Mode::Prescribed;

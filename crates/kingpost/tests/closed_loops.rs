@@ -267,3 +267,58 @@ loops:
         assert!(run.rows.len() > 200 * run.columns && run.rows.iter().all(|value| value.is_finite()));
     }
 }
+
+/// A crank of 1 m and a rod of 2 m, whose slider a spring and its speed move along x; dead centre is at 3 m.
+fn slider_crank(integrator: &str, step_s: f64, slider: &str, rest: &str) -> String {
+    // Crank and rod at the angles of a triangle of 1, 2 and 2.99 m.
+    let extension = 2.99_f64;
+    let crank = ((extension * extension - 3.0) / (2.0 * extension)).acos();
+    let rod = -(crank.sin() / 2.0).asin() - crank;
+    format!(
+        "
+version: 1
+title: Slider and crank
+simulation: {{integrator: {integrator}, step_s: {step_s}, duration_s: 5, dormand_prince: {{largest_step_s: {step_s}}}}}
+bodies:
+  crank: {{mass_kg: 1, shape: {{box: {{length_m: 1, width_m: 0.1, height_m: 0.1}}}}, joint: {{revolute: {{axis: [0, -1, 0], child_position_m: [-0.5, 0, 0], initial_angle_rad: {crank}}}}}}}
+  rod:
+    parent: crank
+    mass_kg: 2
+    shape: {{box: {{length_m: 2, width_m: 0.1, height_m: 0.1}}}}
+    joint: {{revolute: {{axis: [0, -1, 0], position_m: [0.5, 0, 0], child_position_m: [-1, 0, 0], initial_angle_rad: {rod}}}}}
+  slider: {{mass_kg: 3, shape: {{point: {{}}}}, joint: {{prismatic: {{axis: [1, 0, 0], initial_extension_m: {extension}, {slider}}}}}}}
+loops:
+  pin: {{first: {{body: slider}}, second: {{body: rod, position_m: [1, 0, 0]}}, constraints: [x, z]}}
+{rest}
+"
+    )
+}
+
+/// Everything that the next step depends on is in the state: after a run that ended at a dead centre each way back
+/// gives the bits of a simulation that has not been there.
+#[test]
+fn a_dead_centre_leaves_nothing_behind_in_a_simulation_that_is_put_back() {
+    for integrator in common::INTEGRATORS {
+        let text = slider_crank(integrator, 0.005, "mode: {prescribed: {speed_m_s: 0.5}}", "");
+        let mut fresh = simulation(&text);
+        let start = fresh.state().clone();
+        let mut back = fresh.clone();
+        let snapshot = back.snapshot();
+        assert!(back.step(100).is_err(), "{integrator}: there is a dead centre 0.02 s ahead");
+        fresh.step(2).expect("two steps before it");
+        let ways: [(&str, fn(&mut kingpost::Simulation, &kingpost::state::State, &[u8])); 3] = [
+            ("reset", |simulation, _, _| simulation.reset()),
+            ("restore", |simulation, _, snapshot| simulation.restore(snapshot).expect("its own")),
+            ("set_state", |simulation, state, _| {
+                simulation.reset();
+                simulation.set_state(&state.q, &state.v, Some(&state.s)).expect("its own");
+            }),
+        ];
+        for (way, put_back) in ways {
+            put_back(&mut back, &start, &snapshot);
+            back.step(2).unwrap_or_else(|error| panic!("{integrator}: {way}: {error}"));
+            assert_eq!(back.state().q, fresh.state().q, "{integrator}: {way}");
+            assert!(back.step(100).is_err());
+        }
+    }
+}

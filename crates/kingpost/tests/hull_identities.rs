@@ -112,6 +112,30 @@ proptest! {
         prop_assert!(distance(&differences, &expected) < 2.0 * h * 1e-5 * scale(), "{differences:?} {expected:?}");
     }
 
+    /// The swell is at most 1 m high: what is above need not be asked for, unless a neighbour may be wet.
+    #[test]
+    fn a_vertex_among_dry_ones_costs_nothing_and_the_sum_stays_the_plain_one((turn, height) in any_pose()) {
+        let (mesh, pose) = (skew_ship(), place(turn, height));
+        let plain = WettedHull::new(&mesh).pressure_wrench(&mesh, &pose, SPECIFIC_WEIGHT, swell);
+        let (mut wetted, mut asked) = (WettedHull::new(&mesh), Vec::new());
+        let counted = |point: Vector3| {
+            asked.push(point);
+            swell(point)
+        };
+        let bounded = wetted.pressure_wrench_below(&mesh, &pose, SPECIFIC_WEIGHT, 1.0, counted);
+        prop_assert_eq!(plain, bounded);
+
+        let in_world: Vec<Vector3> = mesh.vertices().iter().map(|r| pose.point(*r)).collect();
+        let low = |vertex: u32| in_world[vertex as usize][2] <= 1.0;
+        let counts = |vertex: usize| {
+            let of_vertex = |corners: &[u32; 3]| corners.contains(&(vertex as u32));
+            low(vertex as u32) || mesh.triangles().filter(of_vertex).any(|corners| corners.into_iter().any(low))
+        };
+        let most: Vec<Vector3> = (0..in_world.len()).filter(|vertex| counts(*vertex)).map(|i| in_world[i]).collect();
+        prop_assert!(asked.len() <= most.len(), "{} {}", asked.len(), most.len());
+        prop_assert!(asked.iter().all(|point| most.contains(point)));
+    }
+
     #[test]
     fn every_lane_has_the_bits_that_it_would_have_alone(poses in prop::array::uniform4(any_pose()), alike: bool) {
         let mesh = skew_ship();
@@ -127,7 +151,7 @@ proptest! {
         };
         let mut of_lanes = WettedHull::new(&mesh);
         let weight = Lanes::constant(SPECIFIC_WEIGHT);
-        let wave = of_lanes.pressure_wrench(&mesh, &together, weight, swell);
+        let wave = of_lanes.pressure_wrench_below(&mesh, &together, weight, Lanes::ONE, swell);
         let buoyancy = of_lanes.buoyancy(&mesh, &FloatingPosition::of(&together));
         for (k, pose) in poses.iter().enumerate() {
             let mut alone = WettedHull::new(&mesh);
@@ -184,6 +208,14 @@ fn a_pose_that_is_not_finite_gives_no_finite_wrench() {
         let pose = Frame::translation(Vector3::new(0.0, 0.0, height));
         assert!(wetted.pressure_wrench(&mesh, &pose, SPECIFIC_WEIGHT, still).force[0].is_nan());
     }
+}
+
+#[test]
+fn of_a_hull_above_all_waves_no_vertex_is_asked_for() {
+    let (mesh, pose) = (skew_ship(), place([0.0; 3], 60.0));
+    let nowhere = |_| -> LocalWater { panic!("the hull is dry") };
+    let wrench = WettedHull::new(&mesh).pressure_wrench_below(&mesh, &pose, SPECIFIC_WEIGHT, 1.0, nowhere);
+    assert_eq!(wrench, Wrench::zero());
 }
 
 /// The heading and the place on the sea do not matter, and the frame in which a hull is drawn does

@@ -304,3 +304,65 @@ fn lines_hold_loads_and_what_they_carry_is_told() {
     let told = lifted.warnings.iter().any(|words| words.contains("what else carries or pulls it is not in KG, GM"));
     assert!(told && lifted.hulls[0].displacement_kg < 0.999 * lifted.hulls[0].mass_kg, "{lifted:?}");
 }
+
+/// The barge with its load on a line that stretches by W L0 / EA, a thousandth of its length, to that of the pendant.
+fn on_line() -> String {
+    let joint = "{universal: {first_axis: [1, 0, 0], second_axis: [0, 1, 0], position_m: [0, 0, 2], child_position_m: [0, 0, 1.5]}}";
+    assert!(TEXT.contains(joint));
+    TEXT.replace("    parent: mast\n", "").replace(joint, "{floating: {initial: {position_m: [0, 0, 7.5]}}}")
+        + &format!(
+            "  rope: {{spring_line: {{first: {{body: mast, position_m: [0, 0, 2]}}, second: {{body: load}}, \
+             unstretched_length_m: {}, axial_stiffness_N: {}}}}}\n",
+            PENDANT / 1.001,
+            10e6 * common::barge::GRAVITY
+        )
+}
+
+/// The same load, by the same length below the same point, once on its joint and once on a line: GM and the
+/// mass afloat are the same, and nothing else carries the ship.
+#[test]
+fn a_load_on_a_line_takes_of_the_metacentric_height_what_one_on_a_pendulum_takes() {
+    let on_joint = afloat(&[]);
+    let text = on_line();
+    let pairs = [(MAST.to_owned(), json!([0.0, 0.0, 7.0]))];
+    let scenario = read_with(&text, "barge.yaml", &pairs, &files()).unwrap_or_else(|error| panic!("{error}"));
+    let report = scenario.hydrostatic_report().expect("it floats");
+    assert_eq!(report.warnings, Vec::<String>::new());
+    let hull = &report.hulls[0];
+    near(hull.mass_kg, on_joint.mass_kg, 1e-6);
+    assert_eq!(hull.hanging.len(), 1);
+    let load = &hull.hanging[0];
+    assert_eq!((load.joint.as_str(), load.body.as_str(), load.mass_kg), ("rope", "load", 10e3));
+    near(load.length_m, PENDANT, 1e-8);
+    for k in [0, 1] {
+        near(hull.metacentric_height_m[k], on_joint.metacentric_height_m[k], 1e-8);
+        near(hull.fluid_keel_to_gravity_m[k], on_joint.fluid_keel_to_gravity_m[k], 1e-8);
+    }
+}
+
+/// A load on a line with a hull of its own, heavier than what that displaces, is no ship that sinks.
+#[test]
+fn a_load_with_a_hull_of_its_own_that_cannot_float_is_a_warning() {
+    let wet = json!({"hydrodynamics": {
+        "body": "load", "database": "barge.hydro.json", "hydrostatics": "mesh", "added_mass": false,
+        "radiation": false, "excitation": false,
+    }});
+    let pairs = [("forces.wet".to_owned(), wet), ("mass".to_owned(), json!(1.2e6))];
+    let scenario = read_with(&on_line(), "barge.yaml", &pairs, &files()).unwrap_or_else(|error| panic!("{error}"));
+    let report = scenario.hydrostatic_report().expect("a scenario that runs is described");
+    let told = report.warnings.iter().find(|words| words.contains("does not float by itself"));
+    assert!(told.is_some_and(|words| words.starts_with("no hydrostatics of load")), "{report:?}");
+}
+
+/// What a run rests by: under linear hydrostatics the heel is theirs, and the curve of the mesh has another.
+#[test]
+fn the_report_says_whether_the_run_rests_by_the_mesh() {
+    for (hydrostatics, by_mesh) in [("linear", false), ("mesh", true)] {
+        let overrides = [(HYDROSTATICS, json!(hydrostatics)), ("shift_m", json!(4.0))];
+        let hull = report(&overrides).hulls.remove(0);
+        assert_eq!(hull.rests_by_mesh, by_mesh);
+        let of_curve = hull.righting_arm.and_then(|curve| curve.equilibrium_rad).expect("it rests");
+        let apart = (hull.heel_rad.abs() - of_curve).abs();
+        assert_eq!(apart < 1e-7, by_mesh, "{hydrostatics}: {apart}");
+    }
+}

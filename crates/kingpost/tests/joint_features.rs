@@ -34,7 +34,15 @@ fn slide(mode: Mode, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
         rate_limit: 1e4,
         form: Form::Recursive,
     };
-    Setup { model: Model::new(vec![body]), world: World::calm(), elements, settings, q: vec![q], v: vec![v] }
+    Setup {
+        model: Model::new(vec![body]),
+        world: World::calm(),
+        elements,
+        settings,
+        q: vec![q],
+        v: vec![v],
+        fingerprint: 0,
+    }
 }
 
 /// Steps on by a time and checks that energy and heat are accounted for to `tolerance`, J.
@@ -143,7 +151,7 @@ fn a_rotor_behind_a_gear_is_accelerated_with_the_mass() {
 
 #[test]
 fn the_drive_of_a_prescribed_motion_turns_the_rotor_too() {
-    let pulse = Pulse { rise_s: 0.2, hold_s: 5.0, reverse_s: 0.0 };
+    let pulse = Pulse { start_s: 0.0, rise_s: 0.2, hold_s: 5.0, reverse_s: 0.0 };
     let motion = PrescribedMotion { coordinate: 0, rate: 1.5, profile: Profile::pulse(pulse) };
     for form in [Form::Recursive, Form::MovingFrame(kingpost::dynamics::moving_frame::Variation::Restricted)] {
         let mut setup = geared(Mode::Prescribed, vec![Box::new(motion.clone())]);

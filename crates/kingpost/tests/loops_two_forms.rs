@@ -42,7 +42,7 @@ impl Case {
             case.solver.begin();
             case.accelerate();
             // Far from dependent ones too, so that rounding stays small beside the tolerance.
-            if case.solver.lowest_pivots().iter().all(|pivot| *pivot > 1e-4) {
+            if case.solver.factor().pivots().iter().all(|pivot| *pivot > 1e-4) {
                 return case;
             }
         }

@@ -61,7 +61,7 @@ fn a_misspelt_unit_alias_gets_the_nearest_one() {
     let fields = "one of enabled, parent, mass_kg, colour, shape, inertia, flexible, centre_of_mass_m, joint, points";
     let error = format!("bodies.ship.mas_t: found an unknown field, allowed: {fields}; did you mean mass_t?");
     refuses(MASS, "mas_t: 10", "mas_t", &error);
-    let fields = "one of enabled, joint, torque_N_m, history, pulse";
+    let fields = "one of enabled, joint, torque_N_m, history, pulse, list";
     let error = format!(
         "drives.motor_1.motor.torque_kNm: found an unknown field, allowed: {fields}; did you mean torque_kN_m?"
     );

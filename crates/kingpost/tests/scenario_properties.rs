@@ -33,7 +33,7 @@ bodies:
     parent: post
     mass_kg: 7
     shape: {cylinder: {radius_m: 0.1, length_m: 2}}
-    joint: {revolute: {axis: [1, 0, 0], mode: held, initial_angle_rad: 0.1}}
+    joint: {revolute: {axis: [1, 0, 0], mode: {travel: {angle_deg: 5, start_s: 1, duration_s: 4, ramp_s: 1}}, initial_angle_rad: 0.1}}
   hook: {parent: boom, mass_kg: 1, shape: {point: {}}, joint: {fixed: {orientation_rad: [0.1, 0.2, 0.3]}}}
   crate:
     parent: hull
@@ -134,6 +134,7 @@ fn sign(path: &str) -> Option<bool> {
         "mass_kg",
         "step_s",
         "duration_s",
+        "ramp_s",
         "record_every_s",
         "rate_limit",
         "radius_m",
@@ -156,6 +157,7 @@ fn sign(path: &str) -> Option<bool> {
         "angular_N",
         "moments",
         "radii_m",
+        "start_s",
         "rise_s",
         "hold_s",
         "reverse_s",
@@ -166,11 +168,12 @@ fn sign(path: &str) -> Option<bool> {
         "relative_tolerance",
     ];
     let is_stop = path.contains(".limits.stiffness");
+    let is_rise_of_rate = path.contains("prescribed.pulse.rise_s");
     let is_friction =
         ["friction.torque", "friction.force", "brake.torque", "brake.force"].iter().any(|p| path.contains(p));
     if is_friction {
         Some(false)
-    } else if is_stop || positive.contains(&name) {
+    } else if is_stop || is_rise_of_rate || positive.contains(&name) {
         Some(true)
     } else {
         non_negative.iter().any(|start| name.starts_with(start)).then_some(false)
@@ -198,8 +201,8 @@ fn every_number_refuses_a_value_outside_its_range_and_says_so() {
         match sign(&path) {
             Some(positive) => {
                 assert!(refused(-1.5), "{path}");
-                // A seed is a whole number, and a prescribed rate may not jump: both refuse 0.0 in other words.
-                let other = path.ends_with("seed") || path.ends_with("prescribed.pulse.rise_s");
+                // A seed is a whole number, and refuses 0.0 in other words.
+                let other = path.ends_with("seed");
                 assert!(other || refused(0.0) == positive, "{path}");
             }
             None => assert!(!refused(-1.5) && !refused(0.0), "{path}"),

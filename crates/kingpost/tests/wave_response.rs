@@ -131,7 +131,8 @@ fn begin_on(simulation: &mut Simulation, found: &WaveResponse, amplitude: f64) {
         (xi[i], v[i]) = (now[k], now[n + k]);
     }
     let mut s = simulation.state().s.clone();
-    s[ledger::COUNT..].copy_from_slice(&now[2 * n..]);
+    // Beside what they are at rest.
+    s[ledger::COUNT..].iter_mut().zip(&now[2 * n..]).for_each(|(s, now)| *s += now);
     let q = simulation.moved(&simulation.state().q, &xi);
     simulation.set_state(&q, &v, Some(&s)).expect("a state");
 }

@@ -352,6 +352,9 @@ export type RevoluteJoint = {
     | "held"
     | {
         prescribed: PrescribedRate;
+      }
+    | {
+        travel: AngleTravel;
       };
 };
 /**
@@ -456,11 +459,43 @@ export type PrescribedRate = {
   /**
    * How the rate goes with time.
    */
-  history?: "constant" | "pulse" | "lever";
+  history?: "constant" | "pulse" | "list" | "lever";
   /**
    * The times of the history `pulse`.
    */
-  pulse?: Pulse | null;
+  pulse?: RatePulse | null;
+  /**
+   * The times and shares of the history `list`; a rate cannot jump.
+   */
+  list?: HistoryList | null;
+};
+/**
+ * Turning by an angle, from rest to rest: the rate goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
+ * ramps it is `angle / (duration_s - ramp_s)`.
+ */
+export type AngleTravel = {
+  [k: string]: unknown;
+} & {
+  /**
+   * How far it turns, positive about the axis, rad.
+   */
+  angle_rad?: number;
+  /**
+   * The same as `angle_rad`, in the unit of this name.
+   */
+  angle_deg?: number;
+  /**
+   * When it begins, s.
+   */
+  start_s?: number;
+  /**
+   * From rest to rest, both ramps included, s.
+   */
+  duration_s: number;
+  /**
+   * Length of a ramp, s; at most half of the duration.
+   */
+  ramp_s: number;
 };
 /**
  * A slide.
@@ -553,6 +588,9 @@ export type PrismaticJoint = {
     | "held"
     | {
         prescribed: PrescribedSpeed;
+      }
+    | {
+        travel: LengthTravel;
       };
 };
 /**
@@ -694,6 +732,9 @@ export type AngleAxis = {
     | "held"
     | {
         prescribed: PrescribedRate;
+      }
+    | {
+        travel: AngleTravel;
       };
   /**
    * Viscous damping moment per rate, N m s.
@@ -748,6 +789,9 @@ export type LengthAxis = {
     | "held"
     | {
         prescribed: PrescribedSpeed;
+      }
+    | {
+        travel: LengthTravel;
       };
   /**
    * Viscous damping force per speed, N s/m.
@@ -864,6 +908,9 @@ export type AngleAxis1 = {
     | "held"
     | {
         prescribed: PrescribedRate;
+      }
+    | {
+        travel: AngleTravel;
       };
   /**
    * Viscous damping moment per rate, N m s.
@@ -926,6 +973,9 @@ export type AngleAxis2 = {
     | "held"
     | {
         prescribed: PrescribedRate;
+      }
+    | {
+        travel: AngleTravel;
       };
   /**
    * Viscous damping moment per rate, N m s.
@@ -1036,6 +1086,9 @@ export type LengthAxis1 = {
     | "held"
     | {
         prescribed: PrescribedSpeed;
+      }
+    | {
+        travel: LengthTravel;
       };
   /**
    * Viscous damping force per speed, N s/m.
@@ -1090,6 +1143,9 @@ export type LengthAxis2 = {
     | "held"
     | {
         prescribed: PrescribedSpeed;
+      }
+    | {
+        travel: LengthTravel;
       };
   /**
    * Viscous damping force per speed, N s/m.
@@ -1152,6 +1208,9 @@ export type AngleAxis3 = {
     | "held"
     | {
         prescribed: PrescribedRate;
+      }
+    | {
+        travel: AngleTravel;
       };
   /**
    * Viscous damping moment per rate, N m s.
@@ -2483,11 +2542,15 @@ export type Motor = {
   /**
    * How the torque goes with time.
    */
-  history?: "constant" | "pulse" | "lever";
+  history?: "constant" | "pulse" | "list" | "lever";
   /**
    * The times of the history `pulse`.
    */
   pulse?: Pulse | null;
+  /**
+   * The times and shares of the history `list`.
+   */
+  list?: HistoryList | null;
 };
 /**
  * A force in a prismatic joint; the reaction acts on the parent.
@@ -2514,11 +2577,15 @@ export type LinearMotor = {
   /**
    * How the force goes with time.
    */
-  history?: "constant" | "pulse" | "lever";
+  history?: "constant" | "pulse" | "list" | "lever";
   /**
    * The times of the history `pulse`.
    */
   pulse?: Pulse | null;
+  /**
+   * The times and shares of the history `list`.
+   */
+  list?: HistoryList | null;
 };
 /**
  * A torque `stiffness (target - angle) - damping rate` in a revolute joint, clipped at the torque limit.
@@ -3096,22 +3163,42 @@ export interface FloatingJoint {
   initial?: InitialMotion;
 }
 /**
- * Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, from T to -T in twice `rise_s`, -T for
- * `reverse_s`, back to 0 in `rise_s`, and 0 from then on.
+ * Times of a pulse of a prescribed rate R, which cannot jump: from 0 to R in `rise_s`, R for `hold_s`, back to 0 in
+ * `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back to 0.
+ * Without a reverse the way is `R (rise_s + hold_s)`.
  */
-export interface Pulse {
+export interface RatePulse {
   /**
-   * Length of the ramp from 0 to full strength, s; 0 is a jump.
+   * When it begins, s.
+   */
+  start_s?: number;
+  /**
+   * Length of the ramp from 0 to the full rate, s.
    */
   rise_s: number;
   /**
-   * Time at full strength, s.
+   * Time at the full rate, s.
    */
   hold_s: number;
   /**
-   * Time at full strength the other way, s.
+   * Time at the full rate the other way, s; 0 is a pulse that does not reverse.
    */
-  reverse_s: number;
+  reverse_s?: number;
+}
+/**
+ * Shares of the full strength at given times, and straight lines between them: none before the first time, the last
+ * share after the last.
+ */
+export interface HistoryList {
+  /**
+   * Times, s, none before the one in front of it. The same time twice is a jump, which a motor may make and a
+   * prescribed rate may not.
+   */
+  time_s: number[];
+  /**
+   * The share at each time: 1 is full, -1 full the other way.
+   */
+  share: number[];
 }
 /**
  * A speed of sliding as a given function of time.
@@ -3124,11 +3211,37 @@ export interface PrescribedSpeed {
   /**
    * How the speed goes with time.
    */
-  history?: "constant" | "pulse" | "lever";
+  history?: "constant" | "pulse" | "list" | "lever";
   /**
    * The times of the history `pulse`.
    */
-  pulse?: Pulse | null;
+  pulse?: RatePulse | null;
+  /**
+   * The times and shares of the history `list`; a rate cannot jump.
+   */
+  list?: HistoryList | null;
+}
+/**
+ * Sliding by a length, from rest to rest: the speed goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
+ * ramps it is `length / (duration_s - ramp_s)`.
+ */
+export interface LengthTravel {
+  /**
+   * How far it slides, positive along the axis, m.
+   */
+  length_m: number;
+  /**
+   * When it begins, s.
+   */
+  start_s?: number;
+  /**
+   * From rest to rest, both ramps included, s.
+   */
+  duration_s: number;
+  /**
+   * Length of a ramp, s; at most half of the duration.
+   */
+  ramp_s: number;
 }
 /**
  * A named point of a body.
@@ -3540,6 +3653,28 @@ export interface WaveFilter {
    * Its damping ratio.
    */
   cutoff_damping_ratio?: number;
+}
+/**
+ * Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on;
+ * with a `reverse_s` from T to -T in twice `rise_s`, -T for `reverse_s`, and then back to 0.
+ */
+export interface Pulse {
+  /**
+   * When it begins, s.
+   */
+  start_s?: number;
+  /**
+   * Length of the ramp from 0 to full strength, s; 0 is a jump.
+   */
+  rise_s: number;
+  /**
+   * Time at full strength, s.
+   */
+  hold_s: number;
+  /**
+   * Time at full strength the other way, s; 0 is a pulse that does not reverse.
+   */
+  reverse_s?: number;
 }
 /**
  * Pin on one body.

@@ -5,20 +5,18 @@
 //! whatever stands beside it and whatever the number of threads.
 
 mod side_by_side;
-mod structure;
 
 use crate::elements::Layout;
 use crate::plant::Form;
 use crate::results::{Channel, Channels};
 use crate::scalar::LANES;
-use crate::scenario::{Files, Scenario, ScenarioError, read_with};
+use crate::scenario::read::read_and_build;
+use crate::scenario::{Files, Scenario, ScenarioError, side_by_side};
 use crate::simulation::{Run, SchemeName, Setup, Simulation};
 use core::sync::atomic::{AtomicUsize, Ordering};
 use indexmap::IndexMap;
 use rayon::prelude::*;
 use serde_json::Value;
-
-use structure::Structure;
 use thiserror::Error;
 
 /// What is set over the scenario in one run: names of parameters or paths of fields, in order.
@@ -106,7 +104,8 @@ pub fn run(
 struct Member {
     scenario: Scenario,
     setup: Setup,
-    structure: Structure,
+    /// The scenario without its continuous numbers: see [`Scenario::structure`].
+    structure: String,
 }
 
 impl Member {
@@ -116,16 +115,15 @@ impl Member {
 
     /// The run by itself.
     fn simulation(&self) -> Simulation {
-        self.scenario.simulation().unwrap_or_else(|_| Simulation::new(self.setup.clone()))
+        self.scenario.simulation_of(self.setup.clone()).unwrap_or_else(|_| Simulation::new(self.setup.clone()))
     }
 }
 
 fn members(text: &str, file: &str, files: &Files, variants: &[Variant]) -> Result<Vec<Member>, BatchError> {
     let member = |(run, variant): (usize, &Variant)| {
         let wrong = |error| BatchError::Variant { run, error };
-        let scenario = read_with(text, file, variant, files).map_err(wrong)?;
-        let setup = scenario.setup().map_err(wrong)?;
-        let structure = Structure::of(&setup);
+        let (scenario, setup) = read_and_build(text, file, variant, files).map_err(wrong)?;
+        let structure = scenario.structure();
         Ok(Member { scenario, setup, structure })
     };
     let members: Vec<Member> = variants.par_iter().enumerate().map(member).collect::<Result<_, _>>()?;
@@ -139,7 +137,7 @@ fn members(text: &str, file: &str, files: &Files, variants: &[Variant]) -> Resul
 
 /// Runs that go side by side: of one structure, as many as there are lanes.
 fn groups(members: &[Member]) -> Vec<Vec<usize>> {
-    let mut by_structure: IndexMap<&Structure, Vec<usize>> = IndexMap::new();
+    let mut by_structure: IndexMap<&str, Vec<usize>> = IndexMap::new();
     for (run, member) in members.iter().enumerate() {
         by_structure.entry(&member.structure).or_default().push(run);
     }
@@ -160,7 +158,11 @@ fn run_group(group: &[usize], members: &[Member], go_on: &dyn Fn() -> bool) -> O
     let fits = open && settings.form == Form::Recursive && steps_lanes(settings.scheme);
     if group.len() > 1 && fits {
         let scenarios: Vec<&Scenario> = group.iter().map(|&run| &members[run].scenario).collect();
-        return side_by_side::run(&scenarios, alone, go_on);
+        let setups: Vec<&Setup> = group.iter().map(|&run| &members[run].setup).collect();
+        // Where a number that decides how a run is made up differs, each goes alone.
+        if let Ok(setup) = side_by_side(&scenarios, &setups) {
+            return side_by_side::run(setup, alone, go_on);
+        }
     }
     let finish = |mut simulation: Simulation| {
         let mut stopped = false;

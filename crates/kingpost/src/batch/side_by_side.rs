@@ -1,25 +1,18 @@
 //! Runs of one structure in the lanes of one simulation.
 
-use crate::scalar::{LANES, Lanes};
-use crate::scenario::Scenario;
-use crate::scenario::build::{assemble, reading::Reading};
-use crate::simulation::{Recording, Run, Simulation};
+use crate::scalar::Lanes;
+use crate::simulation::{Recording, Run, Setup, Simulation};
 use crate::state::State;
 
-/// Runs up to [`LANES`] scenarios, each of which has its simulation in `alone`; `None` where
+/// Runs what stands side by side in the lanes of a setup, each of which has its simulation in `alone`; `None` where
 /// `go_on` said no.
 ///
 /// The lanes step together; rows are written by each run's own simulation, which takes over its
 /// lane's state. Where one of them diverges, each goes on alone from its last row.
-pub(super) fn run(scenarios: &[&Scenario], mut alone: Vec<Simulation>, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
-    let lanes = (0..LANES).map(|k| scenarios[k.min(scenarios.len() - 1)]).collect();
+pub(super) fn run(setup: Setup<Lanes>, mut alone: Vec<Simulation>, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
     let mut recording = Recording::new(*alone[0].settings(), alone[0].time_s());
     let mut rows: Vec<Vec<f64>> = vec![Vec::new(); alone.len()];
     write_rows(&mut alone, &mut rows);
-    // Each builds alone, so all do together; were it not so, they would still run one by one.
-    let Ok(setup) = assemble::<Lanes>(&Reading::new(lanes)) else {
-        return one_by_one(alone, rows, &recording, go_on);
-    };
     let mut together = Simulation::recursive(setup);
     while !recording.is_over(together.state().steps) {
         let due = recording.due(together.state().steps);

@@ -1,6 +1,6 @@
 //! One hull at rest in still water.
 
-use super::hanging::{HangingLoad, Restraints, Weight, carried, loads, weight};
+use super::hanging::{HangingLoad, Restraints, Weight, aboard, loads, weight};
 use super::righting::{RightingArmCurve, Side};
 use super::{HullAfloat, HydrostaticsError};
 use crate::dynamics::Kinematics;
@@ -30,6 +30,8 @@ pub(super) struct Floating<'a> {
     pub(super) gravity: f64,
     /// All that are there.
     pub(super) slack_tanks: &'a [&'a SlackTank],
+    /// What keeps loads from swinging.
+    pub(super) restraints: &'a Restraints,
 }
 
 /// What is under water, seen from the hull's origin in its axes.
@@ -53,7 +55,7 @@ impl Floating<'_> {
     }
 
     /// How it floats, if it does, and what a user should know of that.
-    pub(super) fn describe(&self, restraints: &Restraints) -> (Option<HullAfloat>, Vec<String>) {
+    pub(super) fn describe(&self) -> (Option<HullAfloat>, Vec<String>) {
         let (position, mesh) = (self.position(), self.mesh());
         let underwater = match &mesh {
             Some(mesh) => Underwater::of_mesh(mesh, &position),
@@ -66,7 +68,7 @@ impl Floating<'_> {
         let Some(underwater) = underwater else {
             return (None, vec![format!("no hydrostatics of {name}: it rests above the water")]);
         };
-        let hanging = self.hanging(restraints);
+        let hanging = self.hanging();
         let tanks = self.tanks(&hanging);
         let mut afloat = self.heights(&position, &underwater, &hanging, &tanks);
         let mut warnings = self.warnings(&afloat);
@@ -101,7 +103,7 @@ impl Floating<'_> {
     }
 
     pub(super) fn carried_weight(&self) -> Weight {
-        weight(self.model, self.at, &carried(self.model, self.hull.frame.body))
+        weight(self.model, self.at, &aboard(self.model, self.at, self.hull.frame.body, self.restraints))
     }
 
     /// Centre of gravity, the liquid in slack tanks as it lies upright, hull axes, about the data's origin, m.
@@ -109,12 +111,12 @@ impl Floating<'_> {
         self.frame().inverse().point(self.carried_weight().centre)
     }
 
-    fn hanging(&self, restraints: &Restraints) -> Vec<HangingLoad> {
+    fn hanging(&self) -> Vec<HangingLoad> {
         let frame = self.frame();
         let axes = tangents(self.position().vertical).map(|t| frame.rotation * t);
         // The vertical moves across the ship about the axis along it, and the other way round.
         let [across, along] = axes;
-        loads(self.model, self.at, self.hull.frame.body, restraints, [along, across])
+        loads(self.model, self.at, self.hull.frame.body, self.restraints, [along, across])
     }
 
     fn heights(
@@ -153,6 +155,7 @@ impl Floating<'_> {
             free_surfaces,
             righting_arm: None,
             by_mesh: false,
+            rests_by_mesh: matches!(self.hull.hydrostatics, Hydrostatics::Mesh(_)),
         }
     }
 

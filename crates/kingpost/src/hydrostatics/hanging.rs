@@ -1,21 +1,24 @@
-//! Loads that hang freely: to the ship their weight acts where they hang from.
+//! Loads that hang freely, on a joint or a line: to the ship their weight acts where they hang from.
 
 use crate::dynamics::Kinematics;
 use crate::elements::drives::{Brake, Cylinder, Motor, PrescribedMotion, Servo, WaveMotion};
-use crate::elements::{JointSpring, SpringLine, of_kind};
-use crate::model::{Attachment, Mode, Model};
+use crate::elements::{CatenaryLine, Hull, JointSpring, SpringLine, of_kind};
+use crate::model::{Attachment, JointKind, Mode, Model};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
 use serde::Serialize;
 
-/// What hangs on a joint.
+/// What hangs on a joint, or on lines.
 ///
 /// A joint counts where the centre of all that it carries is below it, at least one of its rotations
 /// is free, and no spring, brake, servo or motor acts on that; and where no closed loop, cylinder or
-/// spring line is tied to what it carries.
+/// spring line is tied to what it carries, and it has no hull of its own.
+///
+/// Spring lines count where they end in one point of the ship and carry a body that floats by its joint, and nothing else
+/// holds that: no water, loop, cylinder or other line.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HangingLoad {
-    /// The joint that it hangs from.
+    /// The joint or the line that it hangs from.
     pub joint: String,
     /// The body under the joint.
     pub body: String,
@@ -33,6 +36,12 @@ pub struct HangingLoad {
 pub(super) struct Restraints {
     coordinates: Vec<usize>,
     bodies: Vec<usize>,
+    /// Spring lines by name.
+    lines: Vec<(String, [Attachment; 2])>,
+    /// What loops, cylinders and mooring lines are tied to.
+    tied: Vec<usize>,
+    /// Hulls in the water.
+    wet: Vec<usize>,
 }
 
 impl Restraints {
@@ -47,13 +56,76 @@ impl Restraints {
         let driven = by_motors.chain(by_servos).chain(by_brakes).chain(prescribed).chain(with_waves);
         let loops = setup.model.loops.iter().map(|closed| [&closed.first, &closed.second]);
         let cylinders = of_kind(elements).map(|cylinder: &Cylinder| [&cylinder.first, &cylinder.second]);
-        let lines = of_kind(elements).map(|line: &SpringLine| [&line.first, &line.second]);
-        let ends = loops.chain(cylinders).chain(lines);
+        let lines = of_kind(elements).map(|line: &SpringLine| (line.name.clone(), [line.first, line.second]));
+        let lines: Vec<(String, [Attachment; 2])> = lines.collect();
+        let moored = of_kind(elements).filter_map(|line: &CatenaryLine| line.fairlead.body);
+        let ends = loops.chain(cylinders).flatten().filter_map(|end: &Attachment| end.body);
+        let tied: Vec<usize> = ends.chain(moored).collect();
+        let of_lines = lines.iter().flat_map(|(_, ends)| ends).filter_map(|end| end.body);
         Self {
             coordinates: by_springs.chain(driven).collect(),
-            bodies: ends.flatten().filter_map(|end: &Attachment| end.body).collect(),
+            bodies: tied.iter().copied().chain(of_lines).collect(),
+            wet: of_kind(elements).map(|hull: &Hull| hull.frame.body).collect(),
+            lines,
+            tied,
         }
     }
+
+    /// Whether a hull floats by itself: it hangs on nothing, and carries no other hull; no line or loop ties it to
+    /// another body.
+    pub(super) fn floats_alone(&self, model: &Model, hull: usize) -> bool {
+        let own = carried(model, hull);
+        let is_own = |end: &Attachment| end.body.is_some_and(|body| own.contains(&body));
+        let leads_out = |ends: &[Attachment; 2]| {
+            ends.iter().any(is_own) && ends.iter().any(|end| end.body.is_some() && !is_own(end))
+        };
+        let by_loops = model.loops.iter().any(|closed| leads_out(&[closed.first, closed.second]));
+        let by_lines = self.lines.iter().any(|(_, ends)| leads_out(ends));
+        let with_other_hulls = own.iter().any(|body| *body != hull && self.wet.contains(body));
+        model.tree.nodes[hull].parent.is_none() && !by_loops && !by_lines && !with_other_hulls
+    }
+}
+
+/// What hangs on lines from one point of a ship.
+pub(super) struct OnLine {
+    line: String,
+    bodies: Vec<usize>,
+    /// In the world.
+    point: Vector3,
+}
+
+/// Ends of lines that are closer than this are one point, m.
+const ONE_POINT_M: f64 = 1e-6;
+
+/// The loads that hang on lines from a hull and what its joints carry.
+pub(super) fn on_lines(model: &Model, at: &Kinematics, hull: usize, restraints: &Restraints) -> Vec<OnLine> {
+    let ship = carried(model, hull);
+    let point = |end: &Attachment| end.body.map(|body| at.world[body].point(end.in_body.position));
+    let roots = (0..model.bodies.len()).filter(|&body| model.tree.nodes[body].parent.is_none());
+    roots
+        .filter(|root| !ship.contains(root) && matches!(model.joints[*root].kind, JointKind::Floating(_)))
+        .filter_map(|root| {
+            let bodies = carried(model, root);
+            let has = |end: &Attachment| end.body.is_some_and(|body| bodies.contains(&body));
+            if bodies.iter().any(|body| restraints.tied.contains(body) || restraints.wet.contains(body)) {
+                return None;
+            }
+            let outside =
+                restraints.lines.iter().filter_map(|(name, [first, second])| match [has(first), has(second)] {
+                    [true, false] => Some((name, second)),
+                    [false, true] => Some((name, first)),
+                    _ => None,
+                });
+            let outside: Vec<_> = outside.collect();
+            let from_ship = |end: &Attachment| end.body.is_some_and(|body| ship.contains(&body));
+            let (line, end) = outside.first()?;
+            let first = point(end)?;
+            let together =
+                |end: &Attachment| from_ship(end) && point(end).is_some_and(|p| (p - first).norm() < ONE_POINT_M);
+            let all = outside.iter().all(|(_, end)| together(end));
+            all.then(|| OnLine { line: (*line).clone(), bodies, point: first })
+        })
+        .collect()
 }
 
 /// A weight and its centre in the world.
@@ -94,7 +166,7 @@ pub(super) fn loads(
     let mut hanging: [Vec<usize>; 2] = Default::default();
     for &body in carried(model, hull).iter().skip(1) {
         let below = carried(model, body);
-        if below.iter().any(|body| restraints.bodies.contains(body)) {
+        if below.iter().any(|body| restraints.bodies.contains(body) || restraints.wet.contains(body)) {
             continue;
         }
         let Weight { mass, centre } = weight(model, at, &below);
@@ -114,7 +186,19 @@ pub(super) fn loads(
             found.push(HangingLoad { joint, body, mass_kg: mass, length_m, free_share });
         }
     }
+    found.extend(on_lines(model, at, hull, restraints).into_iter().filter_map(|load| {
+        let Weight { mass, centre } = weight(model, at, &load.bodies);
+        let (body, length_m) = (model.bodies[load.bodies[0]].name.clone(), load.point[2] - centre[2]);
+        let hanging = HangingLoad { joint: load.line, body, mass_kg: mass, length_m, free_share: [1.0; 2] };
+        (length_m > 0.0).then_some(hanging)
+    }));
     found
+}
+
+/// The bodies whose weight a hull carries: by its joints, and on lines.
+pub(super) fn aboard(model: &Model, at: &Kinematics, hull: usize, restraints: &Restraints) -> Vec<usize> {
+    let on_lines = on_lines(model, at, hull, restraints).into_iter().flat_map(|load| load.bodies);
+    carried(model, hull).into_iter().chain(on_lines).collect()
 }
 
 /// Shares below are rounding.

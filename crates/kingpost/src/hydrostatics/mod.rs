@@ -88,6 +88,9 @@ pub struct HullAfloat {
     /// Whether volume, KB and BM are of the mesh as it floats; else they are of the waterplane at the
     /// database's draught, moved along the hull's z.
     pub by_mesh: bool,
+    /// Whether the run's buoyancy, by which it rests so, is the mesh's; else it is linear, and the righting arms, which
+    /// are always the mesh's, rise through zero at a heel of their own.
+    pub rests_by_mesh: bool,
 }
 
 /// Why hulls cannot be described.
@@ -132,10 +135,20 @@ impl Scenario {
         }
         let (model, restraints, gravity) = (setup.model.clone(), Restraints::of(&setup), gravity(&setup.elements));
         let slack_tanks: Vec<&SlackTank> = of_kind(&setup.elements).collect();
-        let slack_tanks = &slack_tanks;
+        let (slack_tanks, restraints) = (&slack_tanks, &restraints);
         let now = kinematics(&model, &simulation.state().q);
+        let mut sunk: Vec<&str> = Vec::new();
         for &(hull, database) in &hulls {
-            Floating { hull, database, model: &model, at: &now, gravity, slack_tanks }.check_capacity()?;
+            let floating = Floating { hull, database, model: &model, at: &now, gravity, slack_tanks, restraints };
+            match floating.check_capacity() {
+                Err(error) if restraints.floats_alone(&model, hull.frame.body) => return Err(error),
+                Err(error) => {
+                    let body = &model.bodies[hull.frame.body].name;
+                    report.warnings.push(format!("no hydrostatics of {body}, which does not float by itself: {error}"));
+                    sunk.push(&hull.name);
+                }
+                Ok(()) => {}
+            }
         }
         let mut simulation = simulation.clone();
         match simulation.settle() {
@@ -149,9 +162,9 @@ impl Scenario {
             }
         }
         let at_rest = kinematics(&model, &simulation.state().q);
-        for (hull, database) in hulls {
-            let floating = Floating { hull, database, model: &model, at: &at_rest, gravity, slack_tanks };
-            let (afloat, mut warnings) = floating.describe(&restraints);
+        for (hull, database) in hulls.into_iter().filter(|(hull, _)| !sunk.contains(&hull.name.as_str())) {
+            let floating = Floating { hull, database, model: &model, at: &at_rest, gravity, slack_tanks, restraints };
+            let (afloat, mut warnings) = floating.describe();
             if let Some(afloat) = afloat.as_ref().filter(|_| self.drifts(&hull.name)) {
                 warnings.extend(floating.drift_warnings(afloat.keel_to_gravity_m));
             }

@@ -154,6 +154,7 @@ impl<S: Scalar> DormandPrince<S> {
         self.s.copy_from_slice(&state.s);
         let State { q, v, s, d, m, .. } = state;
         self.stages.begin(system, Stage { time_s: interval.start_s, interval, q, v, s, d, m });
+        system.accept();
     }
 
     /// The next inner step: tried shorter and shorter until its error is within the tolerances.
@@ -169,8 +170,10 @@ impl<S: Scalar> DormandPrince<S> {
             let error = error(stages, controller.tolerances, h, v);
             if controller.accepts(interval, error)? {
                 *inner = interval;
+                system.accept();
                 return Ok(());
             }
+            system.reject();
         }
     }
 

@@ -73,6 +73,12 @@ pub trait System<S: Scalar = f64> {
     /// are the stage's.
     fn rates(&mut self, at: Stage<'_, S>, v_dot: &mut [S], s_dot: &mut [S]);
 
+    /// The evaluations since the last call belong to the step, whatever trials follow.
+    fn accept(&mut self) {}
+
+    /// The evaluations since then do not: they were a trial that the step does not take.
+    fn reject(&mut self) {}
+
     /// `out = q` moved by the local coordinates `xi`.
     fn retract(&self, q: &[S], xi: &[S], out: &mut [S]);
 

@@ -130,6 +130,7 @@ impl<S: Scalar> Newton<S> {
         state: &State<S>,
         place: Place,
     ) -> Result<(), StepError> {
+        system.accept();
         let columns = 2 * (0..self.v_dot.len()).filter(|&i| system.is_free(i)).count();
         if self.kept.known && self.kept.beyond < columns {
             self.guess.copy_from_slice(&self.v_dot);
@@ -228,6 +229,7 @@ impl<S: Scalar> Newton<S> {
 
     /// `change = f - v'`.
     fn evaluate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
+        system.reject();
         let Self { v_dot, s_dot, q, v, change, .. } = self;
         let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s: &state.s, d: &state.d, m: &state.m };
         system.rates(at, change, s_dot);

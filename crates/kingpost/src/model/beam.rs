@@ -55,10 +55,12 @@ impl<S: Scalar> Beam<S> {
         from + self.segment_length(i) * S::constant(0.5)
     }
 
-    /// The segment that carries a place, m from the beam's start; beyond an end the last there.
-    pub fn segment_at(&self, place: f64) -> usize {
-        let middle_of = libm::round(place / self.piece().value());
-        (middle_of.max(0.0) as usize).min(self.pieces)
+    /// The segment that carries a place, m from the beam's start, as a whole number; beyond an end the last there.
+    pub fn segment_at(&self, place: S) -> S {
+        let last = self.pieces as f64;
+        let [segment] =
+            S::from_values([place, self.piece()], |[place, piece]| [libm::round(place / piece).clamp(0.0, last)]);
+        segment
     }
 
     fn pieces_in(&self, segment: usize) -> f64 {
@@ -113,9 +115,9 @@ mod tests {
                 let before = beam.segment_middle(i - 1) + beam.segment_length(i - 1) / 2.0;
                 let after = beam.segment_middle(i) - beam.segment_length(i) / 2.0;
                 assert!((before - beam.joint(i)).abs() < 1e-12 && (after - beam.joint(i)).abs() < 1e-12);
-                assert_eq!(beam.segment_at(beam.segment_middle(i)), i);
+                assert_eq!(beam.segment_at(beam.segment_middle(i)), i as f64);
             }
-            assert_eq!((beam.segment_at(-1.0), beam.segment_at(0.0), beam.segment_at(99.0)), (0, 0, pieces));
+            assert_eq!([-1.0, 0.0, 99.0].map(|place| beam.segment_at(place)), [0.0, 0.0, pieces as f64]);
         }
     }
 

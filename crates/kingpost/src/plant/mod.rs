@@ -228,6 +228,11 @@ impl<S: Scalar> Plant<S> {
         gaps.max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
+    /// Before a step: what was evaluated so far says nothing of it.
+    pub fn begin_step(&mut self) {
+        self.loops.forget_pivots();
+    }
+
     /// After a step: brings the closed loops back to where they are closed, and tells where that is
     /// not possible. Allocates nothing.
     pub fn close_loops(&mut self, q: &mut [S], v: &mut [S]) -> Result<(), LoopFault> {
@@ -362,6 +367,14 @@ impl<S: Scalar> System<S> for Plant<S> {
                 s_dot,
             ),
         }
+    }
+
+    fn accept(&mut self) {
+        self.loops.accept();
+    }
+
+    fn reject(&mut self) {
+        self.loops.reject();
     }
 
     fn retract(&self, q: &[S], xi: &[S], out: &mut [S]) {

@@ -1,7 +1,7 @@
 //! Dual numbers: a value and its derivatives along N directions, exact to rounding.
 
 use super::Scalar;
-use core::f64::consts::TAU;
+use core::f64::consts::{LN_2, TAU};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// `value + sum_k derivative[k] e_k` with `e_j e_k = 0` (Clifford 1873; Griewank & Walther,
@@ -108,6 +108,7 @@ impl<const N: usize> SubAssign for Dual<N> {
 }
 
 impl<const N: usize> Scalar for Dual<N> {
+    const HAS_DERIVATIVES: bool = true;
     const ZERO: Self = Self { value: 0.0, derivative: [0.0; N] };
     const ONE: Self = Self { value: 1.0, derivative: [0.0; N] };
 
@@ -131,6 +132,15 @@ impl<const N: usize> Scalar for Dual<N> {
         (self.chain(sin, TAU * cos), self.chain(cos, -TAU * sin))
     }
 
+    fn cos_of_turns(self) -> Self {
+        self.chain(self.value.cos_of_turns(), -TAU * self.value.sin_cos_of_turns().0)
+    }
+
+    fn power_of_two(self) -> Self {
+        let power = self.value.power_of_two();
+        self.chain(power, LN_2 * power)
+    }
+
     fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
         self.combine(x, libm::atan2(self.value, x.value), [x.value / square, -self.value / square])
@@ -151,6 +161,19 @@ impl<const N: usize> Scalar for Dual<N> {
 
     fn ln_1p(self) -> Self {
         self.chain(libm::log1p(self.value), 1.0 / (1.0 + self.value))
+    }
+
+    fn exp_m1(self) -> Self {
+        self.chain(libm::expm1(self.value), libm::exp(self.value))
+    }
+
+    fn ln(self) -> Self {
+        self.chain(libm::log(self.value), 1.0 / self.value)
+    }
+
+    fn pow(self, exponent: Self) -> Self {
+        let power = libm::pow(self.value, exponent.value);
+        self.combine(exponent, power, [exponent.value * power / self.value, power * libm::log(self.value)])
     }
 
     fn from_values<const K: usize, const M: usize>(
@@ -183,7 +206,8 @@ mod tests {
         let mut sum = x / (y * y + S::ONE) - x.sqrt() * angle;
         sum += -cos;
         sum -= y.clipped(S::constant(-1.0), x) * sin;
-        sum += (x * x).ln_1p();
+        sum += (x * S::constant(0.1)).cos_of_turns() * (-x).power_of_two();
+        sum += (x * x).ln_1p() + x.ln() * y.exp_m1() - x.pow(y);
         sum.select_below(0.3, || sum * sum, || sum * S::constant(0.6) - S::constant(0.09))
     }
 

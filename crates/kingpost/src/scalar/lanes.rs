@@ -94,6 +94,7 @@ impl SubAssign for Lanes {
 }
 
 impl Scalar for Lanes {
+    const LANES: usize = LANES;
     const ZERO: Self = Self(f64x4::ZERO);
     const ONE: Self = Self(f64x4::ONE);
 
@@ -119,6 +120,16 @@ impl Scalar for Lanes {
         (Self::new(both.map(|(sin, _)| sin)), Self::new(both.map(|(_, cos)| cos)))
     }
 
+    #[inline]
+    fn cos_of_turns(self) -> Self {
+        Self::new(self.to_array().map(f64::cos_of_turns))
+    }
+
+    #[inline]
+    fn power_of_two(self) -> Self {
+        Self::new(self.to_array().map(f64::power_of_two))
+    }
+
     fn atan2(self, x: Self) -> Self {
         let (y, x) = (self.to_array(), x.to_array());
         Self::new(core::array::from_fn(|k| libm::atan2(y[k], x[k])))
@@ -135,6 +146,19 @@ impl Scalar for Lanes {
 
     fn ln_1p(self) -> Self {
         Self::new(self.to_array().map(libm::log1p))
+    }
+
+    fn exp_m1(self) -> Self {
+        Self::new(self.to_array().map(libm::expm1))
+    }
+
+    fn ln(self) -> Self {
+        Self::new(self.to_array().map(libm::log))
+    }
+
+    fn pow(self, exponent: Self) -> Self {
+        let (base, exponent) = (self.to_array(), exponent.to_array());
+        Self::new(core::array::from_fn(|k| libm::pow(base[k], exponent[k])))
     }
 
     fn from_values<const N: usize, const M: usize>(
@@ -176,9 +200,9 @@ mod tests {
         let mut sum = root / (S::ONE + sin * sin) - cos.clipped(y, x + y);
         sum += x.atan2(y);
         sum += (-x * x).exp() * y.sin_cos_of_turns().1;
-        sum -= -y;
+        sum -= -y * x.cos_of_turns() * (-y * y).power_of_two();
         let [difference, product] = S::from_values([sum, x], |[a, b]| [a - b, a * b]);
-        sum += difference / product + (x * x).ln_1p();
+        sum += difference / product + (x * x).ln_1p() + y.exp_m1() * (y * y).ln() - (x * x).pow(y);
         sum.select_less(x, || sum * y, || sum / root)
     }
 

@@ -1,16 +1,21 @@
-//! Sine and cosine of an angle in turns, for sums of many waves.
+//! Sine and cosine of an angle in turns, and powers of two, for sums of many waves.
+//!
+//! Without branches, so that a loop over many waves becomes SIMD code, and of the four operations alone, so that the bits
+//! are the same on every machine.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 /// 1.5 * 2^52: what is added to it is rounded to the nearest whole number, which its last bits hold.
 const ROUNDING: f64 = 6_755_399_441_055_744.0;
+
+/// 1.5 * 2^51: what is added to it is rounded to the nearest half, and its last bits hold the number of halves.
+const ROUNDING_TO_HALVES: f64 = 0.5 * ROUNDING;
 
 /// Sine and cosine of 2 pi times a number, to 2 units in the last place of 1.
 ///
 /// With n the whole number nearest to four times the argument, what is left is at most an eighth of a
 /// turn and exact, however many turns there were. The polynomials are those of the fdlibm's k_sin.c
-/// and k_cos.c (Sun Microsystems 1993). Without branches, so that a loop over many angles becomes SIMD
-/// code, and of sums and products alone, so that the bits are the same on every machine.
+/// and k_cos.c (Sun Microsystems 1993).
 #[inline(always)]
 pub(super) fn sin_cos_of_turns(turns: f64) -> (f64, f64) {
     let quarters = 4.0 * turns + ROUNDING;
@@ -23,6 +28,35 @@ pub(super) fn sin_cos_of_turns(turns: f64) -> (f64, f64) {
     let sine = (sin & !odd | cos & odd) ^ sign_of_sine;
     let cosine = (cos & !odd | sin & odd) ^ sign_of_cosine;
     (f64::from_bits(sine), f64::from_bits(cosine))
+}
+
+/// The cosine of 2 pi times a number, to 3 units in the last place of 1, for half the work of both.
+///
+/// What is left after half turns is at most a quarter of a turn r, and cos 2 pi r = 1 - 2 sin^2 pi r.
+#[inline(always)]
+pub(super) fn cos_of_turns(turns: f64) -> f64 {
+    let halves = turns + ROUNDING_TO_HALVES;
+    let sine = sine(PI * (turns - (halves - ROUNDING_TO_HALVES)));
+    let cosine = 1.0 - 2.0 * (sine * sine);
+    f64::from_bits(cosine.to_bits() ^ (halves.to_bits() << 63))
+}
+
+/// 2 to a power below 1023, to 2 units in the last place; 2^-1022 for powers below -1022.
+///
+/// With n the whole number nearest to the power, what is left is at most a half and exact; 2 to it is the rational
+/// function of the Cephes library's exp2.c (S. L. Moshier, *Methods and Programs for Mathematical Functions*, 1989).
+#[inline(always)]
+pub(super) fn power_of_two(power: f64) -> f64 {
+    const P: [f64; 3] = [1_513.906_801_156_151, 20.202_065_669_316_532, 2.309_334_770_573_452_3e-2];
+    const Q: [f64; 2] = [4_368.211_668_792_106, 233.184_211_722_314_9];
+    let power = if power < -1022.0 { -1022.0 } else { power };
+    let whole = power + ROUNDING;
+    let rest = power - (whole - ROUNDING);
+    let square = rest * rest;
+    let p = rest * (P[0] + square * (P[1] + square * P[2]));
+    let q = Q[0] + square * (Q[1] + square);
+    let scale = f64::from_bits((whole.to_bits() << 52).wrapping_add(1.0_f64.to_bits()));
+    (1.0 + 2.0 * (p / (q - p))) * scale
 }
 
 /// The sine of an angle from -pi/4 to pi/4.
@@ -71,6 +105,31 @@ mod tests {
             let (sin, cos) = sin_cos_of_turns(turns);
             let (exact_sin, exact_cos) = libm::sincos(TAU * (turns - libm::round(turns)));
             prop_assert!((sin - exact_sin).abs() < 8e-16 && (cos - exact_cos).abs() < 8e-16);
+            prop_assert!((cos_of_turns(turns) - exact_cos).abs() < 1e-15);
+        }
+
+        /// Against libm, whose own error is below one unit in the last place.
+        #[test]
+        fn powers_of_two_are_those_of_libm(power in -1021.0..1022.9_f64) {
+            prop_assert!((power_of_two(power) / libm::exp2(power) - 1.0).abs() < 6e-16);
+        }
+    }
+
+    #[test]
+    fn whole_powers_of_two_are_exact_and_the_lowest_is_the_least_normal_number() {
+        for power in -1022..1024_i32 {
+            assert_eq!(power_of_two(f64::from(power)), libm::exp2(f64::from(power)));
+        }
+        for power in [-1022.5, -1e300, f64::NEG_INFINITY] {
+            assert_eq!(power_of_two(power), f64::MIN_POSITIVE);
+        }
+        assert!(power_of_two(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn halves_of_a_turn_have_the_cosine_one_or_minus_one() {
+        for n in -8..8_i32 {
+            assert_eq!(cos_of_turns(0.5 * f64::from(n)), [1.0, -1.0][n.rem_euclid(2) as usize]);
         }
     }
 
@@ -86,7 +145,7 @@ mod tests {
     fn what_is_not_finite_has_no_sine() {
         for turns in [f64::NAN, f64::INFINITY] {
             let (sin, cos) = sin_cos_of_turns(turns);
-            assert!(sin.is_nan() && cos.is_nan());
+            assert!(sin.is_nan() && cos.is_nan() && cos_of_turns(turns).is_nan());
         }
     }
 }

@@ -8,11 +8,11 @@ mod drives;
 mod equilibrium;
 pub(super) mod flexible;
 mod flow;
+mod histories;
 mod lines;
 mod loops;
 mod positioning;
 mod positioning_loop;
-pub mod reading;
 mod tanks;
 mod water;
 mod wave_motion;
@@ -29,9 +29,9 @@ use crate::integrate::Tolerances;
 use crate::model::Model;
 use crate::plant::Form;
 use crate::results::Channels;
+use crate::scenario::leaf::Quantity;
 use crate::simulation::{SchemeName, Settings, Setup};
 use crate::world::World;
-use reading::{Gathered, Reading};
 
 /// Numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
 const MOST_NUMBERS: f64 = 2.5e8;
@@ -41,7 +41,9 @@ const MOST_STEPS: f64 = 1e15;
 
 /// Builds the model, forces, drives, settings and initial state, and checks what takes numbers.
 pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
-    let mut setup = open(&Reading::new(vec![scenario]))?;
+    let mut setup = open(scenario)?;
+    positioning::check_stability(scenario)?;
+    setup.fingerprint = scenario.fingerprint();
     check_recording(&setup)?;
     check_mass_matrix(scenario, &setup)?;
     loops::close(scenario, &mut setup)?;
@@ -50,22 +52,26 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     Ok(setup)
 }
 
-/// The same from one scenario or several of one structure, each of which builds by itself.
-pub fn assemble<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldError> {
+/// The same over another scalar, of one scenario or several of one structure; `alone` are the setups that each has by
+/// itself.
+///
+/// # Errors
+/// A number that decides how the run is made up, where lanes differ or it has a derivative: its field.
+pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result<Setup<S>, FieldError> {
     let mut setup = open(scenario)?;
-    loops::close(scenario.first(), &mut setup)?;
+    loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
-    if scenario.first().simulation.begin_at_equilibrium {
-        equilibrium::follow(scenario, &mut setup)?;
-        loops::close(scenario.first(), &mut setup)?;
+    if scenario.simulation.begin_at_equilibrium {
+        equilibrium::follow(alone, &mut setup)?;
+        loops::close(scenario, &mut setup)?;
     }
     Ok(setup)
 }
 
 /// The same as it is written, its closed loops not yet closed.
-fn open<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldError> {
-    let settings = settings(scenario.first())?;
-    if let Some(i) = scenario.first().parameters.iter().position(|parameter| parameter.live) {
+fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
+    let settings = settings(&scenario.simulation)?;
+    if let Some(i) = scenario.parameters.iter().position(|parameter| parameter.live) {
         let allowed = "false: in this version every parameter takes effect at reset";
         return Err(FieldError::new(format!("parameters.{i}.live"), true, allowed));
     }
@@ -79,14 +85,13 @@ fn open<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Setup<S>, FieldErro
     for motion in of_kind::<S, WaveMotion<S>>(&elements) {
         q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(0.0).positions);
     }
-    let world = World { waves: water::waves(scenario)? };
-    let setup = Setup { model, world, elements, settings, q, v };
+    let world = World { waves: water::incident_waves(scenario)? };
+    let setup = Setup { model, world, elements, settings, q, v, fingerprint: 0 };
     lines::check_start(&setup)?;
     Ok(setup)
 }
 
-fn settings(scenario: &Scenario) -> Result<Settings, FieldError> {
-    let given = &scenario.simulation;
+fn settings(given: &schema::SimulationSettings) -> Result<Settings, FieldError> {
     let (step_s, duration_s) = (given.step_s.get(), given.duration_s.get());
     let record_every_s = given.record_every_s.get();
     if step_s > duration_s {
@@ -154,26 +159,23 @@ fn check_recording(setup: &Setup) -> Result<(), FieldError> {
 }
 
 /// The forces that are on, on bodies that are there.
-fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+fn forces<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut forces: Vec<AnyElement<S>> = Vec::new();
-    for (name, force) in &scenario.first().forces {
-        let all = scenario.part(|scenario| &scenario.forces[name]);
+    for (name, force) in &scenario.forces {
         match force {
             ForceSchema::Gravity(gravity) => {
                 if gravity.enabled {
-                    let acceleration = all.kind(gravity_of);
-                    let acceleration = acceleration.number(|gravity| gravity.acceleration_m_s2.get());
-                    forces.push(Box::new(Gravity { acceleration }));
+                    forces.push(Box::new(Gravity { acceleration: gravity.acceleration_m_s2.get() }));
                 }
             }
-            ForceSchema::ViscousDamping(_) => forces.extend(damping::viscous(scenario, name, model)?),
-            ForceSchema::QuadraticDamping(_) => forces.extend(damping::quadratic(scenario, name, model)?),
-            ForceSchema::SlackTank(_) => forces.extend(tanks::slack(scenario, name, model)?),
-            ForceSchema::SpringLine(_) => forces.extend(lines::spring(scenario, name, model)?),
-            ForceSchema::CatenaryLine(_) => forces.extend(lines::catenary(scenario, name, model)?),
-            ForceSchema::WindLoad(_) => forces.extend(flow::wind(scenario, name, model)?),
-            ForceSchema::CurrentLoad(_) => forces.extend(flow::water(scenario, name, model)?),
-            ForceSchema::DynamicPositioning(_) => forces.extend(positioning::build(scenario, name, model)?),
+            ForceSchema::ViscousDamping(given) => forces.extend(damping::viscous(scenario, name, given, model)?),
+            ForceSchema::QuadraticDamping(given) => forces.extend(damping::quadratic(scenario, name, given, model)?),
+            ForceSchema::SlackTank(given) => forces.extend(tanks::slack(scenario, name, given, model)?),
+            ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
+            ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model)?),
+            ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model)?),
+            ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model)?),
+            ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),
             // With what it does to the model: see `water`.
             ForceSchema::Hydrodynamics(_) => {}
         }
@@ -181,7 +183,7 @@ fn forces<S: Gathered>(scenario: &Reading<Scenario>, model: &Model<S>) -> Result
     Ok(forces)
 }
 
-fn gravity_of(force: &ForceSchema) -> Option<&schema::Gravity> {
+fn gravity_of<S>(force: &ForceSchema<S>) -> Option<&schema::Gravity<S>> {
     if let ForceSchema::Gravity(gravity) = force { Some(gravity) } else { None }
 }
 

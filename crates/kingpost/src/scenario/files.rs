@@ -12,19 +12,27 @@ use std::sync::{Arc, Mutex, PoisonError};
 #[derive(Debug, Default)]
 pub struct Files {
     texts: IndexMap<String, String>,
+    digests: Mutex<IndexMap<String, u64>>,
     databases: Mutex<IndexMap<String, Arc<Database>>>,
 }
 
 impl Files {
     /// These files.
     pub fn new(texts: impl IntoIterator<Item = (String, String)>) -> Self {
-        Self { texts: texts.into_iter().collect(), databases: Mutex::default() }
+        Self { texts: texts.into_iter().collect(), ..Self::default() }
     }
 
     /// The text of a file, which is one of these, that `field` names.
     fn text(&self, field: &str, name: &str, what: &str) -> Result<&str, FieldError> {
         let text = self.texts.get(name).map(String::as_str);
         text.ok_or_else(|| FieldError::new(field, format!("no file {name}"), format!("{what} that is there")))
+    }
+
+    /// A number that two texts share only if they are the same.
+    fn digest(&self, name: &str) -> u64 {
+        let mut known = self.digests.lock().unwrap_or_else(PoisonError::into_inner);
+        let of_text = || self.texts.get(name).map_or(0, |text| digest(text.as_bytes()));
+        *known.entry(name.to_owned()).or_insert_with(of_text)
     }
 
     fn database(&self, field: &str, name: &str) -> Result<Arc<Database>, FieldError> {
@@ -64,6 +72,8 @@ pub struct NamedFiles {
     databases: IndexMap<String, Arc<Database>>,
     records: IndexMap<String, Arc<ElevationTable>>,
     raos: IndexMap<String, Arc<RaoTable>>,
+    /// Of the text of each.
+    digests: IndexMap<String, u64>,
 }
 
 impl NamedFiles {
@@ -81,6 +91,12 @@ impl NamedFiles {
     pub fn raos(&self, name: &str) -> Option<&Arc<RaoTable>> {
         self.raos.get(name)
     }
+}
+
+/// A number that stands for bytes: FNV-1a (Fowler, Noll & Vo).
+fn digest(bytes: &[u8]) -> u64 {
+    let byte = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, byte)
 }
 
 /// What a file is to the scenario that names it.
@@ -103,6 +119,14 @@ impl Scenario {
         names
     }
 
+    /// A number that two scenarios share only if they and their files describe the same run; title, description and
+    /// parameters are no part of it.
+    pub(super) fn fingerprint(&self) -> u64 {
+        let Self { simulation, bodies, loops, sea, wind, forces, drives, files, .. } = self;
+        let run = (simulation, bodies, loops, sea, wind, forces, drives, &files.digests);
+        serde_json::to_vec(&run).map_or(0, |text| digest(&text))
+    }
+
     /// Takes over the files that it names.
     pub(super) fn take_files(&mut self, files: &Files) -> Result<(), FieldError> {
         let mut taken = NamedFiles::default();
@@ -112,6 +136,7 @@ impl Scenario {
                 Kind::Record => drop(taken.records.insert(name.to_owned(), files.record(&field, name)?)),
                 Kind::Raos => drop(taken.raos.insert(name.to_owned(), files.raos(&field, name)?)),
             }
+            taken.digests.insert(name.to_owned(), files.digest(name));
         }
         self.files = taken;
         Ok(())

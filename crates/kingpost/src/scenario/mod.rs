@@ -10,13 +10,14 @@ mod error;
 mod files;
 #[cfg(feature = "schema")]
 pub mod json_schema;
-mod neighbour;
+pub mod leaf;
 mod parameters;
 mod parse;
 pub mod range;
-mod read;
+pub(crate) mod read;
 pub mod schema;
 pub mod text;
+mod together;
 mod tree;
 mod units;
 pub mod wording;
@@ -26,4 +27,6 @@ pub use error::{FieldError, ScenarioError};
 pub use files::{Files, NamedFiles};
 pub use read::{file_names, read, read_with};
 pub use schema::Scenario;
+#[cfg(not(target_family = "wasm"))]
+pub(crate) use together::side_by_side;
 pub use units::{UNIT_ALIASES, UnitAlias};

@@ -4,12 +4,9 @@ use indexmap::IndexMap;
 use serde_json::Value;
 
 use super::error::{Fault, Place};
-use super::schema::{Parameter, ParameterKind, ParameterValue, Scenario};
+use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
 use super::tree::{Content, Field, Node, segments, value_child};
 use super::{units, wording};
-
-/// The fields at the top of a scenario; no parameter may have such a name.
-const TOP: [&str; 8] = ["version", "title", "description", "parameters", "simulation", "bodies", "forces", "drives"];
 
 /// A tree to write into, and the whole scenario with every default that the tree leaves out.
 pub(super) struct Target<'a> {
@@ -52,7 +49,7 @@ pub(super) fn apply(
             None if is_definition(name) => {
                 return Err(Fault::new(&place, name, wording::found(value), wording::SET_BY_NAME));
             }
-            None if name.contains('.') || TOP.contains(&name.as_str()) => {
+            None if name.contains('.') || schema::is_top_field(name) => {
                 target.write(name, value, &place, &place)?;
             }
             None => {
@@ -89,7 +86,7 @@ impl Definition<'_> {
     /// The kind of the parameter, once its definition is sound.
     fn check(&self, target: &Target<'_>) -> Result<ParameterKind, Fault> {
         let parameter = self.parameter;
-        if TOP.contains(&parameter.name.as_str()) {
+        if schema::is_top_field(&parameter.name) {
             let found = format!("{}, a field of the scenario", parameter.name);
             return Err(self.fault(target, "name", found, wording::OWN_NAME));
         }

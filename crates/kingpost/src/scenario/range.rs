@@ -6,6 +6,7 @@ use std::ops::Deref;
 use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::leaf::Leaf;
 use super::wording::{DIRECTION, FRACTION, NON_NEGATIVE, POSITIVE};
 
 macro_rules! ranged_number {
@@ -13,18 +14,28 @@ macro_rules! ranged_number {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Serialize)]
         #[serde(transparent)]
-        pub struct $name(f64);
+        pub struct $name<S = f64>(S);
 
-        impl $name {
+        impl<S: Leaf> $name<S> {
             /// `None` where the value is outside the range or not finite.
-            pub fn new(value: f64) -> Option<Self> {
+            pub fn new(value: S) -> Option<Self> {
+                value.outside(Self::inside).is_none().then_some(Self(value))
+            }
+
+            fn inside(value: f64) -> bool {
                 let inside: fn(f64) -> bool = $test;
-                (value.is_finite() && inside(value)).then_some(Self(value))
+                value.is_finite() && inside(value)
             }
 
             /// The number itself.
-            pub const fn get(self) -> f64 {
+            pub fn get(self) -> S {
                 self.0
+            }
+
+            /// For default values: a literal that stands in the source.
+            pub(crate) fn literal(value: f64) -> Self {
+                assert!(Self::inside(value));
+                Self(S::literal(value))
             }
         }
 
@@ -41,15 +52,24 @@ macro_rules! ranged_number {
             }
         }
 
-        impl<'de> Deserialize<'de> for $name {
+        impl<S: fmt::Display> fmt::Display for $name<S> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.0.fmt(f)
+            }
+        }
+
+        impl<'de, S: Leaf> Deserialize<'de> for $name<S> {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let value = f64::deserialize(deserializer)?;
-                Self::new(value).ok_or_else(|| D::Error::invalid_value(Unexpected::Float(value), &$allowed))
+                let value = S::deserialize(deserializer)?;
+                match value.outside(Self::inside) {
+                    None => Ok(Self(value)),
+                    Some(value) => Err(D::Error::invalid_value(Unexpected::Float(value), &$allowed)),
+                }
             }
         }
 
         #[cfg(feature = "schema")]
-        impl schemars::JsonSchema for $name {
+        impl<S> schemars::JsonSchema for $name<S> {
             fn inline_schema() -> bool {
                 true
             }
@@ -76,58 +96,33 @@ ranged_number!(
     Fraction, FRACTION, |x| (0.0..=1.0).contains(&x), {"type": "number", "minimum": 0, "maximum": 1}
 );
 
-impl NonNegative {
-    /// 0.
-    pub const ZERO: Self = Self(0.0);
-}
-
-impl Default for NonNegative {
+/// 0, the default of every leaf.
+impl<S: Default> Default for NonNegative<S> {
     fn default() -> Self {
-        Self::ZERO
-    }
-}
-
-impl Positive {
-    /// For default values: a literal that stands in the source.
-    pub(crate) const fn literal(value: f64) -> Self {
-        assert!(value > 0.0 && value.is_finite());
-        Self(value)
-    }
-}
-
-impl NonNegative {
-    /// For default values: a literal that stands in the source.
-    pub(crate) const fn literal(value: f64) -> Self {
-        assert!(value >= 0.0 && value.is_finite());
-        Self(value)
-    }
-}
-
-impl Fraction {
-    /// For default values: a literal that stands in the source.
-    pub(crate) const fn literal(value: f64) -> Self {
-        assert!(value >= 0.0 && value <= 1.0);
-        Self(value)
+        Self(S::default())
     }
 }
 
 /// A vector of any non-zero length, as written in the file; only its direction counts.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(transparent)]
-pub struct Direction([f64; 3]);
+pub struct Direction<S = f64>([S; 3]);
 
-impl Direction {
+impl<S: Leaf> Direction<S> {
     /// `None` where the components are all 0 or one is not finite.
-    pub fn new(components: [f64; 3]) -> Option<Self> {
-        let largest = components.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        (components.iter().all(|x| x.is_finite()) && largest > 0.0).then_some(Self(components))
+    pub fn new(components: [S; 3]) -> Option<Self> {
+        let finite = components.iter().all(|component| component.outside(f64::is_finite).is_none());
+        let directed = components.iter().any(|component| component.outside(|c| c != 0.0).is_none());
+        (finite && directed).then_some(Self(components))
     }
 
     /// The components as written; not normalised.
-    pub const fn get(self) -> [f64; 3] {
+    pub fn get(self) -> [S; 3] {
         self.0
     }
+}
 
+impl Direction {
     /// The unit vector. Scaled by the largest component first, so that no length overflows.
     pub fn unit(self) -> [f64; 3] {
         let largest = self.0.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -137,15 +132,15 @@ impl Direction {
     }
 }
 
-impl<'de> Deserialize<'de> for Direction {
+impl<'de, S: Leaf> Deserialize<'de> for Direction<S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let components = <[f64; 3]>::deserialize(deserializer)?;
+        let components = <[S; 3]>::deserialize(deserializer)?;
         Self::new(components).ok_or_else(|| D::Error::invalid_value(Unexpected::Seq, &DIRECTION))
     }
 }
 
 #[cfg(feature = "schema")]
-impl schemars::JsonSchema for Direction {
+impl<S> schemars::JsonSchema for Direction<S> {
     fn inline_schema() -> bool {
         true
     }
@@ -154,23 +149,5 @@ impl schemars::JsonSchema for Direction {
     }
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
         schemars::json_schema!({"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3})
-    }
-}
-
-impl fmt::Display for Positive {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl fmt::Display for Fraction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl fmt::Display for NonNegative {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
     }
 }

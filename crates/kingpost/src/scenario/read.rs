@@ -3,14 +3,13 @@
 use serde_json::Value;
 use serde_path_to_error::Segment;
 
-use super::build::reading::{Gathered, Reading};
 use super::error::{Fault, ScenarioError};
 use super::files::Files;
 use super::parameters::{self, Target};
 use super::schema::Scenario;
 use super::tree::{Node, segments, value_at};
 #[cfg(not(target_family = "wasm"))]
-use crate::plant::Form;
+use crate::plant::{Form, Number};
 use crate::simulation::{Setup, Simulation};
 
 use super::{parse, units, wording};
@@ -37,10 +36,22 @@ pub fn read_with(
     overrides: &[(String, Value)],
     files: &Files,
 ) -> Result<Scenario, ScenarioError> {
+    read_and_build(text, file, overrides, files).map(|(scenario, _)| scenario)
+}
+
+/// The same, with what a simulation of it is made of.
+pub(crate) fn read_and_build(
+    text: &str,
+    file: &str,
+    overrides: &[(String, Value)],
+    files: &Files,
+) -> Result<(Scenario, Setup), ScenarioError> {
     let (mut scenario, tree) = read_tree(text, overrides).map_err(|fault| fault.in_file(file))?;
-    let checked = scenario.take_files(files).and_then(|()| super::build::build(&scenario).map(drop));
-    checked.map_err(|error| Fault { place: tree.place_of(&segments(&error.field)), error }.in_file(file))?;
-    Ok(scenario)
+    let built = scenario.take_files(files).and_then(|()| super::build::build(&scenario));
+    match built {
+        Ok(setup) => Ok((scenario, setup)),
+        Err(error) => Err(Fault { place: tree.place_of(&segments(&error.field)), error }.in_file(file)),
+    }
 }
 
 /// Names of the files that a scenario's forces stand on, as they are written there.
@@ -84,10 +95,10 @@ fn typed(tree: &Node) -> Result<Scenario, Fault> {
     serde_path_to_error::deserialize(&value).map_err(|error| type_fault(tree, &value, &error))
 }
 
-type TypeError = serde_path_to_error::Error<serde_json::Error>;
+pub(super) type TypeError = serde_path_to_error::Error<serde_json::Error>;
 
 /// The path that the typed read stopped at.
-fn path_of(error: &TypeError) -> Vec<String> {
+pub(super) fn path_of(error: &TypeError) -> Vec<String> {
     let segment = |segment: &Segment| match segment {
         Segment::Seq { index } => Some(index.to_string()),
         Segment::Map { key } => Some(key.clone()),
@@ -224,28 +235,27 @@ impl Scenario {
     /// # Errors
     /// As [`setup`](Self::setup).
     pub fn simulation(&self) -> Result<Simulation, ScenarioError> {
-        let simulation = Simulation::new(self.setup()?);
+        self.simulation_of(self.setup()?)
+    }
+
+    /// The same from its own setup.
+    pub(crate) fn simulation_of(&self, setup: Setup) -> Result<Simulation, ScenarioError> {
         #[cfg(not(target_family = "wasm"))]
-        let simulation = self.with_exact_derivatives(simulation)?;
+        let exact = self.exact_derivatives(&setup)?;
+        #[cfg_attr(target_family = "wasm", expect(unused_mut))]
+        let mut simulation = Simulation::new(setup);
+        #[cfg(not(target_family = "wasm"))]
+        if let Some(exact) = exact {
+            simulation.differentiate_with(exact);
+        }
         Ok(simulation)
     }
 
     /// In the browser implicit schemes take differences: the engine over dual numbers would double
     /// what a phone has to load. Newton's iteration ends within its tolerance either way.
     #[cfg(not(target_family = "wasm"))]
-    fn with_exact_derivatives(&self, mut simulation: Simulation) -> Result<Simulation, ScenarioError> {
-        let settings = simulation.settings();
-        if settings.scheme.is_implicit() && settings.form == Form::Recursive {
-            simulation.differentiate_with(self.setup_over()?);
-        }
-        Ok(simulation)
-    }
-
-    /// What a simulation is made of over another scalar, all numbers constants.
-    ///
-    /// # Errors
-    /// As [`setup`](Self::setup), but for the checks that take plain numbers.
-    pub fn setup_over<S: Gathered>(&self) -> Result<Setup<S>, ScenarioError> {
-        Ok(super::build::assemble(&Reading::new(vec![self; S::WIDTH]))?)
+    fn exact_derivatives(&self, setup: &Setup) -> Result<Option<Setup<Number>>, ScenarioError> {
+        let wanted = setup.settings.scheme.is_implicit() && setup.settings.form == Form::Recursive;
+        wanted.then(|| self.setup_over_with(setup)).transpose()
     }
 }

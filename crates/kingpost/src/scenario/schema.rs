@@ -10,6 +10,7 @@ mod dynamic_positioning;
 mod flexible;
 mod flow;
 mod forces;
+mod histories;
 mod hydrodynamics;
 mod integrators;
 mod joints;
@@ -20,10 +21,13 @@ mod moved_by_waves;
 mod parameter;
 mod sea;
 mod slack_tank;
+mod top;
 mod waves;
 
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
+
+use super::leaf::Leaf;
 
 pub use super::files::NamedFiles;
 pub use super::range::{Direction, Fraction, NonNegative, Positive};
@@ -47,6 +51,7 @@ pub use flexible::{
 };
 pub use flow::{CurrentLoad, CurrentProfile, FlowCoefficients, Logarithmic, PowerLaw, Wind, WindLoad, WindProfile};
 pub use forces::{Force, Gravity, QuadraticDamping, ViscousDamping};
+pub use histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};
@@ -57,6 +62,7 @@ pub use moved_by_waves::MovedByWaves;
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;
 pub use slack_tank::SlackTank;
+pub(super) use top::is_top_field;
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
     WaveRealisation, Waves,
@@ -64,9 +70,13 @@ pub use waves::{
 
 /// One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Scenario {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Scenario", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Scenario<S = f64> {
     /// The version of the file format: 1.
     pub version: Version,
     /// One line that says what this is.
@@ -81,22 +91,22 @@ pub struct Scenario {
     #[serde(default)]
     pub simulation: SimulationSettings,
     /// The bodies by name.
-    pub bodies: IndexMap<Name, Body>,
+    pub bodies: IndexMap<Name, Body<S>>,
     /// What ties bodies together beside their joints, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
-    pub loops: IndexMap<Name, Loop>,
+    pub loops: IndexMap<Name, Loop<S>>,
     /// The water, its depth and its waves.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub sea: Option<Sea>,
+    pub sea: Option<Sea<S>>,
     /// The wind.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub wind: Option<Wind>,
+    pub wind: Option<Wind<S>>,
     /// What acts on the bodies from outside, by name.
     #[serde(default)]
-    pub forces: IndexMap<Name, Force>,
+    pub forces: IndexMap<Name, Force<S>>,
     /// What acts between the bodies, in their joints, by name.
     #[serde(default)]
-    pub drives: IndexMap<Name, Drive>,
+    pub drives: IndexMap<Name, Drive<S>>,
     /// The files that it names, once they are read.
     #[serde(skip)]
     #[cfg_attr(feature = "schema", schemars(skip))]

@@ -4,6 +4,7 @@
 mod csv;
 mod orcaflex;
 
+use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
 use thiserror::Error;
 
@@ -27,7 +28,7 @@ impl RaoError {
 
 /// Surge, sway, heave (m/m), roll, pitch, yaw (rad/m), each real and imaginary: x forward, y to port, z up, right-handed,
 /// with the motion Re{X a e^(-i w t)} where the wave at the RAOs' origin is Re{a e^(-i w t)}. A lag is a positive angle.
-pub type Response = [[f64; 2]; 6];
+pub type Response<S = f64> = [[S; 2]; 6];
 
 /// Displacement RAOs over wave direction and frequency.
 #[derive(Clone, Debug, PartialEq)]
@@ -166,10 +167,32 @@ impl RaoTable {
     }
 
     /// Linear between the real and imaginary parts at the nearest directions and frequencies; nothing outside.
-    pub fn at(&self, frequency_rad_s: f64, direction_rad: f64) -> Response {
+    pub fn at<S: Scalar>(&self, frequency_rad_s: f64, direction_rad: S) -> Response<S> {
         if !self.covers(frequency_rad_s) {
-            return [[0.0; 2]; 6];
+            return [[S::ZERO; 2]; 6];
         }
+        let between = |[direction]: [f64; 1]| {
+            let (share, width, ends) = self.between_directions(frequency_rad_s, direction);
+            core::array::from_fn(|k| match k {
+                0 => share,
+                1 => width,
+                _ => ends[(k - 2) / 12][(k - 2) / 2 % 6][k % 2],
+            })
+        };
+        let found: [S; 26] = S::from_values([direction_rad], between);
+        // The share has the value that was found and the slope of the direction in its interval.
+        let [there] = S::from_values([direction_rad], |direction| direction);
+        let share = found[0] + (direction_rad - there) / found[1];
+        core::array::from_fn(|mode| {
+            core::array::from_fn(|part| {
+                let [before, after] = [0, 1].map(|end| found[2 + 12 * end + 2 * mode + part]);
+                before + share * (after - before)
+            })
+        })
+    }
+
+    /// How far a direction is on the way between the two nearest, the way in rad, and the responses at both.
+    fn between_directions(&self, frequency_rad_s: f64, direction_rad: f64) -> (f64, f64, [Response; 2]) {
         let n = self.directions_rad.len();
         let first = self.directions_rad[0];
         let direction = (direction_rad - first).rem_euclid(TAU) + first;
@@ -184,10 +207,8 @@ impl RaoTable {
             let [low, high] = [high - 1, high].map(|k| self.responses[i][k][mode][part]);
             low + along * (high - low)
         };
-        let between = |mode: usize, part: usize| {
-            of(before, mode, part) + share * (of(after, mode, part) - of(before, mode, part))
-        };
-        core::array::from_fn(|mode| [between(mode, 0), between(mode, 1)])
+        let at = |i: usize| core::array::from_fn(|mode| [of(i, mode, 0), of(i, mode, 1)]);
+        (share, if width > 0.0 { width } else { TAU }, [at(before), at(after)])
     }
 }
 

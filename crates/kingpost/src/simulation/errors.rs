@@ -81,8 +81,8 @@ pub enum RunError {
         /// How often it may.
         allowed: usize,
     },
-    /// An event in a run that carries others beside it, or derivatives: its time is not theirs.
-    #[error("event before {} s: found runs side by side or derivatives, allowed: one run", shown(*time_s))]
+    /// An event in one of several runs that are stepped side by side: its time is not that of the others.
+    #[error("event before {} s: found runs side by side, allowed: one run", shown(*time_s))]
     EventNotAlone {
         /// End of the step that it is in, s.
         time_s: f64,

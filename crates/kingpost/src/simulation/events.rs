@@ -2,7 +2,7 @@
 
 use super::{RunError, Simulation, stage};
 use crate::elements::{Crossing, Watched};
-use crate::integrate::Interval;
+use crate::integrate::{Interval, Stage, System};
 use crate::scalar::Scalar;
 use crate::state::State;
 use serde::Serialize;
@@ -22,6 +22,8 @@ pub struct Happened {
 const TIME_TOLERANCE_S: f64 = 1e-12;
 /// Events that one step may have: more never end.
 const MOST_EVENTS: usize = 1000;
+/// Share of a step over which the rate of a witness is found, by central differences.
+const RATE_STEP: f64 = 1e-2;
 /// Trials by which every smooth witness is located long since.
 const MOST_TRIALS: usize = 200;
 
@@ -124,18 +126,18 @@ impl<S: Scalar> Simulation<S> {
         if !self.watch.crossed(&self.plant.layout().watched) {
             return Ok(interval.end_s);
         }
-        if !S::IS_PLAIN {
+        if S::LANES > 1 {
             return Err(RunError::EventNotAlone { time_s: interval.end_s });
         }
         self.watch.end.copy_from(&self.state);
         let time_s = self.locate(interval, edge_s)?;
-        self.answer(time_s)?;
+        self.answer(interval, time_s)?;
         Ok(time_s)
     }
 
     /// Evaluates the witnesses where the state stands, at a time within an interval.
     fn look(&mut self, interval: Interval, time_s: f64) {
-        let at = crate::integrate::Stage { time_s, ..stage(interval, &self.state) };
+        let at = Stage { time_s, ..stage(interval, &self.state) };
         self.plant.witnesses(at, &mut self.watch.now);
     }
 
@@ -182,7 +184,7 @@ impl<S: Scalar> Simulation<S> {
     }
 
     /// Lets the elements answer what has happened, in the order in which they declared it.
-    fn answer(&mut self, time_s: f64) -> Result<(), RunError> {
+    fn answer(&mut self, interval: Interval, time_s: f64) -> Result<(), RunError> {
         for i in 0..self.watch.before.len() {
             let watched = self.plant.layout().watched[i];
             let Watch { before, now, .. } = &self.watch;
@@ -194,10 +196,53 @@ impl<S: Scalar> Simulation<S> {
             if self.watch.in_step > MOST_EVENTS {
                 return Err(RunError::TooManyEvents { time_s, element, what: watched.what, allowed: MOST_EVENTS });
             }
+            let delay = self.delay(interval, time_s, i);
+            self.drift(interval, time_s, delay);
             self.plant.respond(watched, time_s, &mut self.state);
+            let after = Interval { start_s: time_s, end_s: time_s + self.settings.step_s };
+            self.drift(after, time_s, -delay);
             self.watch.happened.push(Happened { time_s, element, what: watched.what });
         }
         Ok(())
+    }
+}
+
+/// The time of an event moves with what derivatives are along. With the witness g, f the rates before and f+ those after,
+/// `dt = -dg / g'` moves the state by `f dt` up to the event and by `-f+ dt` from there (the saltation matrix: Leine &
+/// Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, sec. 7.2).
+impl<S: Scalar> Simulation<S> {
+    /// dt of a witness where the state stands: no time, with its derivatives.
+    fn delay(&mut self, interval: Interval, time_s: f64, witness: usize) -> S {
+        if !S::HAS_DERIVATIVES {
+            return S::ZERO;
+        }
+        let by_s = RATE_STEP * self.settings.step_s;
+        let g = self.watch.now[witness];
+        self.watch.start.copy_from(&self.state);
+        let mut at = |by_s: f64| {
+            self.drift(interval, time_s, S::constant(by_s));
+            self.look(interval, time_s);
+            self.state.copy_from(&self.watch.start);
+            self.watch.now[witness].value()
+        };
+        let rate = (at(by_s) - at(-by_s)) / (2.0 * by_s);
+        self.watch.now[witness] = g;
+        (S::constant(g.value()) - g) / S::constant(rate)
+    }
+
+    /// Moves the state along its rates at a time, to first order.
+    fn drift(&mut self, interval: Interval, time_s: f64, by_s: S) {
+        if !S::HAS_DERIVATIVES {
+            return;
+        }
+        let Self { plant, state, v_dot, .. } = self;
+        let mut s_dot = vec![S::ZERO; state.s.len()];
+        plant.rates(Stage { time_s, ..stage(interval, state) }, v_dot, &mut s_dot);
+        let xi: Vec<S> = state.v.iter().map(|rate| *rate * by_s).collect();
+        let q = state.q.clone();
+        plant.retract(&q, &xi, &mut state.q);
+        state.v.iter_mut().zip(v_dot.iter()).for_each(|(v, rate)| *v += *rate * by_s);
+        state.s.iter_mut().zip(&s_dot).for_each(|(s, rate)| *s += *rate * by_s);
     }
 }
 

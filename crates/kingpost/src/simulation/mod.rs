@@ -3,6 +3,7 @@
 mod drawing;
 mod errors;
 mod events;
+mod from_outside;
 mod recording;
 mod settle;
 mod setup;
@@ -13,15 +14,13 @@ pub use events::Happened;
 pub use settle::{Equilibrium, Instability, NoEquilibrium};
 pub use setup::{SchemeName, Settings, Setup};
 
-use crate::dynamics::moving_frame::MovingFrame;
+use crate::elements::Layout;
 use crate::integrate::{Interval, Scheme, Stage, System};
-use crate::model::{Mode, Model};
-use crate::plant::{Number, Plant, Tangent};
+use crate::model::Model;
+use crate::plant::Plant;
 use crate::results::{Channel, Channels, Sample};
 use crate::scalar::Scalar;
-use crate::spatial::{Frame, Quaternion};
-use crate::state::{SnapshotError, State};
-use errors::check_array;
+use crate::state::State;
 use events::Watch;
 pub(crate) use recording::Recording;
 
@@ -30,10 +29,6 @@ pub const PROGRESS_STEPS: u64 = 10_000;
 
 /// Edges closer than this share of a step are at the same time.
 const EDGE_SLACK: f64 = 1e-9;
-
-/// Closed loops of a state from outside may be open by less than this, m or rad: the next step
-/// closes them.
-const LARGEST_GAP_GIVEN: f64 = 1e-6;
 
 /// Recorded rows, and how the run ended.
 #[derive(Clone, Debug)]
@@ -78,8 +73,7 @@ impl<S: Scalar> Simulation<S> {
     /// Puts a simulation together at time 0, its equations in the recursive form, whatever the
     /// settings say: the other forms are for plain numbers.
     pub fn recursive(setup: Setup<S>) -> Self {
-        let fingerprint = setup.fingerprint();
-        let Setup { model, world, elements, settings, q, v, .. } = setup;
+        let Setup { model, world, elements, settings, q, v, fingerprint } = setup;
         let mut plant = Plant::new(model, world, elements);
         let channels = Channels::new(&plant.model, plant.layout());
         let inputs: Vec<S> = plant.layout().inputs.iter().map(|input| S::constant(input.value)).collect();
@@ -154,6 +148,7 @@ impl<S: Scalar> Simulation<S> {
     /// A loop that cannot be closed from here; q and v are then no motion of the model.
     pub fn close_loops(&mut self) -> Result<(), RunError> {
         let (time_s, State { q, v, .. }) = (self.state.steps as f64 * self.settings.step_s, &mut self.state);
+        self.plant.begin_step();
         self.plant.close_loops(q, v).map_err(|fault| RunError::of_loop(time_s, &self.plant.model, fault))
     }
 
@@ -166,6 +161,11 @@ impl<S: Scalar> Simulation<S> {
     pub fn reset(&mut self) {
         self.state.copy_from(&self.initial);
         self.watch.forget_after(0.0);
+    }
+
+    /// Where everything stands that the elements declare.
+    pub fn layout(&self) -> &Layout {
+        self.plant.layout()
     }
 
     /// What has happened so far, in order of time.
@@ -197,6 +197,7 @@ impl<S: Scalar> Simulation<S> {
         while from < end_s {
             let edge_s = self.next_edge_s(from, end_s);
             let interval = Interval { start_s: from, end_s: edge_s.min(end_s) };
+            self.plant.begin_step();
             self.plant.prescribe(interval, &mut self.state.v);
             from = self.step_to_event(interval, edge_s)?;
             let State { q, v, .. } = &mut self.state;
@@ -285,160 +286,6 @@ impl<S: Scalar> Simulation<S> {
         let observed = self.plant.observe(at, &mut self.v_dot);
         let Stage { time_s, q, v, s, .. } = at;
         self.channels.write_row(&Sample { time_s, q, v, s, observed }, out);
-    }
-}
-
-impl Simulation {
-    /// Gives an implicit scheme exact derivatives, from the same setup over dual numbers; without,
-    /// it takes differences.
-    pub fn differentiate_with(&mut self, setup: Setup<Number>) {
-        let Setup { model, world, elements, q, v, .. } = setup;
-        let mut plant = Plant::new(model, world, elements);
-        plant.watch_loops(&q, &v);
-        self.plant.differentiate_with(Tangent::new(plant));
-    }
-
-    /// Puts a simulation together at time 0.
-    pub fn new(setup: Setup) -> Self {
-        let form = setup.settings.form;
-        let mut simulation = Self::recursive(setup);
-        simulation.plant.set_form(form);
-        simulation
-    }
-
-    /// Position (m) and unit quaternion (w, x, y, z) of every body, world; seven numbers a body.
-    pub fn poses(&mut self) -> Vec<f64> {
-        let bodies = self.plant.body_kinematics(&self.state.q, &self.state.v);
-        let pose = |frame: &Frame| {
-            let [x, y, z] = frame.position.0;
-            let [w, a, b, c] = Quaternion::from_matrix(&frame.rotation).0;
-            [x, y, z, w, a, b, c]
-        };
-        bodies.world.iter().flat_map(pose).collect()
-    }
-
-    /// Elevation of the incident waves now, m, at every crossing of the lines x and y, world, m: along the first x first.
-    pub fn surface(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
-        self.plant.world.elevations_m(x, y, self.time_s())
-    }
-
-    /// Replaces q, v and, where given, s. Without s the ledger begins anew here. The rate of a
-    /// prescribed coordinate holds until the next step, which sets it as prescribed.
-    pub fn set_state(&mut self, q: &[f64], v: &[f64], s: Option<&[f64]>) -> Result<(), InputError> {
-        let mut next = self.state.clone();
-        next.q = q.to_vec();
-        next.v = v.to_vec();
-        self.check_motion(&next)?;
-        for first in self.plant.model.quaternions() {
-            let quaternion = &mut next.q[first..first + 4];
-            let unit = Quaternion::from_slice(quaternion).normalized();
-            quaternion.copy_from_slice(&unit.0);
-        }
-        if let Some((constraint, found)) = self.plant.loop_gap(&next.q, v).filter(|(_, gap)| *gap >= LARGEST_GAP_GIVEN)
-        {
-            let constraint = self.plant.model.constraint_names().swap_remove(constraint);
-            return Err(InputError::OpenLoop { constraint, found, allowed: LARGEST_GAP_GIVEN });
-        }
-        let inputs = self.state.d[..self.plant.layout().inputs.len()].to_vec();
-        self.plant.begin(self.time_s(), &inputs, &mut next);
-        if let Some(s) = s {
-            check_array("s", s, self.state.s.len())?;
-            next.s.copy_from_slice(s);
-        }
-        next.memory.fill(0.0);
-        self.state = next;
-        Ok(())
-    }
-
-    /// An error unless q and v are a motion of this model.
-    fn check_motion(&self, state: &State) -> Result<(), InputError> {
-        let State { q, v, .. } = state;
-        let model = &self.plant.model;
-        check_array("q", q, model.position_count)?;
-        check_array("v", v, model.velocity_count)?;
-        let entry = |name, index, found, allowed| Err(InputError::Entry { name, index, found, allowed });
-        if let Some(i) = (0..v.len()).find(|&i| model.modes[i] == Mode::Held && v[i] != 0.0) {
-            return entry("v", i, v[i], "0, for a coordinate that is held");
-        }
-        for first in model.quaternions() {
-            let norm = libm::sqrt(q[first..first + 4].iter().map(|x| x * x).sum());
-            if (norm - 1.0).abs() > 1e-6 {
-                return entry("length of the quaternion that begins at q", first, norm, "1");
-            }
-        }
-        Ok(())
-    }
-
-    /// The state as bytes.
-    pub fn snapshot(&self) -> Vec<u8> {
-        self.state.snapshot(self.fingerprint)
-    }
-
-    /// Continues from a snapshot of a simulation with the same setup, to the same bits; on an error
-    /// nothing changes.
-    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
-        let mut next = self.state.clone();
-        next.restore(bytes, self.fingerprint)?;
-        self.state = next;
-        self.watch.forget_after(self.time_s());
-        Ok(())
-    }
-
-    /// The table of inputs with their values now.
-    pub fn inputs(&self) -> Vec<Input> {
-        let now = |(input, value): (&Input, &f64)| Input { value: *value, ..input.clone() };
-        self.plant.layout().inputs.iter().zip(&self.state.d).map(now).collect()
-    }
-
-    /// Sets an input from the next step on.
-    pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), InputError> {
-        let inputs = &self.plant.layout().inputs;
-        let Some(i) = inputs.iter().position(|input| input.name == name) else {
-            let names: Vec<&str> = inputs.iter().map(|input| input.name.as_str()).collect();
-            let allowed = if names.is_empty() { "none: no drive has a lever".to_owned() } else { names.join(", ") };
-            return Err(InputError::Unknown { found: name.to_owned(), allowed });
-        };
-        let Input { lower, upper, .. } = inputs[i];
-        if !(lower..=upper).contains(&value) {
-            return Err(InputError::Range { name: name.to_owned(), found: value, lower, upper });
-        }
-        self.state.d[i] = value;
-        Ok(())
-    }
-
-    /// Names of the free coordinates: the rows of M*, N* and F*.
-    pub fn coordinates(&self) -> Vec<String> {
-        let names = self.plant.model.coordinate_names();
-        self.plant.model.free_coordinates().into_iter().map(|i| names[i].clone()).collect()
-    }
-
-    /// Accelerations of the free coordinates now, with `tau` (N or N m by free coordinate) added.
-    pub fn acceleration(&mut self, tau: Option<&[f64]>) -> Result<Vec<f64>, InputError> {
-        let free = self.plant.model.free_coordinates();
-        let mut everywhere = vec![0.0; self.state.v.len()];
-        if let Some(tau) = tau {
-            check_array("tau", tau, free.len())?;
-            free.iter().zip(tau).for_each(|(&i, tau)| everywhere[i] = *tau);
-        }
-        let at = stage(self.interval(), &self.state);
-        self.plant.acceleration(at, Some(&everywhere), &mut self.v_dot);
-        Ok(free.iter().map(|&i| self.v_dot[i]).collect())
-    }
-
-    /// Every matrix of the moving frame method now.
-    pub fn moving_frame(&mut self) -> MovingFrame {
-        let at = stage(self.interval(), &self.state);
-        self.plant.matrices(at)
-    }
-
-    /// M* by rows (kg, kg m, kg m^2).
-    pub fn mass_matrix(&mut self) -> Vec<f64> {
-        self.moving_frame().m_star.as_slice().to_vec()
-    }
-
-    /// N* q': the velocity terms (N, N m).
-    pub fn bias_force(&mut self) -> Vec<f64> {
-        self.moving_frame().bias_force().as_slice().to_vec()
     }
 }
 

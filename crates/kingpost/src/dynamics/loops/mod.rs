@@ -34,7 +34,8 @@ pub struct LoopSolver<S = f64> {
     factor: Factor<S>,
     response: Response<S>,
     multipliers: Vec<S>,
-    lowest: Vec<S>,
+    /// The lowest pivots of a step: of the evaluations that belong to it, and of those under trial.
+    lowest: [Vec<S>; 2],
     begins: bool,
     /// Positions before a correction.
     q: Vec<S>,
@@ -52,7 +53,7 @@ impl<S: Scalar> LoopSolver<S> {
             factor: Factor::new(count),
             response: Response::new(model),
             multipliers: vec![S::ZERO; count],
-            lowest: vec![S::constant(f64::INFINITY); count],
+            lowest: [(); 2].map(|()| vec![S::constant(f64::INFINITY); count]),
             begins: false,
             q: vec![S::ZERO; model.position_count],
             xi: vec![S::ZERO; model.velocity_count],
@@ -82,21 +83,30 @@ impl<S: Scalar> LoopSolver<S> {
         self.multipliers.iter_mut().zip(multipliers).for_each(|(own, given)| *own = given);
     }
 
-    /// By constraint, the lowest pivot of J M^-1 J^T against its diagonal at the start, since
-    /// [`forget_pivots`](Self::forget_pivots): one that is not above [`SMALLEST_PIVOT`] was left out.
-    pub fn lowest_pivots(&self) -> &[S] {
-        &self.lowest
-    }
-
-    /// Measures pivots against the diagonal of the next J M^-1 J^T.
+    /// Measures pivots against the diagonal of the next J M^-1 J^T: that of the setup, which is the same for
+    /// every state of a run.
     pub fn begin(&mut self) {
         self.begins = true;
         self.forget_pivots();
     }
 
-    /// Begins to look for the lowest pivots anew.
+    /// Begins to look for the lowest pivots anew: at the begin of each step, so that none outlives it.
     pub fn forget_pivots(&mut self) {
-        self.lowest.fill(S::constant(f64::INFINITY));
+        self.lowest.iter_mut().for_each(|lowest| lowest.fill(S::constant(f64::INFINITY)));
+    }
+
+    /// What was evaluated since the last call, or that of [`reject`](Self::reject), belongs to the step.
+    pub fn accept(&mut self) {
+        let [kept, trial] = &mut self.lowest;
+        for (kept, trial) in kept.iter_mut().zip(trial) {
+            *kept = trial.select_less(*kept, || *trial, || *kept);
+            *trial = S::constant(f64::INFINITY);
+        }
+    }
+
+    /// What was evaluated since then was a trial that the step does not take.
+    pub fn reject(&mut self) {
+        self.lowest[1].fill(S::constant(f64::INFINITY));
     }
 
     /// The factor of J M^-1 J^T.
@@ -139,7 +149,7 @@ impl<S: Scalar> LoopSolver<S> {
             }
         }
         self.factor.factor();
-        for (lowest, pivot) in self.lowest.iter_mut().zip(self.factor.pivots()) {
+        for (lowest, pivot) in self.lowest[1].iter_mut().zip(self.factor.pivots()) {
             *lowest = pivot.select_less(*lowest, || *pivot, || *lowest);
         }
     }

@@ -71,9 +71,9 @@ impl<S: Scalar> LoopSolver<S> {
     /// After a step: closes the loops, and stops their opening.
     ///
     /// # Errors
-    /// The constraint that came closest to depending on the others since the last call, where that
-    /// was too close; else the one that is off by most, where Newton's method does not close it. In
-    /// lanes, that of any lane.
+    /// The first constraint that came too close to depending on the others, at the end of the step or where it was
+    /// evaluated since [`forget_pivots`](Self::forget_pivots), rejected trials left out; else one that Newton's method
+    /// does not close. In lanes, that of any lane.
     pub fn close(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &mut [S]) -> Result<(), LoopFault> {
         self.look(on, q, v);
         for _ in 0..MOST_IN_A_STEP {
@@ -83,9 +83,8 @@ impl<S: Scalar> LoopSolver<S> {
             self.correct_positions(on, q, v, WANTED_GAP);
         }
         self.correct_velocities(on, v);
-        let fault = self.fault();
-        self.forget_pivots();
-        fault.map_or(Ok(()), Err)
+        self.accept();
+        self.fault().map_or(Ok(()), Err)
     }
 
     /// A gap that is not a number is that of a run that diverges, not the loop's.
@@ -98,7 +97,7 @@ impl<S: Scalar> LoopSolver<S> {
             let open = LoopFault::Open { constraint, gap: row.residual.value() };
             (!row.residual.all(|gap| gap.is_nan() || gap.abs() < LARGEST_GAP)).then_some(open)
         };
-        let weak = self.lowest.iter().enumerate().find_map(weak);
+        let weak = self.lowest[0].iter().enumerate().find_map(weak);
         weak.or_else(|| self.rows.iter().enumerate().find_map(open))
     }
 

@@ -12,8 +12,8 @@ pub struct Motor<S = f64> {
     pub coordinate: usize,
     /// At full, N m or N.
     pub effort: S,
-    /// Over time, from -1 to 1.
-    pub profile: Profile,
+    /// Its share of the full effort over time.
+    pub profile: Profile<S>,
     /// Name of the input that scales it, where a lever drives it.
     pub lever: Option<String>,
 }
@@ -27,7 +27,7 @@ impl<S: Scalar> Element<S> for Motor<S> {
     /// Adds the torque and the work that it does.
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let lever = at.inputs.first().copied().unwrap_or(S::ONE);
-        let effort = self.effort * S::constant(self.profile.value(at.clock)) * lever;
+        let effort = self.effort * self.profile.value(at.clock) * lever;
         loads.force[self.coordinate] += effort;
         loads.power.drives += effort * at.v[self.coordinate];
     }

@@ -13,8 +13,8 @@ pub struct PrescribedMotion<S = f64> {
     pub coordinate: usize,
     /// Rate at full, rad/s or m/s.
     pub rate: S,
-    /// Over time, from -1 to 1.
-    pub profile: Profile,
+    /// Its share of the full rate over time.
+    pub profile: Profile<S>,
 }
 
 impl<S: Scalar> Element<S> for PrescribedMotion<S> {
@@ -35,11 +35,11 @@ impl<S: Scalar> Element<S> for PrescribedMotion<S> {
 impl<S: Scalar> PrescribedMotion<S> {
     /// The rate, rad/s or m/s.
     pub fn rate_at(&self, clock: Clock) -> S {
-        self.rate * S::constant(self.profile.value(clock))
+        self.rate * self.profile.value(clock)
     }
 
     /// The acceleration, rad/s^2 or m/s^2.
     pub fn acceleration_at(&self, clock: Clock) -> S {
-        self.rate * S::constant(self.profile.slope_per_s(clock))
+        self.rate * self.profile.slope_per_s(clock)
     }
 }

@@ -30,7 +30,7 @@ pub struct FlowLoad<S = f64> {
     /// rho/2 A_x, rho/2 A_y in kg/m, rho/2 A_y L in kg.
     pub scales: [S; 3],
     /// C_x, C_y and C_n over theta.
-    pub coefficients: DirectionTable,
+    pub coefficients: DirectionTable<S>,
 }
 
 /// Below this square of the speed, m^2/s^2, there is no flow, and no direction of it.

@@ -20,31 +20,31 @@ pub struct TableError {
 /// x axis, counter-clockwise: a smooth curve through the given points, whose slope at each is that of the parabola
 /// through it and its two neighbours (cubic Hermite pieces, periodic).
 #[derive(Clone, Debug)]
-pub struct DirectionTable {
+pub struct DirectionTable<S = f64> {
     /// Where pieces begin, rad, increasing, within one turn.
     directions: Vec<f64>,
-    pieces: Vec<Piece>,
+    pieces: Vec<Piece<S>>,
 }
 
 /// Weights of 1, t, t^2, t^3 with t the angle from where the piece begins, rad.
-type Piece = [[f64; 4]; 3];
+type Piece<S> = [[S; 4]; 3];
 
-impl DirectionTable {
+impl<S: Scalar> DirectionTable<S> {
     /// From directions, rad, and the three coefficients at each. A table of a `symmetric` hull holds 0 to pi, both
     /// included; port is as starboard, with sway and yaw reversed, so that both are 0 in a flow along the hull.
     ///
     /// # Errors
     /// Directions that do not increase or do not stay within one turn, and fewer than three of them; of a symmetric hull
     /// sway or yaw other than 0 at 0 or pi.
-    pub fn new(directions_rad: &[f64], rows: &[[f64; 3]], symmetric: bool) -> Result<Self, TableError> {
+    pub fn new(directions_rad: &[f64], rows: &[[S; 3]], symmetric: bool) -> Result<Self, TableError> {
         check(directions_rad, symmetric)?;
         if symmetric {
             check_mirrored(rows)?;
         }
-        let mut points: Vec<(f64, [f64; 3])> = directions_rad.iter().copied().zip(rows.iter().copied()).collect();
+        let mut points: Vec<(f64, [S; 3])> = directions_rad.iter().copied().zip(rows.iter().copied()).collect();
         if symmetric {
             let inner = points[1..points.len() - 1].iter().rev();
-            let mirrored: Vec<_> = inner.map(|(angle, [x, y, yaw])| (TAU - angle, [*x, -y, -yaw])).collect();
+            let mirrored: Vec<_> = inner.map(|(angle, [x, y, yaw])| (TAU - angle, [*x, -*y, -*yaw])).collect();
             points.extend(mirrored);
         }
         let n = points.len();
@@ -52,7 +52,7 @@ impl DirectionTable {
         let width = |i: usize| at(i + 1).0 - at(i).0 + if i % n + 1 == n { TAU } else { 0.0 };
         let slope = |i: usize, k: usize| {
             let before = (i + n - 1) % n;
-            let (a, b) = (width(before), width(i));
+            let (a, b) = (S::constant(width(before)), S::constant(width(i)));
             let (left, right) = ((at(i).1[k] - at(before).1[k]) / a, (at(i + 1).1[k] - at(i).1[k]) / b);
             (left * b + right * a) / (a + b)
         };
@@ -63,26 +63,42 @@ impl DirectionTable {
     }
 
     /// The coefficients at a direction in (-pi, pi], rad.
-    pub fn at<S: Scalar>(&self, direction: S) -> [S; 3] {
+    pub fn at(&self, direction: S) -> [S; 3] {
         let first = self.directions[0];
-        let found: [S; 13] = S::from_values([direction], |[direction]| {
+        let [begin, place] = S::from_values([direction], |[direction]| {
             let behind = (direction - first).rem_euclid(TAU) + first;
             let i = self.directions.partition_point(|begin| *begin <= behind).max(1) - 1;
-            core::array::from_fn(|k| if k == 12 { self.directions[i] } else { self.pieces[i][k / 4][k % 4] })
+            [self.directions[i], i as f64]
         });
-        let from_begin = direction - found[12];
+        let piece = self.piece(place);
+        let from_begin = direction - begin;
         // A table from -pi to pi, or from 0 to 2 pi: a turn apart at most.
         let turned = from_begin.select_below(-1e-9, || from_begin + S::constant(TAU), || from_begin);
         core::array::from_fn(|k| {
-            let c = &found[4 * k..4 * k + 4];
+            let c = &piece[k];
             c[0] + turned * (c[1] + turned * (c[2] + turned * c[3]))
         })
     }
+
+    /// The piece at a place in the list, which may be another in each lane.
+    fn piece(&self, place: S) -> Piece<S> {
+        let first = place.value();
+        if place.all(|place| place == first) {
+            return self.pieces[first as usize];
+        }
+        let weight = |k: usize, j: usize| {
+            let next =
+                |found, (i, piece): (usize, &Piece<S>)| place.select_below(i as f64 - 0.5, || found, || piece[k][j]);
+            self.pieces.iter().enumerate().fold(S::ZERO, next)
+        };
+        core::array::from_fn(|k| core::array::from_fn(|j| weight(k, j)))
+    }
 }
 
-fn hermite(width: f64, [from, to]: [f64; 2], [start, end]: [f64; 2]) -> [f64; 4] {
+fn hermite<S: Scalar>(width: f64, [from, to]: [S; 2], [start, end]: [S; 2]) -> [S; 4] {
+    let (width, two, three) = (S::constant(width), S::constant(2.0), S::constant(3.0));
     let mean = (to - from) / width;
-    [from, start, (3.0 * mean - 2.0 * start - end) / width, (start + end - 2.0 * mean) / (width * width)]
+    [from, start, (three * mean - two * start - end) / width, (start + end - two * mean) / (width * width)]
 }
 
 /// How near to pi the last direction of a symmetric hull must be, rad.
@@ -115,12 +131,15 @@ fn check(directions: &[f64], symmetric: bool) -> Result<(), TableError> {
 const ROUNDING: f64 = 1e-9;
 
 /// A flow along a hull whose port is as its starboard pushes it to neither side.
-fn check_mirrored(rows: &[[f64; 3]]) -> Result<(), TableError> {
+fn check_mirrored<S: Scalar>(rows: &[[S; 3]]) -> Result<(), TableError> {
+    let size = |x: S| x.select_below(0.0, || -x, || x);
     for (k, column) in [(1, "sway"), (2, "yaw")] {
-        let largest = rows.iter().fold(0.0, |largest: f64, row| largest.max(row[k].abs()));
+        let larger = |largest: S, row: &[S; 3]| largest.select_less(size(row[k]), || size(row[k]), || largest);
+        let largest = rows.iter().fold(S::ZERO, larger);
         for row in [0, rows.len() - 1] {
-            let found = rows[row][k];
-            if found.abs() > ROUNDING * largest {
+            let beyond = size(rows[row][k]) - S::constant(ROUNDING) * largest;
+            if !beyond.all(|beyond| beyond <= 0.0) {
+                let found = rows[row][k].value();
                 let allowed = "0 in a flow along a symmetric hull, from ahead or astern";
                 return Err(TableError { column, row: Some(row), found, allowed });
             }

@@ -85,7 +85,7 @@ pub struct Hull<S = f64> {
     pub radiation: Option<Radiation>,
     /// The incident waves.
     pub excitation: Option<Excitation<S>>,
-    /// Their own pressure on the mesh, if it acts.
+    /// Their own pressure on the mesh of the hydrostatics, if it acts.
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
     /// Velocity of the water in the world, m/s.
     pub current: Vector3<S>,
@@ -139,7 +139,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         let axes = SeaAxes::of(&motion.frame, &slow);
         let mut by_the_sea = self.about_centre(by_the_sea, &axes) + self.in_flowing_water(at, &axes, loads);
         if let Some(waves) = self.wave_pressure.as_mut().filter(|_| has_waves) {
-            let pressure = waves.pressure(&motion.frame, self.specific_weight, at.clock.time_s);
+            let pressure = waves.pressure(&motion.frame, self.specific_weight, at.clock.time_s, &buoyancy);
             by_the_sea += self.frame.about_centre(&pressure);
         }
         loads.power.outside += by_the_sea.dot(&at.links.body_twist(at.model, self.frame.body));
@@ -169,7 +169,8 @@ impl<S: Scalar> Element<S> for Hull<S> {
         let mut excitation_force = self.excitation.as_mut().map_or(none, |waves| waves.force(time_s, &slow));
         if let Some(waves) = self.wave_pressure.as_mut() {
             let motion = self.frame.motion(at);
-            let by_pressure = waves.pressure(&motion.frame, self.specific_weight, time_s);
+            let still = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), self.specific_weight);
+            let by_pressure = waves.pressure(&motion.frame, self.specific_weight, time_s, &still);
             let axes = SeaAxes::of(&motion.frame, &slow);
             let Wrench { moment, force } = axes.wrench_of_body(&by_pressure);
             let along = axes.modes(force, moment);

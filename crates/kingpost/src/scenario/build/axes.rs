@@ -1,41 +1,49 @@
 //! Axes of joints without the difference between turning and sliding, and what acts in them.
 
-use super::super::schema::{self, AngleAxis, History, LengthAxis, PrismaticMode, RevoluteMode};
+use super::super::schema::{self, AngleAxis, History, HistoryList, LengthAxis, PrismaticMode, RatePulse, RevoluteMode};
 use super::FieldError;
-use super::reading::{Gathered, Reading};
 use crate::elements::{AnyElement, CoulombFriction, JointDamping, JointSpring, JointStop, StopSide};
 use crate::model::{AxisMotion, Mode};
+use crate::scenario::leaf::Quantity;
 
 /// An axis of a joint, in rad and N m or in m and N.
-pub struct Axis {
+pub struct Axis<S> {
     /// Its name within the joint; empty where that has one axis.
     pub label: &'static str,
     pub motion: AxisMotion,
-    pub initial: f64,
-    pub initial_rate: f64,
+    pub initial: S,
+    pub initial_rate: S,
     pub mode: Mode,
-    /// Where it is prescribed: the full rate, and how it goes with time.
-    pub prescribed: Option<(f64, History, Option<schema::Pulse>)>,
-    pub damping: f64,
+    /// Its motion, where that is given.
+    pub given: Option<GivenMotion<S>>,
+    pub damping: S,
     /// Friction and smoothing.
-    pub friction: Option<[f64; 2]>,
+    pub friction: Option<[S; 2]>,
     /// Stiffness and rest.
-    pub spring: Option<[f64; 2]>,
-    pub limits: Option<Limits>,
+    pub spring: Option<[S; 2]>,
+    pub limits: Option<Limits<S>>,
     /// Of the rotor, times the gear ratio squared.
-    pub rotor_inertia: f64,
+    pub rotor_inertia: S,
+}
+
+/// A motion that a scenario gives.
+pub enum GivenMotion<S> {
+    /// A rate over time.
+    Rate { full: S, history: History, pulse: Option<RatePulse>, list: Option<HistoryList<S>> },
+    /// A way from rest to rest, and its times, s.
+    Travel { way: S, start_s: f64, duration_s: f64, ramp_s: f64 },
 }
 
 /// Stops of an axis.
-pub struct Limits {
-    pub lower: Option<f64>,
-    pub upper: Option<f64>,
+pub struct Limits<S> {
+    pub lower: Option<S>,
+    pub upper: Option<S>,
     /// Stiffness and dissipation.
-    pub contact: [f64; 2],
+    pub contact: [S; 2],
 }
 
 /// The axes of a joint, from the parent to the child; none of floating, spherical and fixed joints.
-pub fn axes(joint: &schema::Joint) -> Vec<Axis> {
+pub fn axes<S: Quantity>(joint: &schema::Joint<S>) -> Vec<Axis<S>> {
     match joint {
         schema::Joint::Revolute(joint) => vec![angle("", &joint.only_axis())],
         schema::Joint::Prismatic(joint) => vec![length("", &joint.only_axis())],
@@ -55,11 +63,18 @@ pub fn axes(joint: &schema::Joint) -> Vec<Axis> {
     }
 }
 
-fn angle(label: &'static str, axis: &AngleAxis) -> Axis {
-    let (mode, prescribed) = match &axis.mode {
+fn angle<S: Quantity>(label: &'static str, axis: &AngleAxis<S>) -> Axis<S> {
+    let (mode, given) = match &axis.mode {
         RevoluteMode::Free => (Mode::Free, None),
         RevoluteMode::Held => (Mode::Held, None),
-        RevoluteMode::Prescribed(p) => (Mode::Prescribed, Some((p.rate_rad_s, p.history, p.pulse.clone()))),
+        RevoluteMode::Prescribed(p) => {
+            let (pulse, list) = (p.pulse.clone(), p.list.clone());
+            (Mode::Prescribed, Some(GivenMotion::Rate { full: p.rate_rad_s, history: p.history, pulse, list }))
+        }
+        RevoluteMode::Travel(t) => {
+            let [start_s, duration_s, ramp_s] = [t.start_s.get(), t.duration_s.get(), t.ramp_s.get()];
+            (Mode::Prescribed, Some(GivenMotion::Travel { way: t.angle_rad, start_s, duration_s, ramp_s }))
+        }
     };
     Axis {
         label,
@@ -67,7 +82,7 @@ fn angle(label: &'static str, axis: &AngleAxis) -> Axis {
         initial: axis.initial_angle_rad,
         initial_rate: axis.initial_rate_rad_s,
         mode,
-        prescribed,
+        given,
         damping: axis.damping_n_m_s.get(),
         friction: axis.friction.as_ref().map(|f| [f.torque_n_m.get(), f.smoothing_rad_s.get()]),
         spring: axis.spring.as_ref().map(|s| [s.stiffness_n_m_per_rad.get(), s.rest_rad]),
@@ -80,11 +95,18 @@ fn angle(label: &'static str, axis: &AngleAxis) -> Axis {
     }
 }
 
-fn length(label: &'static str, axis: &LengthAxis) -> Axis {
-    let (mode, prescribed) = match &axis.mode {
+fn length<S: Quantity>(label: &'static str, axis: &LengthAxis<S>) -> Axis<S> {
+    let (mode, given) = match &axis.mode {
         PrismaticMode::Free => (Mode::Free, None),
         PrismaticMode::Held => (Mode::Held, None),
-        PrismaticMode::Prescribed(p) => (Mode::Prescribed, Some((p.speed_m_s, p.history, p.pulse.clone()))),
+        PrismaticMode::Prescribed(p) => {
+            let (pulse, list) = (p.pulse.clone(), p.list.clone());
+            (Mode::Prescribed, Some(GivenMotion::Rate { full: p.speed_m_s, history: p.history, pulse, list }))
+        }
+        PrismaticMode::Travel(t) => {
+            let [start_s, duration_s, ramp_s] = [t.start_s.get(), t.duration_s.get(), t.ramp_s.get()];
+            (Mode::Prescribed, Some(GivenMotion::Travel { way: t.length_m, start_s, duration_s, ramp_s }))
+        }
     };
     Axis {
         label,
@@ -92,7 +114,7 @@ fn length(label: &'static str, axis: &LengthAxis) -> Axis {
         initial: axis.initial_extension_m,
         initial_rate: axis.initial_speed_m_s,
         mode,
-        prescribed,
+        given,
         damping: axis.damping_n_s_m.get(),
         friction: axis.friction.as_ref().map(|f| [f.force_n.get(), f.smoothing_m_s.get()]),
         spring: axis.spring.as_ref().map(|s| [s.stiffness_n_per_m.get(), s.rest_m]),
@@ -101,11 +123,12 @@ fn length(label: &'static str, axis: &LengthAxis) -> Axis {
             upper: l.upper_m,
             contact: [l.stiffness_n_per_m.get(), l.dissipation_s_per_m.get()],
         }),
-        rotor_inertia: axis.rotor_inertia_kg_m2.get() * axis.gear_ratio_rad_per_m.get().powi(2),
+        rotor_inertia: axis.rotor_inertia_kg_m2.get()
+            * (axis.gear_ratio_rad_per_m.get() * axis.gear_ratio_rad_per_m.get()),
     }
 }
 
-impl Axis {
+impl<S: Quantity> Axis<S> {
     /// The name of its coordinate.
     pub fn coordinate_name(&self, joint: &str) -> String {
         if self.label.is_empty() { joint.to_owned() } else { format!("{joint}.{}", self.label) }
@@ -132,7 +155,7 @@ impl Axis {
         let field = |name: &str| format!("{joint}.{}", self.field(name));
         match (limits.lower, limits.upper) {
             (None, None) => Err(FieldError::new(field("limits"), "no limit", format!("{lower}, {upper}, or both"))),
-            (Some(low), Some(high)) if low >= high => {
+            (Some(low), Some(high)) if !(high - low).all(|travel| travel > 0.0) => {
                 let allowed = format!("less than {upper}, {high}");
                 Err(FieldError::new(field(&format!("limits.{lower}")), low, allowed))
             }
@@ -141,38 +164,29 @@ impl Axis {
     }
 }
 
-/// What acts in axis k of a joint, whose coordinate is at these places of q and v; `path` is the
+/// What acts in an axis of a joint, whose coordinate is at these places of q and v; `path` is the
 /// joint's. Refuses limits that cross.
-pub fn forces_in_axis<S: Gathered>(
+pub fn forces_in_axis<S: Quantity>(
     path: &str,
-    joint: &Reading<schema::Joint>,
-    k: usize,
+    axis: &Axis<S>,
     (position, coordinate): (usize, usize),
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
-    let axis = &axes(joint.first())[k];
     axis.check_limits(path)?;
     let mut forces: Vec<AnyElement<S>> = Vec::new();
-    let damping = |joint: &schema::Joint| axes(joint)[k].damping;
-    if joint.any_nonzero(damping) {
-        forces.push(Box::new(JointDamping { coordinate, damping: joint.number(damping) }));
+    if !axis.damping.vanishes() {
+        forces.push(Box::new(JointDamping { coordinate, damping: axis.damping }));
     }
-    if axis.friction.is_some() {
-        let [friction, smoothing] = joint.numbers(|joint| axes(joint)[k].friction.unwrap_or_default());
+    if let Some([friction, smoothing]) = axis.friction {
         forces.push(Box::new(CoulombFriction { coordinate, friction, smoothing }));
     }
-    if axis.spring.is_some() {
-        let [stiffness, rest] = joint.numbers(|joint| axes(joint)[k].spring.unwrap_or_default());
+    if let Some([stiffness, rest]) = axis.spring {
         forces.push(Box::new(JointSpring { position, coordinate, stiffness, rest }));
     }
-    let stop = |side, limit: fn(&Limits) -> Option<f64>| -> Option<AnyElement<S>> {
-        axis.limits.as_ref().and_then(limit)?;
-        let number = |joint: &schema::Joint| axes(joint)[k].limits.as_ref().and_then(limit).unwrap_or_default();
-        let contact = |joint: &schema::Joint| axes(joint)[k].limits.as_ref().map_or([0.0; 2], |limits| limits.contact);
-        let [stiffness, dissipation] = joint.numbers(contact);
-        let limit = joint.number(number);
-        Some(Box::new(JointStop { position, coordinate, side, limit, stiffness, dissipation }))
-    };
-    forces.extend(stop(StopSide::Lower, |limits| limits.lower));
-    forces.extend(stop(StopSide::Upper, |limits| limits.upper));
+    if let Some(Limits { lower, upper, contact: [stiffness, dissipation] }) = axis.limits {
+        let stop = |(side, limit): (StopSide, Option<S>)| -> Option<AnyElement<S>> {
+            Some(Box::new(JointStop { position, coordinate, side, limit: limit?, stiffness, dissipation }))
+        };
+        forces.extend([(StopSide::Lower, lower), (StopSide::Upper, upper)].into_iter().filter_map(stop));
+    }
     Ok(forces)
 }

@@ -3,11 +3,11 @@
 use super::super::schema::{self, Inertia, Scenario};
 use super::axes::{axes, forces_in_axis};
 use super::flexible::{ELASTIC_AXES, FlexibleBody, carrier};
-use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::elements::{AnyElement, JointDamping};
 use crate::model::joint::{AxisList, Fixed, Floating, Prismatic, Revolute, Spherical};
 use crate::model::{Axis, BodyDescription, Joint, JointKind, Mode, Model, Shape};
+use crate::scenario::leaf::Quantity;
 use crate::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, rotation_from_roll_pitch_yaw};
 use std::collections::HashSet;
 
@@ -20,9 +20,9 @@ pub struct Bodies<S> {
     pub forces: Vec<AnyElement<S>>,
 }
 
-pub fn build<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Bodies<S>, FieldError> {
+pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<Bodies<S>, FieldError> {
     let mut growth = Growth::default();
-    for name in order(scenario.first())? {
+    for name in order(scenario)? {
         growth.add(scenario, name)?;
     }
     Ok(growth.finish())
@@ -38,45 +38,59 @@ struct Growth<S> {
     rotors: Vec<(usize, S)>,
 }
 
-impl<S: Gathered> Growth<S> {
-    fn add(&mut self, scenario: &Reading<Scenario>, name: &str) -> Result<(), FieldError> {
-        let body = scenario.part(|scenario| &scenario.bodies[name]);
-        let flexible = FlexibleBody::read(name, &body)?;
-        let (parent, parent_centre) = self.parent(scenario, body.first());
-        let centre = flexible.as_ref().map_or_else(|| body.vector(|body| body.centre_of_mass_m), |beam| beam.centre(0));
-        let joint = joint(name, &body, parent_centre, centre)?;
-        self.forces.extend(forces_in_joint(name, &body, (self.q.len(), self.v.len()))?);
-        for k in 0..axes(&body.first().joint).len() {
-            self.rotors.push((self.v.len() + k, body.number(|body| axes(&body.joint)[k].rotor_inertia)));
+impl<S: Quantity> Growth<S> {
+    fn add(&mut self, scenario: &Scenario<S>, name: &str) -> Result<(), FieldError> {
+        let body = &scenario.bodies[name];
+        let flexible = FlexibleBody::read(name, body)?;
+        let (parent, parent_centre) = self.parent(scenario, name, body)?;
+        let centre = flexible.as_ref().map_or(Vector3(body.centre_of_mass_m), |beam| beam.centre(0));
+        let joint = joint(name, body, parent_centre, centre)?;
+        self.forces.extend(forces_in_joint(name, body, (self.q.len(), self.v.len()))?);
+        for (k, axis) in axes(&body.joint).iter().enumerate() {
+            self.rotors.push((self.v.len() + k, axis.rotor_inertia));
         }
-        initial(name, &body, &mut self.q, &mut self.v)?;
+        initial(name, body, &mut self.q, &mut self.v)?;
         match flexible {
             None => {
-                let (mass, inertia) = (body.number(|body| body.mass_kg.get()), inertia(name, &body)?);
-                let points = points(&body, centre, |_| true);
+                let (mass, inertia) = (body.mass_kg.get(), inertia(name, body)?);
+                let points =
+                    body.points.iter().map(|(name, point)| (name.to_string(), Vector3(point.position_m) - centre));
+                let points = points.collect();
                 self.descriptions.push(BodyDescription { name: name.to_owned(), parent, joint, mass, inertia, points });
+                Ok(())
             }
-            Some(beam) => self.add_beam(&body, &beam, parent, joint),
+            Some(beam) => self.add_beam(body, &beam, parent, joint),
         }
-        Ok(())
     }
 
     /// The body that a body hangs on, and its centre of mass in the drawing frame.
-    fn parent(&self, scenario: &Reading<Scenario>, body: &schema::Body) -> (Option<usize>, Vector3<S>) {
-        let Some(parent) = body.parent_body().map(|parent| parent.as_str()) else { return (None, Vector3::zero()) };
+    fn parent(
+        &self,
+        scenario: &Scenario<S>,
+        name: &str,
+        body: &schema::Body<S>,
+    ) -> Result<(Option<usize>, Vector3<S>), FieldError> {
+        let Some(parent) = body.parent_body().map(|parent| parent.as_str()) else {
+            return Ok((None, Vector3::zero()));
+        };
         let index = self.descriptions.iter().position(|description| description.name == parent);
-        let (segment, centre) = carrier(scenario, parent, body.joint.place().position_m);
-        (index.map(|index| index + segment), centre)
+        let field = format!("bodies.{name}.joint.{}.position_m.0", body.joint.kind());
+        let (segment, centre) = carrier(scenario, parent, &field, body.joint.place().position_m)?;
+        Ok((index.map(|index| index + segment), centre))
     }
 
     fn add_beam(
         &mut self,
-        body: &Reading<schema::Body>,
+        body: &schema::Body<S>,
         beam: &FlexibleBody<S>,
         parent: Option<usize>,
         joint: Joint<S>,
-    ) {
-        let points = |segment| points(body, beam.centre(segment), |place| beam.segment_at(place) == segment);
+    ) -> Result<(), FieldError> {
+        let points = beam.points(body)?;
+        let points = |segment| {
+            let there = points.iter().filter(|(carrier, ..)| *carrier == segment);
+            there.map(|(_, name, point)| (name.clone(), *point - beam.centre(segment))).collect::<Vec<_>>()
+        };
         self.descriptions.push(beam.describe(0, parent, joint, points(0)));
         for segment in 1..=beam.joints() {
             self.forces.extend(beam.forces(self.q.len(), self.v.len()));
@@ -85,6 +99,7 @@ impl<S: Gathered> Growth<S> {
             self.q.extend([S::ZERO; ELASTIC_AXES]);
             self.v.extend([S::ZERO; ELASTIC_AXES]);
         }
+        Ok(())
     }
 
     fn finish(self) -> Bodies<S> {
@@ -96,18 +111,8 @@ impl<S: Gathered> Growth<S> {
     }
 }
 
-/// The named points of a body that lie where they should, from a centre of mass.
-fn points<S: Gathered>(
-    body: &Reading<schema::Body>,
-    centre: Vector3<S>,
-    lies_there: impl Fn([f64; 3]) -> bool,
-) -> Vec<(String, Vector3<S>)> {
-    let there = body.first().points.iter().filter(|(_, point)| lies_there(point.position_m));
-    there.map(|(name, _)| (name.to_string(), body.vector(|body| body.points[name].position_m) - centre)).collect()
-}
-
 /// Names of the bodies that are there, parents first, otherwise in the order of the file.
-fn order(scenario: &Scenario) -> Result<Vec<&str>, FieldError> {
+fn order<S: Quantity>(scenario: &Scenario<S>) -> Result<Vec<&str>, FieldError> {
     check_names(scenario)?;
     let (mut order, mut placed) = (Vec::new(), HashSet::new());
     for name in scenario.bodies.keys() {
@@ -124,7 +129,7 @@ fn order(scenario: &Scenario) -> Result<Vec<&str>, FieldError> {
 
 /// Parents exist; joints have names of their own, those of bodies that are not enabled too, so that
 /// a drive never changes its joint with a switch.
-fn check_names(scenario: &Scenario) -> Result<(), FieldError> {
+fn check_names<S: Quantity>(scenario: &Scenario<S>) -> Result<(), FieldError> {
     let mut joints = HashSet::new();
     for (name, body) in &scenario.bodies {
         if name.as_str() == schema::WORLD {
@@ -144,12 +149,12 @@ fn check_names(scenario: &Scenario) -> Result<(), FieldError> {
 }
 
 /// A joint without a name has that of its body.
-pub fn joint_name<'a>(body_name: &'a str, body: &'a schema::Body) -> &'a str {
+pub fn joint_name<'a, S: Quantity>(body_name: &'a str, body: &'a schema::Body<S>) -> &'a str {
     body.joint.name().map_or(body_name, |name| name.as_str())
 }
 
 /// A body and its ancestors up to the world.
-fn chain<'a>(scenario: &'a Scenario, name: &'a str) -> Result<Vec<&'a str>, FieldError> {
+fn chain<'a, S: Quantity>(scenario: &'a Scenario<S>, name: &'a str) -> Result<Vec<&'a str>, FieldError> {
     let (mut chain, mut seen) = (vec![name], HashSet::from([name]));
     while let Some(parent) = scenario.bodies[chain[chain.len() - 1]].parent_body() {
         chain.push(parent);
@@ -162,27 +167,28 @@ fn chain<'a>(scenario: &'a Scenario, name: &'a str) -> Result<Vec<&'a str>, Fiel
 }
 
 /// The joint with its geometry moved from the drawing frames to the centres of mass.
-fn joint<S: Gathered>(
+fn joint<S: Quantity>(
     name: &str,
-    body: &Reading<schema::Body>,
+    body: &schema::Body<S>,
     parent_centre: Vector3<S>,
     centre: Vector3<S>,
 ) -> Result<Joint<S>, FieldError> {
-    let joint = body.part(|body| &body.joint);
+    let joint = &body.joint;
+    let schema::JointPlace { position_m, child_position_m, orientation_rad } = joint.place();
     let placement = Frame {
-        rotation: rotation_from_roll_pitch_yaw(joint.vector(|joint| joint.place().orientation_rad)),
-        position: joint.vector(|joint| joint.place().position_m) - parent_centre,
+        rotation: rotation_from_roll_pitch_yaw(Vector3(orientation_rad)),
+        position: Vector3(position_m) - parent_centre,
     };
-    let to_child = centre - joint.vector(|joint| joint.place().child_position_m);
-    let direction = |k: usize| joint.vector(|joint| joint.directions()[k].1.get()).direction();
-    let modes: Vec<Mode> = axes(joint.first()).iter().map(|axis| axis.mode).collect();
+    let to_child = centre - Vector3(child_position_m);
+    let direction = |k: usize| Vector3(joint.directions()[k].1.get()).direction();
+    let modes: Vec<Mode> = axes(joint).iter().map(|axis| axis.mode).collect();
     let mut mode = modes.first().copied().unwrap_or(Mode::Free);
-    check_perpendicular(name, joint.first())?;
-    let kind = match joint.first() {
+    check_perpendicular(name, joint)?;
+    let kind = match joint {
         schema::Joint::Floating(joint) => {
-            if body.first().parent_body().is_some() {
+            if body.parent_body().is_some() {
                 let field = format!("bodies.{name}.parent");
-                return Err(FieldError::new(field, &body.first().parent, "world, for a body with a floating joint"));
+                return Err(FieldError::new(field, &body.parent, "world, for a body with a floating joint"));
             }
             let (hold_translation, hold_rotation) = (joint.hold_translation, joint.hold_rotation);
             JointKind::Floating(Floating { hold_translation, hold_rotation })
@@ -201,13 +207,9 @@ fn joint<S: Gathered>(
             JointKind::AxisList(planar.with_modes(&modes))
         }
         schema::Joint::MovedByWaves(_) => {
-            if body.first().parent_body().is_some() {
+            if body.parent_body().is_some() {
                 let field = format!("bodies.{name}.parent");
-                return Err(FieldError::new(
-                    field,
-                    &body.first().parent,
-                    "world, for a body that moves with the waves",
-                ));
+                return Err(FieldError::new(field, &body.parent, "world, for a body that moves with the waves"));
             }
             JointKind::AxisList(AxisList::six_axes(placement, to_child).with_modes(&modes))
         }
@@ -217,49 +219,38 @@ fn joint<S: Gathered>(
         }
         schema::Joint::Fixed(_) => JointKind::Fixed(Fixed::new(placement, to_child)),
     };
-    Ok(Joint { name: joint_name(name, body.first()).to_owned(), kind, mode })
+    Ok(Joint { name: joint_name(name, body).to_owned(), kind, mode })
 }
 
 /// How far two directions may be from a right angle, rad: what six written digits leave.
 const NEARLY_PERPENDICULAR: f64 = 1e-5;
 
 /// An error unless the two directions of a joint that has two are perpendicular.
-fn check_perpendicular(name: &str, joint: &schema::Joint) -> Result<(), FieldError> {
+fn check_perpendicular<S: Quantity>(name: &str, joint: &schema::Joint<S>) -> Result<(), FieldError> {
     let [(first, one), (second, other)] = joint.directions()[..] else { return Ok(()) };
-    let cosine = Vector3(one.unit()).dot(Vector3(other.unit()));
-    if cosine.abs() <= NEARLY_PERPENDICULAR {
-        return Ok(());
-    }
+    let cosine = Vector3(one.get()).direction().dot(Vector3(other.get()).direction());
+    let Some(cosine) = cosine.outside(|cosine| cosine.abs() <= NEARLY_PERPENDICULAR) else { return Ok(()) };
     let degrees = libm::acos(cosine.clamp(-1.0, 1.0)).to_degrees();
     let found = format!("a direction {degrees:.4} degrees from {first}");
     let field = format!("bodies.{name}.joint.{}.{second}", joint.kind());
     Err(FieldError::new(field, found, format!("one perpendicular to {first}")))
 }
 
-fn floating(body: &schema::Body) -> Option<&schema::FloatingJoint> {
-    if let schema::Joint::Floating(joint) = &body.joint { Some(joint) } else { None }
-}
-
-fn spherical(body: &schema::Body) -> Option<&schema::SphericalJoint> {
-    if let schema::Joint::Spherical(joint) = &body.joint { Some(joint) } else { None }
-}
-
 /// What acts in the joint of a body whose coordinates come next in q and v.
-fn forces_in_joint<S: Gathered>(
+fn forces_in_joint<S: Quantity>(
     name: &str,
-    body: &Reading<schema::Body>,
+    body: &schema::Body<S>,
     (positions, velocities): (usize, usize),
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
-    let joint = body.part(|body| &body.joint);
-    let path = format!("bodies.{name}.joint.{}", joint.first().kind());
+    let joint = &body.joint;
+    let path = format!("bodies.{name}.joint.{}", joint.kind());
     let mut forces: Vec<AnyElement<S>> = Vec::new();
-    for k in 0..axes(joint.first()).len() {
-        forces.extend(forces_in_axis(&path, &joint, k, (positions + k, velocities + k))?);
+    for (k, axis) in axes(joint).iter().enumerate() {
+        forces.extend(forces_in_axis(&path, axis, (positions + k, velocities + k))?);
     }
-    if let schema::Joint::Spherical(_) = joint.first() {
-        let ball = body.kind(spherical);
-        if ball.any_nonzero(|ball| ball.damping_n_m_s.get()) {
-            let damping = ball.number(|ball| ball.damping_n_m_s.get());
+    if let schema::Joint::Spherical(ball) = joint {
+        let damping = ball.damping_n_m_s.get();
+        if !damping.vanishes() {
             let about = |k| -> AnyElement<S> { Box::new(JointDamping { coordinate: velocities + k, damping }) };
             forces.extend((0..3).map(about));
         }
@@ -268,45 +259,36 @@ fn forces_in_joint<S: Gathered>(
 }
 
 /// Appends the joint's entries of q and v. Prescribed rates are set by their drive.
-fn initial<S: Gathered>(
-    name: &str,
-    body: &Reading<schema::Body>,
-    q: &mut Vec<S>,
-    v: &mut Vec<S>,
-) -> Result<(), FieldError> {
-    let field = |rest: &str| format!("bodies.{name}.joint.{}.{rest}", body.first().joint.kind());
+fn initial<S: Quantity>(name: &str, body: &schema::Body<S>, q: &mut Vec<S>, v: &mut Vec<S>) -> Result<(), FieldError> {
+    let field = |rest: &str| format!("bodies.{name}.joint.{}.{rest}", body.joint.kind());
     let at_rest = |rest: &str, rate: S, free: bool| {
         if free || rate.all(|rate| rate == 0.0) {
             return Ok(rate);
         }
-        Err(FieldError::new(field(rest), rate.value(), "0, for a coordinate that is held or prescribed"))
+        Err(FieldError::new(field(rest), rate, "0, for a coordinate that is held or prescribed"))
     };
-    match &body.first().joint {
+    match &body.joint {
         schema::Joint::Floating(joint) => {
-            let initial = body.kind(floating).part(|joint| &joint.initial);
-            q.extend(initial.vector::<S>(|initial| initial.position_m).0);
-            let orientation = initial.vector(|initial| initial.orientation_rad);
-            q.extend(Quaternion::<S>::from_roll_pitch_yaw(orientation).0);
-            for rate in initial.numbers(|initial| initial.velocity_m_s) {
+            let initial = &joint.initial;
+            q.extend(initial.position_m);
+            q.extend(Quaternion::from_roll_pitch_yaw(Vector3(initial.orientation_rad)).0);
+            for rate in initial.velocity_m_s {
                 v.push(at_rest("initial.velocity_m_s", rate, !joint.hold_translation)?);
             }
-            for rate in initial.numbers(|initial| initial.angular_velocity_rad_s) {
+            for rate in initial.angular_velocity_rad_s {
                 v.push(at_rest("initial.angular_velocity_rad_s", rate, !joint.hold_rotation)?);
             }
         }
         schema::Joint::Spherical(joint) => {
-            let ball = body.kind(spherical);
-            let orientation = ball.vector(|ball| ball.initial_orientation_rad);
-            q.extend(Quaternion::<S>::from_roll_pitch_yaw(orientation).0);
-            for rate in ball.numbers(|ball| ball.initial_angular_velocity_rad_s) {
+            q.extend(Quaternion::from_roll_pitch_yaw(Vector3(joint.initial_orientation_rad)).0);
+            for rate in joint.initial_angular_velocity_rad_s {
                 v.push(at_rest("initial_angular_velocity_rad_s", rate, !joint.held)?);
             }
         }
         joint => {
-            for (k, axis) in axes(joint).iter().enumerate() {
-                q.push(body.number(|body| axes(&body.joint)[k].initial));
-                let rate = body.number(|body| axes(&body.joint)[k].initial_rate);
-                v.push(at_rest(&axis.rate_field(), rate, axis.mode == Mode::Free)?);
+            for axis in axes(joint) {
+                q.push(axis.initial);
+                v.push(at_rest(&axis.rate_field(), axis.initial_rate, axis.mode == Mode::Free)?);
             }
         }
     }
@@ -314,32 +296,29 @@ fn initial<S: Gathered>(
 }
 
 /// Inertia about the centre of mass: the given one, else the shape's.
-fn inertia<S: Gathered>(name: &str, body: &Reading<schema::Body>) -> Result<SpatialInertia<S>, FieldError> {
-    let mass: S = body.number(|body| body.mass_kg.get());
-    let (moments, field) = match (&body.first().inertia, &body.first().shape) {
-        (Some(Inertia::Tensor(_)), _) => {
-            let given = body.kind(tensor);
-            let moments = given.numbers(|tensor| tensor.moments_kg_m2.map(|moment| moment.get()));
-            let mut moments = Symmetric3::diagonal(moments);
-            [moments.xy, moments.xz, moments.yz] = given.numbers(|tensor| tensor.products_kg_m2);
+fn inertia<S: Quantity>(name: &str, body: &schema::Body<S>) -> Result<SpatialInertia<S>, FieldError> {
+    let mass = body.mass_kg.get();
+    let (moments, field) = match (&body.inertia, &body.shape) {
+        (Some(Inertia::Tensor(given)), _) => {
+            let mut moments = Symmetric3::diagonal(given.moments_kg_m2.map(|moment| moment.get()));
+            [moments.xy, moments.xz, moments.yz] = given.products_kg_m2;
             (moments, "inertia.tensor.moments_kg_m2")
         }
-        (Some(Inertia::RadiiOfGyration(_)), _) => {
-            let given = body.kind(radii);
-            let radii: [S; 3] = given.numbers(|given| given.radii_m.map(|radius| radius.get()));
+        (Some(Inertia::RadiiOfGyration(given)), _) => {
+            let radii = given.radii_m.map(|radius| radius.get());
             (Symmetric3::diagonal(radii.map(|radius| mass * radius * radius)), "inertia.radii_of_gyration.radii_m")
         }
-        (None, Some(_)) => {
-            let shape = body.kind(|body| body.shape.as_ref());
-            return Ok(SpatialInertia::rigid(mass, solid(&shape).inertia(mass)));
-        }
+        (None, Some(shape)) => return Ok(SpatialInertia::rigid(mass, solid(shape).inertia(mass))),
         (None, None) => {
             let allowed = "a shape, or an inertia";
             return Err(FieldError::new(format!("bodies.{name}"), "neither shape nor inertia", allowed));
         }
     };
-    if !moments.values().holds_triangle_inequality() {
-        let Symmetric3 { xx, xy, xz, yy, yz, zz } = moments.values();
+    let Symmetric3 { xx, xy, xz, yy, yz, zz } = moments;
+    let [sound] = S::from_values([xx, xy, xz, yy, yz, zz], |[xx, xy, xz, yy, yz, zz]| {
+        [f64::from(Symmetric3 { xx, xy, xz, yy, yz, zz }.holds_triangle_inequality())]
+    });
+    if !sound.all(|sound| sound == 1.0) {
         let found = format!("moments {xx}, {yy}, {zz} kg m^2 with products {xy}, {xz}, {yz}");
         let allowed = "a body's: no principal moment greater than the sum of the other two";
         return Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed));
@@ -347,36 +326,21 @@ fn inertia<S: Gathered>(name: &str, body: &Reading<schema::Body>) -> Result<Spat
     Ok(SpatialInertia::rigid(mass, moments))
 }
 
-fn tensor(body: &schema::Body) -> Option<&schema::InertiaTensor> {
-    if let Some(Inertia::Tensor(tensor)) = &body.inertia { Some(tensor) } else { None }
-}
-
-fn radii(body: &schema::Body) -> Option<&schema::RadiiOfGyration> {
-    if let Some(Inertia::RadiiOfGyration(radii)) = &body.inertia { Some(radii) } else { None }
-}
-
 /// The shape in the engine's terms.
-fn solid<S: Gathered>(shape: &Reading<schema::Shape>) -> Shape<S> {
-    match shape.first() {
-        schema::Shape::Box(_) => {
-            let cuboid = shape.kind(|shape| if let schema::Shape::Box(cuboid) = shape { Some(cuboid) } else { None });
-            Shape::Box { edges_m: cuboid.numbers(|c| [c.length_m, c.width_m, c.height_m].map(|edge| edge.get())) }
+fn solid<S: Quantity>(shape: &schema::Shape<S>) -> Shape<S> {
+    match shape {
+        schema::Shape::Box(given) => {
+            Shape::Box { edges_m: [given.length_m, given.width_m, given.height_m].map(|edge| edge.get()) }
         }
-        schema::Shape::Cylinder(first) => {
-            let cylinder =
-                shape.kind(|shape| if let schema::Shape::Cylinder(given) = shape { Some(given) } else { None });
-            let [radius_m, length_m] = cylinder.numbers(|given| [given.radius_m.get(), given.length_m.get()]);
-            let axis = match first.axis {
+        schema::Shape::Cylinder(given) => {
+            let axis = match given.axis {
                 schema::PrincipalAxis::X => Axis::X,
                 schema::PrincipalAxis::Y => Axis::Y,
                 schema::PrincipalAxis::Z => Axis::Z,
             };
-            Shape::Cylinder { radius_m, length_m, axis }
+            Shape::Cylinder { radius_m: given.radius_m.get(), length_m: given.length_m.get(), axis }
         }
-        schema::Shape::Sphere(_) => {
-            let sphere = shape.kind(|shape| if let schema::Shape::Sphere(given) = shape { Some(given) } else { None });
-            Shape::Sphere { radius_m: sphere.number(|given| given.radius_m.get()) }
-        }
+        schema::Shape::Sphere(given) => Shape::Sphere { radius_m: given.radius_m.get() },
         schema::Shape::Point(_) => Shape::Point,
     }
 }

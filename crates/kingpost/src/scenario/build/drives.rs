@@ -3,33 +3,32 @@
 use super::super::schema::{self, BrakeState, History, Scenario};
 use super::axes::axes;
 use super::bodies::joint_name;
-use super::flexible::owner;
-use super::reading::{Gathered, Reading};
-use super::{FieldError, cylinders, known, wave_motion};
+use super::{FieldError, cylinders, histories, known, wave_motion};
 use crate::dynamics::Clock;
-use crate::elements::drives::{Brake, Motor, PrescribedMotion, Profile, Pulse, Servo};
+use crate::elements::drives::{Brake, Motor, Profile, Servo};
 use crate::elements::{AnyElement, CoulombFriction};
 use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
+use crate::scenario::leaf::Quantity;
 
 /// The drives that are on; gives prescribed joints their initial rate in `v`.
-pub fn build<S: Gathered>(
-    scenario: &Reading<Scenario>,
+pub fn build<S: Quantity>(
+    scenario: &Scenario<S>,
     model: &Model<S>,
     v: &mut [S],
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut drives: Vec<AnyElement<S>> = Vec::new();
-    for name in scenario.first().drives.keys() {
-        let Some(parts) = Parts::of(name, &scenario.part(|scenario| &scenario.drives[name])) else {
+    for (name, drive) in &scenario.drives {
+        let Some(parts) = Parts::of(name, drive) else {
             if let Some(cylinder) = cylinders::build(scenario, name, model)? {
                 drives.push(Box::new(cylinder));
             }
             continue;
         };
-        let allowed = coordinates(scenario.first(), parts.motion);
+        let allowed = coordinates(scenario, parts.motion);
         known(&format!("{}.joint", parts.field), parts.joint, allowed.iter().map(String::as_str))?;
         let profile = match parts.law {
-            Law::Motor { history, pulse, .. } => profile(&parts.field, history, pulse)?,
+            Law::Motor { history, pulse, list, .. } => histories::of_motor(&parts.field, history, pulse, list)?,
             Law::Servo { .. } | Law::Brake { .. } => Profile::constant(),
         };
         let Some(coordinate) = model.coordinate(parts.joint).filter(|_| parts.enabled) else { continue };
@@ -50,7 +49,7 @@ pub fn build<S: Gathered>(
             }
         });
     }
-    for motion in prescribed(scenario, model)? {
+    for motion in histories::given_motions(scenario, model)? {
         v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
         drives.push(Box::new(motion));
     }
@@ -62,7 +61,7 @@ pub fn build<S: Gathered>(
 }
 
 /// A drive that is on has nothing to say where the coordinate is held or prescribed.
-fn check_free<S: Gathered>(parts: &Parts<S>, mode: Mode) -> Result<(), FieldError> {
+fn check_free<S: Quantity>(parts: &Parts<'_, S>, mode: Mode) -> Result<(), FieldError> {
     let mode = match mode {
         Mode::Free => return Ok(()),
         Mode::Held => "held",
@@ -87,6 +86,7 @@ enum Law<'a, S> {
         effort: S,
         history: History,
         pulse: Option<&'a schema::Pulse>,
+        list: Option<&'a schema::HistoryList<S>>,
     },
     /// Target, stiffness, damping, limit.
     Servo {
@@ -99,118 +99,48 @@ enum Law<'a, S> {
     },
 }
 
-impl<'a, S: Gathered> Parts<'a, S> {
+impl<'a, S: Quantity> Parts<'a, S> {
     /// `None` for a drive that is in no joint.
-    fn of(name: &str, drive: &Reading<'a, schema::Drive>) -> Option<Self> {
-        let motor = |history, pulse: &'a Option<schema::Pulse>| Law::Motor {
-            effort: drive.number(effort),
-            history,
-            pulse: pulse.as_ref(),
+    fn of(name: &str, drive: &'a schema::Drive<S>) -> Option<Self> {
+        let motor = |effort, history, pulse: &'a Option<schema::Pulse>, list: &'a Option<schema::HistoryList<S>>| {
+            Law::Motor { effort, history, pulse: pulse.as_ref(), list: list.as_ref() }
         };
-        let servo = || Law::Servo { numbers: drive.numbers(servo_numbers) };
-        let brake = |state| Law::Brake { numbers: drive.numbers(brake_numbers), state };
-        let (kind, enabled, joint, motion, law) = match drive.first() {
-            schema::Drive::Motor(d) => ("motor", d.enabled, &d.joint, Rotation, motor(d.history, &d.pulse)),
-            schema::Drive::LinearMotor(d) => {
-                ("linear_motor", d.enabled, &d.joint, Translation, motor(d.history, &d.pulse))
+        let (kind, enabled, joint, motion, law) = match drive {
+            schema::Drive::Motor(d) => {
+                ("motor", d.enabled, &d.joint, Rotation, motor(d.torque_n_m, d.history, &d.pulse, &d.list))
             }
-            schema::Drive::Servo(d) => ("servo", d.enabled, &d.joint, Rotation, servo()),
-            schema::Drive::LinearServo(d) => ("linear_servo", d.enabled, &d.joint, Translation, servo()),
-            schema::Drive::Brake(d) => ("brake", d.enabled, &d.joint, Rotation, brake(d.state)),
-            schema::Drive::LinearBrake(d) => ("linear_brake", d.enabled, &d.joint, Translation, brake(d.state)),
+            schema::Drive::LinearMotor(d) => {
+                ("linear_motor", d.enabled, &d.joint, Translation, motor(d.force_n, d.history, &d.pulse, &d.list))
+            }
+            schema::Drive::Servo(d) => {
+                let (stiffness, damping) = (d.stiffness_n_m_per_rad.get(), d.damping_n_m_s_per_rad.get());
+                let numbers = [d.target_rad, stiffness, damping, d.torque_limit_n_m.get()];
+                ("servo", d.enabled, &d.joint, Rotation, Law::Servo { numbers })
+            }
+            schema::Drive::LinearServo(d) => {
+                let (stiffness, damping) = (d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get());
+                let numbers = [d.target_m, stiffness, damping, d.force_limit_n.get()];
+                ("linear_servo", d.enabled, &d.joint, Translation, Law::Servo { numbers })
+            }
+            schema::Drive::Brake(d) => {
+                let numbers = [d.torque_n_m.get(), d.smoothing_rad_s.get()];
+                ("brake", d.enabled, &d.joint, Rotation, Law::Brake { numbers, state: d.state })
+            }
+            schema::Drive::LinearBrake(d) => {
+                let numbers = [d.force_n.get(), d.smoothing_m_s.get()];
+                ("linear_brake", d.enabled, &d.joint, Translation, Law::Brake { numbers, state: d.state })
+            }
             schema::Drive::Cylinder(_) => return None,
         };
         Some(Self { field: format!("drives.{name}.{kind}"), enabled, joint: joint.as_str(), motion, law })
     }
 }
 
-/// A motor's full torque or force; 0 for other drives.
-fn effort(drive: &schema::Drive) -> f64 {
-    match drive {
-        schema::Drive::Motor(d) => d.torque_n_m,
-        schema::Drive::LinearMotor(d) => d.force_n,
-        _ => 0.0,
-    }
-}
-
-/// A servo's target, stiffness, damping and limit; 0 for other drives.
-fn servo_numbers(drive: &schema::Drive) -> [f64; 4] {
-    match drive {
-        schema::Drive::Servo(d) => {
-            let (stiffness, damping) = (d.stiffness_n_m_per_rad.get(), d.damping_n_m_s_per_rad.get());
-            [d.target_rad, stiffness, damping, d.torque_limit_n_m.get()]
-        }
-        schema::Drive::LinearServo(d) => {
-            let (stiffness, damping) = (d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get());
-            [d.target_m, stiffness, damping, d.force_limit_n.get()]
-        }
-        _ => [0.0; 4],
-    }
-}
-
-/// A brake's capacity and smoothing speed; 0 for other drives.
-fn brake_numbers(drive: &schema::Drive) -> [f64; 2] {
-    match drive {
-        schema::Drive::Brake(d) => [d.torque_n_m.get(), d.smoothing_rad_s.get()],
-        schema::Drive::LinearBrake(d) => [d.force_n.get(), d.smoothing_m_s.get()],
-        _ => [0.0; 2],
-    }
-}
-
 /// Names of the coordinates that turn or that slide, those of bodies that are not enabled too.
-fn coordinates(scenario: &Scenario, motion: AxisMotion) -> Vec<String> {
-    let of_body = |(name, body): (&schema::Name, &schema::Body)| {
+fn coordinates<S: Quantity>(scenario: &Scenario<S>, motion: AxisMotion) -> Vec<String> {
+    let of_body = |(name, body): (&schema::Name, &schema::Body<S>)| {
         let axes = axes(&body.joint).into_iter().filter(|axis| axis.motion == motion);
         axes.map(|axis| axis.coordinate_name(joint_name(name, body))).collect::<Vec<_>>()
     };
     scenario.bodies.iter().flat_map(of_body).collect()
-}
-
-fn profile(field: &str, history: History, pulse: Option<&schema::Pulse>) -> Result<Profile, FieldError> {
-    match (history, pulse) {
-        (History::Constant | History::Lever, _) => Ok(Profile::constant()),
-        (History::Pulse, Some(pulse)) => Ok(Profile::pulse(Pulse {
-            rise_s: pulse.rise_s.get(),
-            hold_s: pulse.hold_s.get(),
-            reverse_s: pulse.reverse_s.get(),
-        })),
-        (History::Pulse, None) => {
-            let allowed = "rise_s, hold_s and reverse_s, for a history that is a pulse";
-            Err(FieldError::new(format!("{field}.pulse"), "nothing", allowed))
-        }
-    }
-}
-
-/// The motions of the prescribed coordinates that are there.
-fn prescribed<S: Gathered>(
-    scenario: &Reading<Scenario>,
-    model: &Model<S>,
-) -> Result<Vec<PrescribedMotion<S>>, FieldError> {
-    let mut motions = Vec::new();
-    for (i, body) in model.bodies.iter().enumerate() {
-        let (name, 0) = owner(&body.name) else { continue };
-        let joint = scenario.part(|scenario| &scenario.bodies[name].joint);
-        for (k, axis) in axes(joint.first()).iter().enumerate() {
-            let Some((_, history, pulse)) = &axis.prescribed else { continue };
-            let path = format!("bodies.{}.joint.{}", body.name, joint.first().kind());
-            let profile = prescribed_profile(&format!("{path}.{}", axis.field("mode.prescribed")), *history, pulse)?;
-            let rate = joint.number(|joint| axes(joint)[k].prescribed.as_ref().map_or(0.0, |(rate, ..)| *rate));
-            motions.push(PrescribedMotion { coordinate: model.tree.nodes[i].velocities + k, rate, profile });
-        }
-    }
-    Ok(motions)
-}
-
-/// How a prescribed rate goes with time; it has no lever, and does not jump.
-fn prescribed_profile(field: &str, history: History, pulse: &Option<schema::Pulse>) -> Result<Profile, FieldError> {
-    if history == History::Lever {
-        let allowed = "constant or pulse, for a prescribed motion";
-        return Err(FieldError::new(format!("{field}.history"), "lever", allowed));
-    }
-    let profile = profile(field, history, pulse.as_ref())?;
-    if history == History::Pulse && pulse.as_ref().is_some_and(|p| p.rise_s.get() == 0.0) {
-        let allowed = "a number greater than 0: a rate cannot jump";
-        return Err(FieldError::new(format!("{field}.pulse.rise_s"), 0, allowed));
-    }
-    Ok(profile)
 }

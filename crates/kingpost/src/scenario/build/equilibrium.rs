@@ -1,13 +1,13 @@
 //! Runs that begin at rest where they balance.
 
 use super::super::schema::Scenario;
-use super::reading::{Gathered, Reading};
-use super::{FieldError, build};
+use super::FieldError;
 use crate::elements::{AnyElement, Settling, Situation};
 use crate::integrate::{Interval, Stage, System};
 use crate::model::{Mode, Model, Node};
 use crate::plant::Plant;
 use crate::scalar::Scalar;
+use crate::scenario::leaf::Quantity;
 use crate::simulation::{Setup, Simulation};
 use crate::state::State;
 
@@ -32,25 +32,19 @@ pub fn settle(scenario: &Scenario, setup: &mut Setup) -> Result<(), FieldError> 
     Ok(())
 }
 
-/// The same over another scalar: the equilibria of the scenarios side by side, or one with its
+/// The same over another scalar: the equilibria of the setups side by side, or one with its
 /// derivatives.
-pub fn follow<S: Gathered>(scenario: &Reading<Scenario>, setup: &mut Setup<S>) -> Result<(), FieldError> {
-    let built = scenario.all()[..S::WIDTH].iter().map(|scenario| build(scenario));
-    let built: Vec<Setup> = built.collect::<Result<_, _>>()?;
-    let gathered = |of: &dyn Fn(&Setup) -> f64| {
-        let numbers: Vec<f64> = built.iter().map(of).collect();
-        if S::WIDTH > 1 { S::gather(&numbers, &[]) } else { S::constant(numbers[0]) }
-    };
+pub fn follow<S: Quantity>(alone: &[&Setup], setup: &mut Setup<S>) -> Result<(), FieldError> {
     for i in free_positions(&setup.model) {
-        setup.q[i] = gathered(&|setup| setup.q[i]);
+        setup.q[i] = S::of_each(|k| alone[k].q[i]);
     }
     for (i, settling) in settling(&mut setup.elements).enumerate() {
-        let trim: Vec<S> =
-            (0..settling.trim().len()).map(|k| gathered(&|setup| trim_of(&setup.elements, i, k))).collect();
+        let entry = |entry: usize| S::of_each(|k| trim_of(&alone[k].elements, i, entry));
+        let trim: Vec<S> = (0..settling.trim().len()).map(entry).collect();
         settling.set_trim(&trim);
     }
     if S::HAS_DERIVATIVES {
-        differentiate(&built[0], setup)?;
+        differentiate(alone[0], setup)?;
     }
     Ok(())
 }

@@ -2,10 +2,10 @@
 
 use super::super::schema::{self, Flexible, FlexibleDamping, Positive, Scenario, Section as SectionSchema};
 use super::FieldError;
-use super::reading::{Gathered, Reading};
 use crate::elements::{AnyElement, JointDamping, JointSpring};
 use crate::model::joint::AxisList;
 use crate::model::{Beam, BodyDescription, Joint, JointKind, Mode, Model, Section};
+use crate::scenario::leaf::{Leaf, Quantity};
 use crate::spatial::{Frame, Matrix3, Vector3};
 
 /// Axes of an elastic joint.
@@ -35,64 +35,71 @@ pub fn owner(name: &str) -> (&str, usize) {
 
 /// The segment of a body of this name at a place in its drawing frame, counted from the body itself, and its centre of
 /// mass there; of a rigid body the body.
-pub fn carrier<S: Gathered>(scenario: &Reading<Scenario>, name: &str, place_m: [f64; 3]) -> (usize, Vector3<S>) {
-    let body = scenario.part(|scenario| &scenario.bodies[name]);
-    match FlexibleBody::read(name, &body) {
+///
+/// # Errors
+/// A place that is on several segments, in several lanes; `field` is its x.
+pub fn carrier<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    field: &str,
+    place_m: [S; 3],
+) -> Result<(usize, Vector3<S>), FieldError> {
+    let body = &scenario.bodies[name];
+    match FlexibleBody::read(name, body) {
         Ok(Some(beam)) => {
-            let segment = beam.segment_at(place_m);
-            (segment, beam.centre(segment))
+            let segment = beam.segment_at(field, place_m)?;
+            Ok((segment, beam.centre(segment)))
         }
-        _ => (0, body.vector(|body| body.centre_of_mass_m)),
+        _ => Ok((0, Vector3(body.centre_of_mass_m))),
     }
 }
 
 /// The body of the model that carries a place of a named body, or of the world, and its centre of mass in the drawing
-/// frame of that body.
-pub fn carrier_in_model<S: Gathered>(
-    scenario: &Reading<Scenario>,
+/// frame of that body. `field` is the path of the place.
+///
+/// # Errors
+/// As [`carrier`].
+pub fn carrier_in_model<S: Quantity>(
+    scenario: &Scenario<S>,
     model: &Model<S>,
     name: Option<&schema::Name>,
-    place_m: [f64; 3],
-) -> (Option<usize>, Vector3<S>) {
-    let Some(name) = name else { return (None, Vector3::zero()) };
-    let (segment, centre) = carrier(scenario, name, place_m);
-    (model.body(name).map(|body| body + segment), centre)
+    field: &str,
+    place_m: [S; 3],
+) -> Result<(Option<usize>, Vector3<S>), FieldError> {
+    let Some(name) = name else { return Ok((None, Vector3::zero())) };
+    let (segment, centre) = carrier(scenario, name, &format!("{field}.0"), place_m)?;
+    Ok((model.body(name).map(|body| body + segment), centre))
 }
 
-impl<S: Gathered> FlexibleBody<S> {
+impl<S: Quantity> FlexibleBody<S> {
     /// The beam of a body, if it is one.
-    pub fn read(name: &str, body: &Reading<schema::Body>) -> Result<Option<Self>, FieldError> {
-        if body.first().flexible.is_none() {
-            return Ok(None);
-        }
-        check(name, body.first())?;
-        let flexible = body.kind(|body| body.flexible.as_ref());
-        let youngs_modulus: S = flexible.number(|flexible| flexible.youngs_modulus_pa.get());
-        let poissons_ratio: S = flexible.number(|flexible| flexible.poissons_ratio);
+    pub fn read(name: &str, body: &schema::Body<S>) -> Result<Option<Self>, FieldError> {
+        let Some(flexible) = &body.flexible else { return Ok(None) };
+        let length = check(name, body, flexible)?;
+        let (youngs_modulus, poissons_ratio) = (flexible.youngs_modulus_pa.get(), flexible.poissons_ratio);
         let beam = Beam {
-            pieces: flexible.first().segments as usize,
-            length: body.number(|body| length(body).unwrap_or(1.0)),
-            mass: body.number(|body| body.mass_kg.get()),
-            section: section(&flexible, poissons_ratio),
+            pieces: flexible.segments as usize,
+            length,
+            mass: body.mass_kg.get(),
+            section: section(flexible, poissons_ratio),
             youngs_modulus,
             shear_modulus: youngs_modulus * S::constant(0.5) / (S::ONE + poissons_ratio),
         };
-        let middle: Vector3<S> = body.vector(|body| body.centre_of_mass_m);
-        let start = middle - Vector3([beam.length * S::constant(0.5), S::ZERO, S::ZERO]);
-        let read = Self { name: name.to_owned(), beam, start, damping_time: damping_time(&flexible) };
-        read.check_root(body.first())?;
+        let start = Vector3(body.centre_of_mass_m) - Vector3([beam.length * S::constant(0.5), S::ZERO, S::ZERO]);
+        let read = Self { name: name.to_owned(), beam, start, damping_time: damping_time(flexible) };
+        read.check_root(body)?;
         Ok(Some(read))
     }
 
     /// The body's joint must be in its first segment.
-    fn check_root(&self, body: &schema::Body) -> Result<(), FieldError> {
+    fn check_root(&self, body: &schema::Body<S>) -> Result<(), FieldError> {
         if let schema::Joint::Floating(_) = body.joint {
             let allowed = "a joint to another body or to the world, for a flexible body";
             return Err(FieldError::new(format!("bodies.{}.joint", self.name), "floating", allowed));
         }
         let place = body.joint.place().child_position_m;
-        let (from, to) = (self.start.0[0].value(), (self.start.0[0] + self.beam.joint(1)).value());
-        if (from..=to).contains(&place[0]) {
+        let (from, to) = (self.start.0[0], self.start.0[0] + self.beam.joint(1));
+        if (place[0] - from).all(|beyond| beyond >= 0.0) && (to - place[0]).all(|left| left >= 0.0) {
             return Ok(());
         }
         let field = format!("bodies.{}.joint.{}.child_position_m.0", self.name, body.joint.kind());
@@ -100,9 +107,18 @@ impl<S: Gathered> FlexibleBody<S> {
         Err(FieldError::new(field, place[0], allowed))
     }
 
-    /// The segment at a place in the drawing frame.
-    pub fn segment_at(&self, place_m: [f64; 3]) -> usize {
-        self.beam.segment_at(place_m[0] - self.start.0[0].value())
+    /// The segment at a place in the drawing frame, whose x is `field`.
+    fn segment_at(&self, field: &str, place_m: [S; 3]) -> Result<usize, FieldError> {
+        Ok(self.beam.segment_at(place_m[0] - self.start.0[0]).same(field)? as usize)
+    }
+
+    /// The named points of the body, each with its segment and its place in the drawing frame.
+    pub fn points(&self, body: &schema::Body<S>) -> Result<Vec<(usize, String, Vector3<S>)>, FieldError> {
+        let point = |(name, point): (&schema::Name, &schema::Point<S>)| {
+            let field = format!("bodies.{}.points.{name}.position_m.0", self.name);
+            Ok((self.segment_at(&field, point.position_m)?, name.to_string(), Vector3(point.position_m)))
+        };
+        body.points.iter().map(point).collect()
     }
 
     /// A segment's centre of mass in the drawing frame, m.
@@ -143,7 +159,7 @@ impl<S: Gathered> FlexibleBody<S> {
     /// Springs and dampers of an elastic joint whose coordinates begin at these places in q and v.
     pub fn forces(&self, position: usize, coordinate: usize) -> impl Iterator<Item = AnyElement<S>> {
         let time = self.damping_time;
-        let damped = !time.all(|time| time == 0.0);
+        let damped = !time.vanishes();
         self.beam.stiffness().into_iter().enumerate().flat_map(move |(i, stiffness)| {
             let (position, coordinate) = (position + i, coordinate + i);
             let spring: AnyElement<S> = Box::new(JointSpring { position, coordinate, stiffness, rest: S::ZERO });
@@ -153,7 +169,7 @@ impl<S: Gathered> FlexibleBody<S> {
     }
 }
 
-fn length(body: &schema::Body) -> Option<f64> {
+fn length<S: Leaf>(body: &schema::Body<S>) -> Option<S> {
     let of_shape = || match body.shape.as_ref()? {
         schema::Shape::Box(cuboid) => Some(cuboid.length_m),
         schema::Shape::Cylinder(cylinder) if cylinder.axis == schema::PrincipalAxis::X => Some(cylinder.length_m),
@@ -163,9 +179,8 @@ fn length(body: &schema::Body) -> Option<f64> {
     Some(length.get())
 }
 
-/// What the types do not check.
-fn check(name: &str, body: &schema::Body) -> Result<(), FieldError> {
-    let Some(flexible) = &body.flexible else { return Ok(()) };
+/// The length, and what the types do not check.
+fn check<S: Quantity>(name: &str, body: &schema::Body<S>, flexible: &Flexible<S>) -> Result<S, FieldError> {
     let error = |field: &str, found: String, allowed: &str| {
         Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed))
     };
@@ -175,72 +190,59 @@ fn check(name: &str, body: &schema::Body) -> Result<(), FieldError> {
     if !(1..=MOST_SEGMENTS).contains(&flexible.segments) {
         return error("flexible.segments", flexible.segments.to_string(), "a whole number from 1 to 64");
     }
-    if !(flexible.poissons_ratio > -1.0 && flexible.poissons_ratio <= 0.5) {
+    if !flexible.poissons_ratio.all(|ratio| ratio > -1.0 && ratio <= 0.5) {
         let found = flexible.poissons_ratio.to_string();
         return error("flexible.poissons_ratio", found, "a number greater than -1 and not greater than 0.5");
     }
-    if length(body).is_none() {
+    let Some(length) = length(body) else {
         let allowed = "a length, or the shape of a box or of a cylinder along x";
         return error("flexible.length_m", "nothing".to_owned(), allowed);
-    }
+    };
+    let half = S::constant(0.5);
     match &flexible.section {
-        SectionSchema::CircularTube(tube) if tube.wall_m.get() > tube.outer_diameter_m.get() / 2.0 => {
+        SectionSchema::CircularTube(tube)
+            if !(tube.outer_diameter_m.get() * half - tube.wall_m.get()).all(|left| left >= 0.0) =>
+        {
             let allowed = "at most half of the outer diameter";
             error("flexible.section.circular_tube.wall_m", tube.wall_m.get().to_string(), allowed)
         }
         SectionSchema::RectangularTube(tube)
-            if 2.0 * tube.wall_m.get() >= tube.width_m.get().min(tube.height_m.get()) =>
+            if [tube.width_m, tube.height_m]
+                .iter()
+                .any(|side| !(side.get() * half - tube.wall_m.get()).all(|left| left > 0.0)) =>
         {
             let allowed = "less than half of width and height";
             error("flexible.section.rectangular_tube.wall_m", tube.wall_m.get().to_string(), allowed)
         }
-        _ => Ok(()),
+        _ => Ok(length),
     }
 }
 
-fn section<S: Gathered>(flexible: &Reading<Flexible>, poissons_ratio: S) -> Section<S> {
-    match &flexible.first().section {
-        SectionSchema::CircularTube(_) => {
-            let tube =
-                flexible.kind(|f| if let SectionSchema::CircularTube(tube) = &f.section { Some(tube) } else { None });
-            let [diameter, wall] = tube.numbers(|tube| [tube.outer_diameter_m.get(), tube.wall_m.get()]);
-            Section::circular_tube(diameter, wall, poissons_ratio)
+fn section<S: Quantity>(flexible: &Flexible<S>, poissons_ratio: S) -> Section<S> {
+    match &flexible.section {
+        SectionSchema::CircularTube(tube) => {
+            Section::circular_tube(tube.outer_diameter_m.get(), tube.wall_m.get(), poissons_ratio)
         }
-        SectionSchema::RectangularTube(_) => {
-            let tube = flexible
-                .kind(|f| if let SectionSchema::RectangularTube(tube) = &f.section { Some(tube) } else { None });
-            let [width, height, wall] = tube.numbers(|t| [t.width_m, t.height_m, t.wall_m].map(|length| length.get()));
+        SectionSchema::RectangularTube(tube) => {
+            let [width, height, wall] = [tube.width_m, tube.height_m, tube.wall_m].map(|length| length.get());
             Section::rectangular_tube(width, height, wall)
         }
-        SectionSchema::General(first) => {
-            let given =
-                flexible.kind(|f| if let SectionSchema::General(given) = &f.section { Some(given) } else { None });
-            let [area, torsion_constant] = given.numbers(|g| [g.area_m2.get(), g.torsion_constant_m4.get()]);
-            let areas = |given: &schema::GeneralSection| given.shear_areas_m2.map_or([1.0; 2], |a| a.map(|a| a.get()));
-            let shear_compliances = match first.shear_areas_m2 {
-                Some(_) => given.numbers(areas).map(|area: S| S::ONE / area),
-                None => [S::ZERO; 2],
-            };
-            let second_moments = given.numbers(|g| g.second_moments_m4.map(|moment| moment.get()));
+        SectionSchema::General(given) => {
+            let shear_compliances = given.shear_areas_m2.map_or([S::ZERO; 2], |areas| areas.map(|a| S::ONE / a.get()));
+            let second_moments = given.second_moments_m4.map(|moment| moment.get());
+            let (area, torsion_constant) = (given.area_m2.get(), given.torsion_constant_m4.get());
             Section { area, second_moments, torsion_constant, shear_compliances }
         }
     }
 }
 
 /// Damping over stiffness, s: 2 ratio / (2 pi frequency).
-fn damping_time<S: Gathered>(flexible: &Reading<Flexible>) -> S {
-    match &flexible.first().damping {
+fn damping_time<S: Quantity>(flexible: &Flexible<S>) -> S {
+    match &flexible.damping {
         None => S::ZERO,
-        Some(FlexibleDamping::StiffnessTime(_)) => flexible.number(|f| match &f.damping {
-            Some(FlexibleDamping::StiffnessTime(given)) => given.time_s.get(),
-            _ => 0.0,
-        }),
-        Some(FlexibleDamping::Ratio(_)) => {
-            let [ratio, frequency] = flexible.numbers(|f| match &f.damping {
-                Some(FlexibleDamping::Ratio(given)) => [given.ratio.get(), given.frequency_hz.get()],
-                _ => [0.0, 1.0],
-            });
-            ratio / (S::constant(core::f64::consts::PI) * frequency)
+        Some(FlexibleDamping::StiffnessTime(given)) => given.time_s.get(),
+        Some(FlexibleDamping::Ratio(given)) => {
+            given.ratio.get() / (S::constant(core::f64::consts::PI) * given.frequency_hz.get())
         }
     }
 }

@@ -3,27 +3,25 @@
 
 use super::super::schema::{self, Scenario};
 use super::flexible::carrier_in_model;
-use super::reading::{Gathered, Reading};
 use super::{FieldError, known};
 use crate::dynamics::forward::Workspace;
 use crate::dynamics::loops::{LoopSolver, Projection, Row};
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::{Attachment, Constraint, Loop, Model, Turn};
-use crate::scalar::Scalar;
+use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
-use crate::spatial::{Frame, rotation_from_roll_pitch_yaw};
+use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
 
 /// The model with the loops that are on, between bodies that are there.
-pub fn build<S: Gathered>(scenario: &Reading<Scenario>, model: Model<S>) -> Result<Model<S>, FieldError> {
+pub fn build<S: Quantity>(scenario: &Scenario<S>, model: Model<S>) -> Result<Model<S>, FieldError> {
     let mut loops = Vec::new();
-    for (name, first) in &scenario.first().loops {
-        let given = scenario.part(|scenario| &scenario.loops[name]);
-        let ends = [given.part(|given| &given.first), given.part(|given| &given.second)];
-        for (end, which) in ends.iter().zip(["first", "second"]) {
-            let bodies = scenario.first().bodies.keys().map(|body| body.as_str());
-            known(&format!("loops.{name}.{which}.body"), &end.first().body, bodies.chain([schema::WORLD]))?;
+    for (name, given) in &scenario.loops {
+        let ends = [("first", &given.first), ("second", &given.second)];
+        for (which, end) in ends {
+            let bodies = scenario.bodies.keys().map(|body| body.as_str());
+            known(&format!("loops.{name}.{which}.body"), &end.body, bodies.chain([schema::WORLD]))?;
         }
-        if first.constraints.is_empty() {
+        if given.constraints.is_empty() {
             return Err(FieldError::new(
                 format!("loops.{name}.constraints"),
                 "an empty list",
@@ -31,44 +29,41 @@ pub fn build<S: Gathered>(scenario: &Reading<Scenario>, model: Model<S>) -> Resu
             ));
         }
         let there =
-            |end: &Reading<schema::Attachment>| end.first().named_body().is_none_or(|body| model.body(body).is_some());
-        if first.enabled && ends.iter().all(there) {
-            let [first, second] = ends.map(|end| attachment(scenario, &model, &end));
-            loops.push(Loop { name: name.to_string(), first, second, constraints: constraints(&given) });
+            |(_, end): &(&str, &schema::Attachment<S>)| end.named_body().is_none_or(|body| model.body(body).is_some());
+        if given.enabled && ends.iter().all(there) {
+            let place = |(which, end): (&str, &schema::Attachment<S>)| {
+                attachment(scenario, &model, &format!("loops.{name}.{which}.position_m"), end)
+            };
+            let (first, second) = (place(ends[0])?, place(ends[1])?);
+            loops.push(Loop { name: name.to_string(), first, second, constraints: constraints(given) });
         }
     }
     Ok(model.with_loops(loops))
 }
 
 /// An attachment seen from the centre of mass of its body.
-fn attachment<S: Gathered>(
-    scenario: &Reading<Scenario>,
+fn attachment<S: Quantity>(
+    scenario: &Scenario<S>,
     model: &Model<S>,
-    given: &Reading<schema::Attachment>,
-) -> Attachment<S> {
-    let first = given.first();
-    let (body, centre) = carrier_in_model(scenario, model, first.named_body(), first.position_m);
-    let position = given.vector(|given| given.position_m) - centre;
-    let rotation = rotation_from_roll_pitch_yaw(given.vector(|given| given.orientation_rad));
-    Attachment::on(body, Frame { rotation, position })
+    field: &str,
+    given: &schema::Attachment<S>,
+) -> Result<Attachment<S>, FieldError> {
+    let (body, centre) = carrier_in_model(scenario, model, given.named_body(), field, given.position_m)?;
+    let position = Vector3(given.position_m) - centre;
+    let rotation = rotation_from_roll_pitch_yaw(Vector3(given.orientation_rad));
+    Ok(Attachment::on(body, Frame { rotation, position }))
 }
 
 /// The constraints in the engine's terms, with their names.
-fn constraints<S: Gathered>(given: &Reading<schema::Loop>) -> Vec<(String, Constraint<S>)> {
-    let turn = |constraint: &schema::Constraint| match constraint {
+fn constraints<S: Quantity>(given: &schema::Loop<S>) -> Vec<(String, Constraint<S>)> {
+    let turn = |constraint: &schema::Constraint<S>| match constraint {
         schema::Constraint::Roll => Some(Turn::Roll),
         schema::Constraint::Pitch => Some(Turn::Pitch),
         schema::Constraint::Yaw => Some(Turn::Yaw),
         _ => None,
     };
-    let turns: Vec<Turn> = given.first().constraints.iter().filter_map(turn).collect();
-    let length = |i: usize| {
-        given.number(|given| match given.constraints[i] {
-            schema::Constraint::Distance(distance) => distance.length_m.get(),
-            _ => 0.0,
-        })
-    };
-    let constraint = |(i, constraint): (usize, &schema::Constraint)| {
+    let turns: Vec<Turn> = given.constraints.iter().filter_map(turn).collect();
+    let constraint = |constraint: &schema::Constraint<S>| {
         let meant = match constraint {
             schema::Constraint::X => Constraint::Offset(0),
             schema::Constraint::Y => Constraint::Offset(1),
@@ -76,11 +71,11 @@ fn constraints<S: Gathered>(given: &Reading<schema::Loop>) -> Vec<(String, Const
             schema::Constraint::Roll => Constraint::rotation(Turn::Roll, &turns),
             schema::Constraint::Pitch => Constraint::rotation(Turn::Pitch, &turns),
             schema::Constraint::Yaw => Constraint::rotation(Turn::Yaw, &turns),
-            schema::Constraint::Distance(_) => Constraint::Distance(length(i)),
+            schema::Constraint::Distance(given) => Constraint::Distance(given.length_m.get()),
         };
         (constraint.name().to_owned(), meant)
     };
-    given.first().constraints.iter().enumerate().map(constraint).collect()
+    given.constraints.iter().map(constraint).collect()
 }
 
 /// Brings the start to where the loops are closed, and its velocities to a motion that keeps them
@@ -89,7 +84,7 @@ fn constraints<S: Gathered>(given: &Reading<schema::Loop>) -> Vec<(String, Const
 /// # Errors
 /// A gap larger than the author allows, a constraint that follows from others or moves nothing, a
 /// loop that cannot be closed.
-pub fn close<S: Scalar>(scenario: &Scenario, setup: &mut Setup<S>) -> Result<(), FieldError> {
+pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, q, v, .. } = setup;
     if model.loops.is_empty() {
         return Ok(());
@@ -110,7 +105,7 @@ pub fn close<S: Scalar>(scenario: &Scenario, setup: &mut Setup<S>) -> Result<(),
 }
 
 /// The gap at the start must be one that may be closed.
-fn check_start<S: Scalar>(scenario: &Scenario, model: &Model<S>, rows: &[Row<S>]) -> Result<(), FieldError> {
+fn check_start<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>, rows: &[Row<S>]) -> Result<(), FieldError> {
     let mut rows = rows.iter();
     for closed in &model.loops {
         let allowed = scenario.loops[closed.name.as_str()].start_gap_m.get();
@@ -129,7 +124,7 @@ fn check_start<S: Scalar>(scenario: &Scenario, model: &Model<S>, rows: &[Row<S>]
 }
 
 /// No constraint may follow from those before it, or move nothing.
-fn check_independence<S: Scalar>(model: &Model<S>, solver: &LoopSolver<S>) -> Result<(), FieldError> {
+fn check_independence<S: Quantity>(model: &Model<S>, solver: &LoopSolver<S>) -> Result<(), FieldError> {
     let Some(dependent) = solver.factor().dependent() else { return Ok(()) };
     let all = model.constraint_names();
     let (closed, own) = model
@@ -149,7 +144,7 @@ fn check_independence<S: Scalar>(model: &Model<S>, solver: &LoopSolver<S>) -> Re
 }
 
 /// The loops that are open, and by how much.
-fn gaps<S: Scalar>(model: &Model<S>, rows: &[Row<S>]) -> Vec<(String, String)> {
+fn gaps<S: Quantity>(model: &Model<S>, rows: &[Row<S>]) -> Vec<(String, String)> {
     let mut rows = rows.iter();
     let mut open = Vec::new();
     for closed in &model.loops {
@@ -162,9 +157,9 @@ fn gaps<S: Scalar>(model: &Model<S>, rows: &[Row<S>]) -> Vec<(String, String)> {
 }
 
 /// `0.2500 m in x, -0.0100 rad in roll`.
-fn worded<S: Scalar>(closed: &Loop<S>, rows: &[Row<S>]) -> String {
+fn worded<S: Quantity>(closed: &Loop<S>, rows: &[Row<S>]) -> String {
     let one = |((name, constraint), row): (&(String, Constraint<S>), &Row<S>)| {
-        format!("{:.4} {} in {name}", row.residual.value(), constraint.unit())
+        format!("{:.4} {} in {name}", row.residual, constraint.unit())
     };
     closed.constraints.iter().zip(rows).map(one).collect::<Vec<_>>().join(", ")
 }

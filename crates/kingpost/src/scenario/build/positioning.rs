@@ -4,28 +4,28 @@ use super::super::schema::{self, Force as ForceSchema, PositioningGains, Scenari
 use super::FieldError;
 use super::damping::{from_centre, rigid};
 use super::positioning_loop::Loop;
-use super::reading::{Gathered, Reading};
 use crate::elements::dynamic_positioning::{
     Allocation, DynamicPositioning, Gains, Planar, Target, Thruster, ThrusterKind, WaveFilter,
 };
 use crate::elements::{AnyElement, hull::HullFrame};
 use crate::model::Model;
+use crate::scenario::leaf::Quantity;
 use crate::spatial::Vector3;
 use core::f64::consts::{PI, TAU};
 
 /// Dynamic positioning, where it is on and its body there. Its states are placed later: see [`place_states`].
-pub fn build<S: Gathered>(
-    scenario: &Reading<Scenario>,
+pub fn build<S: Quantity>(
+    scenario: &Scenario<S>,
     name: &str,
+    given: &schema::DynamicPositioning<S>,
     model: &Model<S>,
 ) -> Result<Option<AnyElement<S>>, FieldError> {
-    let all = scenario.part(|scenario| &scenario.forces[name]).kind(positioning_of);
-    let (given, field) = (all.first(), format!("forces.{name}.dynamic_positioning"));
-    rigid(scenario.first(), format!("{field}.body"), &given.body)?;
+    let field = format!("forces.{name}.dynamic_positioning");
+    rigid(scenario, format!("{field}.body"), &given.body)?;
     check_finite(given, &field)?;
     check_gains(given, &field)?;
-    let position = all.vector(|given| given.position_m);
-    let thrusters = thrusters(&all, position);
+    let position = Vector3(given.position_m);
+    let thrusters = thrusters(given, position);
     let found = if thrusters.is_empty() { "none that runs".to_owned() } else { String::new() };
     let heading_first = given.priority == ThrustPriority::Heading;
     let allocation = Allocation::new(thrusters, heading_first).map_err(|error| {
@@ -37,26 +37,21 @@ pub fn build<S: Gathered>(
              along the ship",
         )
     })?;
-    check_loops(given, &field)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
-    let [x, y, heading] = all.numbers(|given| [given.target.x_m, given.target.y_m, given.target.heading_rad]);
+    let schema::StationTarget { x_m, y_m, heading_rad } = given.target;
     Ok(Some(Box::new(DynamicPositioning {
         name: name.to_owned(),
         place: HullFrame { body, origin: from_centre(scenario, &given.body, position) },
-        target: Target { position: [x, y], heading },
-        gains: gains(&all),
-        filter: filter(&all),
+        target: Target { position: [x_m, y_m], heading: heading_rad },
+        gains: gains(given, &field)?,
+        filter: filter(given),
         allocation,
         bias: [S::ZERO; 3],
     })))
 }
 
-fn positioning_of(force: &ForceSchema) -> Option<&schema::DynamicPositioning> {
-    if let ForceSchema::DynamicPositioning(positioning) = force { Some(positioning) } else { None }
-}
-
 /// Numbers that may be anything finite.
-fn check_finite(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
+fn check_finite<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) -> Result<(), FieldError> {
     let target = [("x_m", given.target.x_m), ("y_m", given.target.y_m), ("heading_rad", given.target.heading_rad)];
     let of_target = target.map(|(name, number)| (format!("target.{name}"), number));
     let of_point = given.position_m.iter().enumerate().map(|(k, number)| (format!("position_m.{k}"), *number));
@@ -67,21 +62,21 @@ fn check_finite(given: &schema::DynamicPositioning, field: &str) -> Result<(), F
         numbers.map(|(field, number)| (format!("thrusters.{name}.{kind}.{field}"), number)).collect::<Vec<_>>()
     });
     let mut all = of_target.into_iter().chain(of_point).chain(of_thrusters);
-    match all.find(|(_, number)| !number.is_finite()) {
+    match all.find(|(_, number)| !number.all(f64::is_finite)) {
         Some((name, number)) => Err(FieldError::new(format!("{field}.{name}"), number, "a finite number")),
         None => Ok(()),
     }
 }
 
 /// K_p, K_d and K_i of surge, sway and yaw.
-fn numbers(gains: &PositioningGains) -> [Planar<f64>; 3] {
+fn numbers<S: Quantity>(gains: &PositioningGains<S>) -> [Planar<S>; 3] {
     match gains {
         PositioningGains::NaturalPeriods(given) => {
             let each = tunings(given);
-            let share = if given.integral { 1.0 } else { 0.0 };
+            let (share, two) = (S::constant(if given.integral { 1.0 } else { 0.0 }), S::constant(2.0));
             [
                 each.map(|tuning| tuning.inertia * tuning.frequency() * tuning.frequency()),
-                each.map(|tuning| 2.0 * tuning.damping_ratio * tuning.frequency() * tuning.inertia),
+                each.map(|tuning| two * tuning.damping_ratio * tuning.frequency() * tuning.inertia),
                 each.map(|tuning| {
                     share * tuning.inertia * tuning.frequency() * tuning.frequency() / tuning.integral_time()
                 }),
@@ -102,25 +97,25 @@ fn numbers(gains: &PositioningGains) -> [Planar<f64>; 3] {
 
 /// How one of surge, sway and yaw is to answer.
 #[derive(Clone, Copy)]
-struct Tuning {
-    inertia: f64,
-    period_s: f64,
-    damping_ratio: f64,
-    integral_time_s: Option<f64>,
+struct Tuning<S> {
+    inertia: S,
+    period_s: S,
+    damping_ratio: S,
+    integral_time_s: Option<S>,
 }
 
-impl Tuning {
-    fn frequency(self) -> f64 {
-        TAU / self.period_s
+impl<S: Quantity> Tuning<S> {
+    fn frequency(self) -> S {
+        S::constant(TAU) / self.period_s
     }
 
-    fn integral_time(self) -> f64 {
-        self.integral_time_s.unwrap_or(10.0 / self.frequency())
+    fn integral_time(self) -> S {
+        self.integral_time_s.unwrap_or(S::constant(10.0) / self.frequency())
     }
 }
 
-fn tunings(given: &schema::NaturalPeriods) -> [Tuning; 3] {
-    let of = |tuning: &schema::TranslationTuning| Tuning {
+fn tunings<S: Quantity>(given: &schema::NaturalPeriods<S>) -> [Tuning<S>; 3] {
+    let of = |tuning: &schema::TranslationTuning<S>| Tuning {
         inertia: tuning.mass_kg.get(),
         period_s: tuning.period_s.get(),
         damping_ratio: tuning.damping_ratio.get(),
@@ -136,12 +131,12 @@ fn tunings(given: &schema::NaturalPeriods) -> [Tuning; 3] {
 }
 
 /// By Routh's criterion m s^3 + K_d s^2 + K_p s + K_i is stable only where T_i > m / K_d.
-fn check_gains(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
+fn check_gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) -> Result<(), FieldError> {
     let PositioningGains::NaturalPeriods(periods) = &given.gains else { return Ok(()) };
     let each = ["surge", "sway", "yaw"].into_iter().zip(tunings(periods));
     for (name, tuning) in each.filter(|_| periods.integral) {
-        let least = tuning.period_s / (4.0 * PI * tuning.damping_ratio);
-        if tuning.integral_time() <= least {
+        let least = tuning.period_s / (S::constant(4.0 * PI) * tuning.damping_ratio);
+        if !(tuning.integral_time() - least).all(|room| room > 0.0) {
             let allowed =
                 format!("more than period_s / (4 pi damping_ratio), {least}: else even a ship alone is unstable");
             let field = format!("{field}.gains.natural_periods.{name}.integral_time_s");
@@ -151,7 +146,15 @@ fn check_gains(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
     Ok(())
 }
 
-/// The delays of filter and thrusters must leave a free ship of the stated mass stable.
+/// The delays of filter and thrusters must leave a free ship of each dynamic positioning's stated mass stable: of one that
+/// acts or not.
+pub fn check_stability(scenario: &Scenario) -> Result<(), FieldError> {
+    scenario.forces.iter().try_for_each(|(name, force)| match force {
+        ForceSchema::DynamicPositioning(given) => check_loops(given, &format!("forces.{name}.dynamic_positioning")),
+        _ => Ok(()),
+    })
+}
+
 fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
     let PositioningGains::NaturalPeriods(periods) = &given.gains else { return Ok(()) };
     let gains = numbers(&given.gains);
@@ -177,54 +180,61 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
     Ok(())
 }
 
-fn gains<S: Gathered>(all: &Reading<schema::DynamicPositioning>) -> Gains<S> {
-    let [stiffness, damping, integral] =
-        core::array::from_fn(|i| core::array::from_fn(|k| all.number(|given| numbers(&given.gains)[i][k])));
-    let integrates = core::array::from_fn(|k| numbers(&all.first().gains)[2][k] > 0.0);
-    let tracking_time = core::array::from_fn(|k| {
-        all.number(|given| {
-            let [stiffness, damping, integral] = numbers(&given.gains).map(|gains| gains[k]);
-            let time = if damping > 0.0 { libm::sqrt(damping / integral) } else { stiffness / integral };
-            given.anti_windup_time_s.map_or(if integral > 0.0 { time } else { 1.0 }, |time| time.get())
-        })
-    });
-    Gains { stiffness, damping, integral, integrates, tracking_time }
+fn gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) -> Result<Gains<S>, FieldError> {
+    let [stiffness, damping, integral] = numbers(&given.gains);
+    let field = format!("{field}.gains");
+    let (mut integrates, mut tracking_time) = ([false; 3], [S::ONE; 3]);
+    for k in 0..3 {
+        integrates[k] = is_there(integral[k], &field)?;
+        tracking_time[k] = match given.anti_windup_time_s {
+            Some(time) => time.get(),
+            None if !integrates[k] => S::ONE,
+            None if is_there(damping[k], &field)? => (damping[k] / integral[k]).sqrt(),
+            None => stiffness[k] / integral[k],
+        };
+    }
+    Ok(Gains { stiffness, damping, integral, integrates, tracking_time })
 }
 
-fn filter<S: Gathered>(all: &Reading<schema::DynamicPositioning>) -> WaveFilter<S> {
-    let Some(first) = &all.first().wave_filter else { return WaveFilter::default() };
-    let given = all.kind(|given| given.wave_filter.as_ref());
-    let mut filter = WaveFilter::default();
-    for k in 0..first.notch_periods_s.len() {
-        let frequency = given.number(|filter| TAU / filter.notch_periods_s[k].get());
-        filter = filter.with_notch(frequency, given.number(|filter| filter.notch_damping_ratio.get()));
+/// Whether a gain is greater than 0; with one that is 0 there is nothing that could grow along a direction.
+fn is_there<S: Quantity>(gain: S, field: &str) -> Result<bool, FieldError> {
+    let there = gain.decides(field, |gain| gain > 0.0)?;
+    if !there {
+        gain.same(field)?;
     }
-    if let Some(cutoff) = first.cutoff_period_s {
-        let frequency = given.number(|filter| TAU / filter.cutoff_period_s.unwrap_or(cutoff).get());
-        filter = filter.with_low_pass(frequency, given.number(|filter| filter.cutoff_damping_ratio.get()));
+    Ok(there)
+}
+
+fn filter<S: Quantity>(given: &schema::DynamicPositioning<S>) -> WaveFilter<S> {
+    let Some(given) = &given.wave_filter else { return WaveFilter::default() };
+    let mut filter = WaveFilter::default();
+    for period in &given.notch_periods_s {
+        filter = filter.with_notch(S::constant(TAU) / period.get(), given.notch_damping_ratio.get());
+    }
+    if let Some(period) = given.cutoff_period_s {
+        filter = filter.with_low_pass(S::constant(TAU) / period.get(), given.cutoff_damping_ratio.get());
     }
     filter
 }
 
 /// The thrusters that run, seen from the point that is kept.
-fn thrusters<S: Gathered>(all: &Reading<schema::DynamicPositioning>, point: Vector3<S>) -> Vec<Thruster<S>> {
-    let running = all.first().thrusters.iter().filter(|(_, thruster)| thruster.enabled());
-    let build = |name: &schema::Name| {
-        let given = all.part(|given| &given.thrusters[name]);
-        let [x, y, z, direction] = given.numbers(schema::Thruster::place);
-        let [ahead, astern, time_constant, weight] = given.numbers(schema::Thruster::numbers);
-        let (sin, cos): (S, S) = S::sin_cos(direction);
-        let kind = match given.first() {
+fn thrusters<S: Quantity>(given: &schema::DynamicPositioning<S>, point: Vector3<S>) -> Vec<Thruster<S>> {
+    let running = given.thrusters.iter().filter(|(_, thruster)| thruster.enabled());
+    let build = |(name, given): (&schema::Name, &schema::Thruster<S>)| {
+        let [x, y, z, direction] = given.place();
+        let [ahead, astern, time_constant, weight] = given.numbers();
+        let (sin, cos) = direction.sin_cos();
+        let kind = match given {
             schema::Thruster::Azimuth(_) => ThrusterKind::Azimuth { limit: ahead },
             _ => ThrusterKind::Fixed { direction: [cos, sin], ahead, astern },
         };
         let position = Vector3::new(x, y, z) - point;
         Thruster { name: name.to_string(), position, kind, time_constant, weight }
     };
-    running.map(|(name, _)| build(name)).collect()
+    running.map(build).collect()
 }
 
-impl schema::Thruster {
+impl<S: Quantity> schema::Thruster<S> {
     fn kind(&self) -> &'static str {
         match self {
             Self::Tunnel(_) => "tunnel",
@@ -242,17 +252,17 @@ impl schema::Thruster {
     }
 
     /// Position, m, and direction, rad.
-    fn place(&self) -> [f64; 4] {
+    fn place(&self) -> [S; 4] {
         let ([x, y, z], direction) = match self {
             Self::Tunnel(given) => (given.position_m, given.direction_rad),
             Self::MainPropeller(given) => (given.position_m, given.direction_rad),
-            Self::Azimuth(given) => (given.position_m, 0.0),
+            Self::Azimuth(given) => (given.position_m, S::ZERO),
         };
         [x, y, z, direction]
     }
 
     /// Limits ahead and astern, N, time constant, s, and weight.
-    fn numbers(&self) -> [f64; 4] {
+    fn numbers(&self) -> [S; 4] {
         let [ahead, astern, time_constant, weight] = match self {
             Self::Tunnel(t) => [t.max_thrust_n, t.max_thrust_n, t.time_constant_s, t.weight],
             Self::MainPropeller(t) => [t.max_thrust_n, t.max_astern_thrust_n, t.time_constant_s, t.weight],

@@ -2,33 +2,33 @@
 
 use super::super::schema::{self, Force as ForceSchema, Hydrostatics as HydrostaticsSchema, Scenario};
 use super::damping::{current, from_centre};
-use super::reading::{Gathered, Reading};
-use super::{FieldError, gravity_of, known, waves};
+use super::waves::{self, Wave};
+use super::{FieldError, gravity_of, known};
 use crate::elements::hull::{
     Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, Parts, QuadraticTerms, Radiation,
 };
 use crate::elements::{AnyElement, Hull};
 use crate::model::{JointKind, Model};
 use crate::scalar::Scalar;
+use crate::scenario::leaf::Quantity;
 use crate::sea::database::{Database, SixBySix};
 use crate::sea::hull::{HullMesh, LinearHydrostatics};
-use crate::sea::waves::{Water, WaveComponent, WaveField};
+use crate::sea::waves::{Water, WaveField};
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
 
 /// The model with the water's inertia, and the water's loads.
-pub fn build<S: Gathered>(
-    scenario: &Reading<Scenario>,
+pub fn build<S: Quantity>(
+    scenario: &Scenario<S>,
     mut model: Model<S>,
 ) -> Result<(Model<S>, Vec<AnyElement<S>>), FieldError> {
     let mut hulls: Vec<AnyElement<S>> = Vec::new();
-    for (name, force) in &scenario.first().forces {
+    for (name, force) in &scenario.forces {
         let Some(given) = hydrodynamics_of(force).filter(|given| given.enabled) else { continue };
         let field = |rest: &str| format!("forces.{name}.hydrodynamics.{rest}");
-        let body = floating_body(scenario.first(), &model, &field("body"), &given.body)?;
-        let Some(database) = scenario.first().files.database(&given.database) else { continue };
+        let body = floating_body(scenario, &model, &field("body"), &given.body)?;
+        let Some(database) = scenario.files.database(&given.database) else { continue };
         let sea = Sea::of(scenario, &field("database"), database)?;
-        let all = scenario.part(|scenario| &scenario.forces[name]).kind(hydrodynamics_of);
-        let origin = from_centre(scenario, &given.body, all.vector(|given| given.origin_m));
+        let origin = from_centre(scenario, &given.body, Vector3(given.origin_m));
         if given.added_mass {
             let added = inertia(&database.added_mass_infinite).to_parent(&Frame::translation(origin));
             model = model.with_added_inertia(body, added);
@@ -45,7 +45,7 @@ pub fn build<S: Gathered>(
             current: sea.current,
             quadratic_terms: QuadraticTerms {
                 of_slow_motion: excitation.is_some(),
-                munk_by_table: has_current_table(scenario.first(), given),
+                munk_by_table: has_current_table(scenario, given),
             },
             cutoff_rad_s: given.slow_motion_cutoff_rad_s.get(),
             excitation,
@@ -55,12 +55,12 @@ pub fn build<S: Gathered>(
     Ok((model, hulls))
 }
 
-fn hydrodynamics_of(force: &ForceSchema) -> Option<&schema::Hydrodynamics> {
+fn hydrodynamics_of<S>(force: &ForceSchema<S>) -> Option<&schema::Hydrodynamics<S>> {
     if let ForceSchema::Hydrodynamics(water) = force { Some(water) } else { None }
 }
 
 /// Whether a table of current coefficients acts on a hull.
-fn has_current_table(scenario: &Scenario, given: &schema::Hydrodynamics) -> bool {
+fn has_current_table<S>(scenario: &Scenario<S>, given: &schema::Hydrodynamics<S>) -> bool {
     scenario.forces.values().any(|force| match force {
         ForceSchema::CurrentLoad(load) => load.enabled && load.body == given.body,
         _ => false,
@@ -68,8 +68,8 @@ fn has_current_table(scenario: &Scenario, given: &schema::Hydrodynamics) -> bool
 }
 
 /// A hull floats: its body's joint leaves it to the water.
-fn floating_body<S: Scalar>(
-    scenario: &Scenario,
+fn floating_body<S: Quantity>(
+    scenario: &Scenario<S>,
     model: &Model<S>,
     field: &str,
     name: &str,
@@ -90,8 +90,8 @@ fn inertia<S: Scalar>(added: &SixBySix) -> SpatialInertia<S> {
     }
 }
 
-fn hydrostatics<S: Scalar>(
-    given: &schema::Hydrodynamics,
+fn hydrostatics<S: Quantity>(
+    given: &schema::Hydrodynamics<S>,
     field: &str,
     database: &Database,
 ) -> Result<Hydrostatics<S>, FieldError> {
@@ -119,8 +119,8 @@ fn hydrostatics<S: Scalar>(
 }
 
 /// The mesh in the waves that excite the hull.
-fn wave_pressure<S: Scalar>(
-    given: &schema::Hydrodynamics,
+fn wave_pressure<S: Quantity>(
+    given: &schema::Hydrodynamics<S>,
     field: &str,
     hydrostatics: &Hydrostatics<S>,
     excitation: Option<&Excitation<S>>,
@@ -135,7 +135,11 @@ fn wave_pressure<S: Scalar>(
     }
 }
 
-fn radiation(given: &schema::Hydrodynamics, field: &str, database: &Database) -> Result<Option<Radiation>, FieldError> {
+fn radiation<S>(
+    given: &schema::Hydrodynamics<S>,
+    field: &str,
+    database: &Database,
+) -> Result<Option<Radiation>, FieldError> {
     match &database.radiation {
         _ if !given.radiation => Ok(None),
         Some(fitted) => Ok(Some(Radiation::new(fitted))),
@@ -145,36 +149,35 @@ fn radiation(given: &schema::Hydrodynamics, field: &str, database: &Database) ->
 
 /// The water that a hull floats in, as the scenario has it.
 struct Sea<'a, S> {
-    scenario: Reading<'a, Scenario>,
+    scenario: &'a Scenario<S>,
+    given: schema::Sea<S>,
+    gravity: (S, String),
     specific_weight: S,
     current: Vector3<S>,
-    water: Water,
-    ramp_s: f64,
 }
 
-impl<'a, S: Gathered> Sea<'a, S> {
-    fn of(scenario: &Reading<'a, Scenario>, field: &str, database: &Database) -> Result<Self, FieldError> {
-        let sea = sea_of(scenario.first()).unwrap_or_default();
-        let gravity = gravity(scenario.first())?;
-        let water = &database.water;
-        same(field, "density of", water.density_kg_m3, "kg/m^3", sea.density_kg_m3.get())?;
-        same(field, "gravity of", water.gravity_m_s2, "m/s^2", gravity)?;
+impl<'a, S: Quantity> Sea<'a, S> {
+    fn of(scenario: &'a Scenario<S>, field: &str, database: &Database) -> Result<Self, FieldError> {
+        let (given, gravity) = (scenario.sea.clone().unwrap_or_default(), gravity(scenario)?);
+        let (water, density) = (&database.water, given.density_kg_m3.get());
+        same(field, "density of", water.density_kg_m3, "kg/m^3", density)?;
+        same(field, "gravity of", water.gravity_m_s2, "m/s^2", gravity.0)?;
         let infinite = f64::INFINITY;
-        let depth = sea.depth_m.map_or(infinite, |depth| depth.get());
+        let depth = given.depth_m.map_or(S::constant(infinite), |depth| depth.get());
         same(field, "depth of", water.depth_m.unwrap_or(infinite), "m", depth)?;
-        let density: S = scenario.number(|scenario| sea_of(scenario).unwrap_or_default().density_kg_m3.get());
-        Ok(Self {
-            scenario: scenario.part(|scenario| scenario),
-            specific_weight: density * S::constant(gravity),
-            current: current(scenario),
-            water: water_of(&sea, gravity)?,
-            ramp_s: sea.ramp_s.get(),
-        })
+        Ok(Self { scenario, specific_weight: density * gravity.0, current: current(scenario), gravity, given })
+    }
+
+    /// The water as the waves know it. Its density is that of their pressure alone.
+    fn water(&self, wave_pressure: bool) -> Result<Water, FieldError> {
+        let (density, field) = (self.given.density_kg_m3.get(), "sea.density_kg_m3");
+        let density = if wave_pressure { density.same(field)? } else { density.scaled(field)?.0 };
+        water_of(&self.given, density, &self.gravity)
     }
 
     fn excitation(
         &self,
-        given: &schema::Hydrodynamics,
+        given: &schema::Hydrodynamics<S>,
         field: &impl Fn(&str) -> String,
         database: &Database,
     ) -> Result<Option<Excitation<S>>, FieldError> {
@@ -195,50 +198,60 @@ impl<'a, S: Gathered> Sea<'a, S> {
             let found = "true, with wave_pressure, whose mean over the mesh is a part of the same drift";
             return Err(FieldError::new(field("wave_drift"), found, "one of the two"));
         }
-        let waves = waves::build(&self.scenario, &self.water)?;
+        if !self.given.waves.values().any(schema::Waves::enabled) {
+            return Ok(None);
+        }
+        let water = self.water(given.wave_pressure)?;
+        let waves = waves::build(self.scenario, &water)?;
         if waves.is_empty() || !given.excitation {
             return Ok(None);
         }
         check_coverage(&field("database"), database.band_rad_s(), &waves)?;
         let parts = Parts { froude_krylov: !given.wave_pressure, drift: given.wave_drift };
-        Ok(Some(Excitation::new(database, WaveField::new(&waves, self.water, self.ramp_s), parts)))
+        let waves: Vec<_> = waves.iter().map(Wave::component).collect();
+        Ok(Some(Excitation::new(database, WaveField::new(&waves, water, self.given.ramp_s.get()), parts)))
     }
 }
 
 /// The waves of the scenario's sea, where there are any.
-pub(super) fn waves<S: Gathered>(scenario: &Reading<Scenario>) -> Result<Option<WaveField<S>>, FieldError> {
-    let Some(sea) = sea_of(scenario.first()) else { return Ok(None) };
-    let Ok(gravity) = gravity(scenario.first()) else { return Ok(None) };
-    let water = water_of(&sea, gravity)?;
-    let components = waves::build(scenario, &water)?;
+pub(super) fn incident_waves<S: Quantity>(scenario: &Scenario<S>) -> Result<Option<WaveField<S>>, FieldError> {
+    let Some(sea) = scenario.sea.as_ref().filter(|sea| sea.waves.values().any(schema::Waves::enabled)) else {
+        return Ok(None);
+    };
+    let Ok(gravity) = gravity(scenario) else { return Ok(None) };
+    let (density, _) = sea.density_kg_m3.get().scaled("sea.density_kg_m3")?;
+    let water = water_of(sea, density, &gravity)?;
+    let components: Vec<_> = waves::build(scenario, &water)?.iter().map(Wave::component).collect();
     Ok((!components.is_empty()).then(|| WaveField::new(&components, water, sea.ramp_s.get())))
 }
 
 /// The sea's water, whose waves are the scenario's.
-pub(super) fn water_of(sea: &schema::Sea, gravity: f64) -> Result<Water, FieldError> {
-    let water = Water::new(sea.density_kg_m3.get(), gravity, sea.depth_m.map(|depth| depth.get()));
+pub(super) fn water_of<S: Quantity>(
+    sea: &schema::Sea<S>,
+    density_kg_m3: f64,
+    gravity: &(S, String),
+) -> Result<Water, FieldError> {
+    let depth = sea.depth_m.map(|depth| depth.get().same("sea.depth_m")).transpose()?;
+    let water = Water::new(density_kg_m3, gravity.0.same(&gravity.1)?, depth);
     water.map_err(|error| FieldError::new(format!("sea.{}", error.field), error.found, error.allowed))
 }
 
-/// The sea as it is written.
-pub(super) fn sea_of(scenario: &Scenario) -> Option<schema::Sea> {
-    scenario.sea.clone()
-}
-
-/// Gravity's acceleration: a sea is level by it.
-pub(super) fn gravity(scenario: &Scenario) -> Result<f64, FieldError> {
-    let acts = scenario.forces.values().filter_map(gravity_of).find(|gravity| gravity.enabled);
-    acts.map(|gravity| gravity.acceleration_m_s2.get())
-        .ok_or_else(|| FieldError::new("forces", "water on a hull, and no gravity", "gravity that is enabled"))
+/// Gravity's acceleration, by which a sea is level, and its field.
+pub(super) fn gravity<S: Quantity>(scenario: &Scenario<S>) -> Result<(S, String), FieldError> {
+    let acts = scenario.forces.iter().find_map(|(name, force)| {
+        let gravity = gravity_of(force).filter(|gravity| gravity.enabled)?;
+        Some((gravity.acceleration_m_s2.get(), format!("forces.{name}.gravity.acceleration_m_s2")))
+    });
+    acts.ok_or_else(|| FieldError::new("forces", "water on a hull, and no gravity", "gravity that is enabled"))
 }
 
 /// By how much a database's water may differ from the sea's, relative.
 const SAME_WATER: f64 = 1e-4;
 
-fn same(field: &str, what: &str, found: f64, unit: &str, sea: f64) -> Result<(), FieldError> {
+fn same<S: Quantity>(field: &str, what: &str, found: f64, unit: &str, sea: S) -> Result<(), FieldError> {
     // Infinite depth is near to no other.
-    let near = found.is_finite() && sea.is_finite() && (found - sea).abs() <= SAME_WATER * sea.abs();
-    if found == sea || near {
+    let near = |sea: f64| found.is_finite() && sea.is_finite() && (found - sea).abs() <= SAME_WATER * sea.abs();
+    if sea.all(|sea| found == sea || near(sea)) {
         return Ok(());
     }
     Err(FieldError::new(field, format!("a {what} {found} {unit}"), format!("that of the sea, {sea} {unit}")))
@@ -248,20 +261,20 @@ fn same(field: &str, what: &str, found: f64, unit: &str, sea: f64) -> Result<(),
 const MOST_UNCOVERED: f64 = 0.01;
 
 /// An error where a table of a hull's response, from `band_rad_s[0]` to `band_rad_s[1]`, leaves out what the waves hold.
-pub(super) fn check_coverage<S: Scalar>(
+pub(super) fn check_coverage<S: Quantity>(
     field: &str,
     [lowest, highest]: [f64; 2],
-    waves: &[WaveComponent<S>],
+    waves: &[Wave<S>],
 ) -> Result<(), FieldError> {
     let energy = |counts: &dyn Fn(f64) -> bool| {
-        let counted = waves.iter().filter(|wave| counts(wave.angular_frequency_rad_s.value()));
-        counted.map(|wave| wave.amplitude_m.value() * wave.amplitude_m.value()).sum::<f64>()
+        let counted = waves.iter().filter(|wave| counts(wave.of.angular_frequency_rad_s));
+        counted.fold(S::ZERO, |sum, wave| sum + wave.amplitude_m * wave.amplitude_m)
     };
     let (outside, all) = (energy(&|omega| !(lowest..=highest).contains(&omega)), energy(&|_| true));
-    if outside <= MOST_UNCOVERED * all {
+    if (S::constant(MOST_UNCOVERED) * all - outside).all(|room| room >= 0.0) {
         return Ok(());
     }
-    let share = 100.0 * outside / all;
+    let share = S::constant(100.0) * outside / all;
     let found = format!("frequencies from {lowest} to {highest} rad/s, with {share:.1} % of the waves' energy outside");
     let allowed = format!("frequencies that leave at most {} % outside", 100.0 * MOST_UNCOVERED);
     Err(FieldError::new(field, found, allowed))

@@ -2,61 +2,77 @@
 
 use super::super::schema::{self, Positive, Scenario, WaveAmplitudes, WaveRealisation, Waves};
 use super::FieldError;
-use super::reading::{Gathered, Reading};
 use super::water::{gravity, water_of};
+use crate::scenario::leaf::Quantity;
 use crate::sea::waves::{
     Amplitudes, Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Spreading,
     Torsethaugen, Water, WaveComponent, WaveError, WaveSystem,
 };
 
-/// All components of all wave systems, in the order of the file. Amplitudes are gathered from all
-/// scenarios; frequencies, directions and phases are those of the first, which all must share.
-pub fn build<S: Gathered>(scenario: &Reading<Scenario>, water: &Water) -> Result<Vec<WaveComponent<S>>, FieldError> {
-    let realise = |scenario: &&Scenario| realise(scenario, water);
-    let all: Vec<Vec<WaveComponent>> = scenario.all().iter().map(realise).collect::<Result<_, _>>()?;
-    let together = |i: usize| {
-        let amplitudes: Vec<f64> = all.iter().map(|waves| waves[i].amplitude_m).collect();
-        WaveComponent { amplitude_m: scenario.gathered(&amplitudes), ..all[0][i].constant() }
-    };
-    let shared = |waves: &Vec<WaveComponent>| {
-        let same = |(a, b): (&WaveComponent, &WaveComponent)| WaveComponent { amplitude_m: b.amplitude_m, ..*a } == *b;
-        waves.len() == all[0].len() && waves.iter().zip(&all[0]).all(same)
-    };
-    match all.iter().all(shared) {
-        true => Ok((0..all[0].len()).map(together).collect()),
-        false => Err(FieldError::new(
-            "sea.waves",
-            "another period, direction or seed",
-            "heights only: the waves of one realisation change by no other number continuously",
-        )),
+/// A wave of the sea: its amplitude may carry derivatives, or be another in each lane; what else it is decides the structure.
+#[derive(Clone, Copy, Debug)]
+pub struct Wave<S> {
+    /// The wave, with the amplitude that all lanes share or that of the first.
+    pub of: WaveComponent,
+    /// Amplitude, m.
+    pub amplitude_m: S,
+}
+
+impl<S: Quantity> Wave<S> {
+    /// The wave in the engine's terms.
+    pub fn component(&self) -> WaveComponent<S> {
+        WaveComponent { amplitude_m: self.amplitude_m, ..self.of.constant() }
     }
 }
 
-/// The components of one scenario.
-fn realise(scenario: &Scenario, water: &Water) -> Result<Vec<WaveComponent>, FieldError> {
+/// All components of all wave systems, in the order of the file.
+pub fn build<S: Quantity>(scenario: &Scenario<S>, water: &Water) -> Result<Vec<Wave<S>>, FieldError> {
     let (mut components, seed) = (Vec::new(), scenario.simulation.seed);
     let systems = scenario.sea.iter().flat_map(|sea| &sea.waves);
     for (number, (name, waves)) in (0..).zip(systems) {
-        let field = |field: &str| match waves {
-            Waves::Regular(_) | Waves::Record(_) => format!("sea.waves.{name}.{}.{field}", waves.kind()),
-            _ if OF_REALISATION.iter().any(|part| field.starts_with(part)) => {
-                format!("sea.waves.{name}.{}.realisation.{field}", waves.kind())
-            }
-            _ => format!("sea.waves.{name}.{}.{field}", waves.kind()),
-        };
-        let in_place = |error: WaveError| FieldError::new(field(&error.field), error.found, error.allowed);
+        let at = Place { path: format!("sea.waves.{name}.{}", waves.kind()) };
         let found = match waves {
-            _ if !waves.enabled() => Ok(Vec::new()),
-            Waves::Regular(wave) => regular(wave, water),
-            Waves::Record(given) => record(scenario, given, water),
-            _ => of_spectrum(waves, water).and_then(|system| match system {
-                Some(system) => system.components(seed, number, water),
-                None => Ok(Vec::new()),
-            }),
+            _ if !waves.enabled() => continue,
+            Waves::Regular(wave) => regular(wave, water).map_err(|error| at.error(error))?,
+            Waves::Record(given) => constant(record(scenario, given, water).map_err(|error| at.error(error))?, S::ONE),
+            _ => match of_spectrum(waves, water, &at)? {
+                Some((system, scale)) => {
+                    constant(system.components(seed, number, water).map_err(|error| at.of_realisation(error))?, scale)
+                }
+                None => continue,
+            },
         };
-        components.extend(found.map_err(in_place)?);
+        components.extend(found);
     }
     Ok(components)
+}
+
+/// Waves of plain amplitudes, in proportion to a number that is 1 and carries the derivatives.
+fn constant<S: Quantity>(waves: Vec<WaveComponent>, scale: S) -> Vec<Wave<S>> {
+    let wave = |of: WaveComponent| Wave { of, amplitude_m: S::constant(of.amplitude_m) * scale };
+    waves.into_iter().map(wave).collect()
+}
+
+/// Where a wave system stands.
+struct Place {
+    path: String,
+}
+
+impl Place {
+    fn field(&self, name: &str) -> String {
+        format!("{}.{name}", self.path)
+    }
+
+    fn error(&self, error: WaveError) -> FieldError {
+        FieldError::new(self.field(&error.field), error.found, error.allowed)
+    }
+
+    /// The same of a spectrum's waves, some of whose fields are those of the realisation.
+    fn of_realisation(&self, error: WaveError) -> FieldError {
+        let of_realisation = OF_REALISATION.iter().any(|part| error.field.starts_with(part));
+        let field = if of_realisation { format!("realisation.{}", error.field) } else { error.field };
+        FieldError::new(self.field(&field), error.found, error.allowed)
+    }
 }
 
 /// Fields of the realisation, among those of a spectrum's waves.
@@ -66,23 +82,30 @@ const OF_REALISATION: [&str; 4] = ["components", "spreading_exponent", "lowest_r
 /// the share of its energy that is cut off.
 pub fn cut_off(scenario: &Scenario) -> Vec<(String, f64, f64)> {
     let Some(sea) = &scenario.sea else { return Vec::new() };
-    let Ok(water) = gravity(scenario).and_then(|gravity| water_of(sea, gravity)) else { return Vec::new() };
+    let water = gravity(scenario).and_then(|gravity| water_of(sea, sea.density_kg_m3.get(), &gravity));
+    let Ok(water) = water else { return Vec::new() };
     let systems = sea.waves.iter().filter(|(_, waves)| waves.enabled());
     let cut = systems.filter_map(|(name, waves)| {
-        let system = of_spectrum(waves, &water).ok()??;
+        let (system, _) = of_spectrum(waves, &water, &Place { path: String::new() }).ok()??;
         system.band?;
         Some((name.to_string(), system.spectrum.significant_height_m(), system.energy_cut_off()))
     });
     cut.collect()
 }
 
-fn regular(wave: &schema::RegularWave, water: &Water) -> Result<Vec<WaveComponent>, WaveError> {
+fn regular<S: Quantity>(wave: &schema::RegularWave<S>, water: &Water) -> Result<Vec<Wave<S>>, WaveError> {
     let schema::RegularWave { height_m, period_s, direction_rad, phase_rad, .. } = wave;
-    Ok(vec![WaveComponent::regular(height_m.get(), period_s.get(), *direction_rad, *phase_rad, water)?])
+    let height_m = height_m.get();
+    let of = |height: f64| WaveComponent::regular(height, period_s.get(), *direction_rad, *phase_rad, water);
+    // Each lane's height is one that a wave may have, and all waves are alike but for it.
+    match height_m.outside(|height| of(height).is_ok()) {
+        Some(height) => of(height).map(|_| Vec::new()),
+        None => Ok(vec![Wave { of: of(1.0)?, amplitude_m: S::constant(0.5) * height_m }]),
+    }
 }
 
-fn record(
-    scenario: &Scenario,
+fn record<S: Quantity>(
+    scenario: &Scenario<S>,
     given: &schema::ElevationRecord,
     water: &Water,
 ) -> Result<Vec<WaveComponent>, WaveError> {
@@ -92,31 +115,44 @@ fn record(
     table.components(given.position_m, given.direction_rad, band, water)
 }
 
-/// The random sea of a spectrum; waves of another kind are none.
-fn of_spectrum(waves: &Waves, water: &Water) -> Result<Option<WaveSystem>, WaveError> {
-    let (spectrum, direction_rad, realisation) = match waves {
+/// The random sea of a spectrum, and the factor 1 that carries the derivatives of its amplitudes; waves of another kind are
+/// none. The amplitudes of a spectrum of one peak are in proportion to the significant height. Those of two peaks are not:
+/// their frequencies move with the heights.
+fn of_spectrum<S: Quantity>(
+    waves: &Waves<S>,
+    water: &Water,
+    at: &Place,
+) -> Result<Option<(WaveSystem, S)>, FieldError> {
+    let in_place = |error| at.of_realisation(error);
+    let height_field = at.field("significant_height_m");
+    let (spectrum, direction_rad, realisation, scale) = match waves {
         Waves::Regular(_) | Waves::Record(_) => return Ok(None),
         Waves::Jonswap(sea) => {
-            let (height, period) = (sea.significant_height_m.get(), sea.peak_period_s.get());
-            let spectrum = Jonswap::new(height, period, sea.gamma.get())?;
-            (Spectrum::Jonswap(spectrum), sea.direction_rad, &sea.realisation)
+            let (height, scale) = sea.significant_height_m.get().scaled(&height_field)?;
+            let spectrum = Jonswap::new(height, sea.peak_period_s.get(), sea.gamma.get()).map_err(in_place)?;
+            (Spectrum::Jonswap(spectrum), sea.direction_rad, &sea.realisation, scale)
         }
         Waves::PiersonMoskowitz(sea) => {
-            let spectrum = PiersonMoskowitz::new(sea.significant_height_m.get(), sea.peak_period_s.get())?;
-            (Spectrum::PiersonMoskowitz(spectrum), sea.direction_rad, &sea.realisation)
+            let (height, scale) = sea.significant_height_m.get().scaled(&height_field)?;
+            let spectrum = PiersonMoskowitz::new(height, sea.peak_period_s.get()).map_err(in_place)?;
+            (Spectrum::PiersonMoskowitz(spectrum), sea.direction_rad, &sea.realisation, scale)
         }
         Waves::OchiHubble(sea) => {
-            let spectrum = OchiHubble::new([&sea.swell, &sea.wind_sea].map(ochi_hubble_part))?;
-            (Spectrum::OchiHubble(spectrum), sea.direction_rad, &sea.realisation)
+            let spectrum = OchiHubble::new([&sea.swell, &sea.wind_sea].map(ochi_hubble_part)).map_err(in_place)?;
+            (Spectrum::OchiHubble(spectrum), sea.direction_rad, &sea.realisation, S::ONE)
         }
         Waves::Torsethaugen(sea) => {
-            let (height, period) = (sea.significant_height_m.get(), sea.peak_period_s.get());
-            let spectrum = Torsethaugen::new(height, period, water.gravity_m_s2)?;
-            (Spectrum::Torsethaugen(spectrum), sea.direction_rad, &sea.realisation)
+            let height = sea.significant_height_m.get().same(&height_field)?;
+            let spectrum = Torsethaugen::new(height, sea.peak_period_s.get(), water.gravity_m_s2).map_err(in_place)?;
+            (Spectrum::Torsethaugen(spectrum), sea.direction_rad, &sea.realisation, S::ONE)
         }
-        Waves::Spectrum(sea) => (Spectrum::Table(SpectrumTable::new(&sea.rows)?), sea.direction_rad, &sea.realisation),
+        Waves::Spectrum(sea) => {
+            let spectrum = SpectrumTable::new(&sea.rows).map_err(in_place)?;
+            (Spectrum::Table(spectrum), sea.direction_rad, &sea.realisation, S::ONE)
+        }
     };
-    drawn(spectrum, direction_rad, realisation).map(Some)
+    let system = drawn(spectrum, direction_rad, realisation).map_err(in_place)?;
+    Ok(Some((system, scale)))
 }
 
 fn ochi_hubble_part(part: &schema::OchiHubblePart) -> OchiHubblePart {

@@ -2,48 +2,54 @@
 
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::{History, NonNegative, Positive, Pulse};
+use super::histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
+use super::{History, NonNegative, Positive};
+use crate::scenario::leaf::Leaf;
 
 /// One axis that a joint turns about.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
-pub struct AngleAxis {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "AngleAxis", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct AngleAxis<S = f64> {
     /// Angle at the start, rad.
-    pub initial_angle_rad: f64,
+    pub initial_angle_rad: S,
     /// Rate at the start, rad/s.
-    pub initial_rate_rad_s: f64,
+    pub initial_rate_rad_s: S,
     /// Free, held or prescribed.
-    pub mode: RevoluteMode,
+    pub mode: RevoluteMode<S>,
     /// Viscous damping moment per rate, N m s.
     #[serde(rename = "damping_N_m_s")]
-    pub damping_n_m_s: NonNegative,
+    pub damping_n_m_s: NonNegative<S>,
     /// Dry friction.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub friction: Option<AngleFriction>,
+    pub friction: Option<AngleFriction<S>>,
     /// A spring.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub spring: Option<AngleSpring>,
+    pub spring: Option<AngleSpring<S>>,
     /// Stops at the ends of the travel.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub limits: Option<AngleLimits>,
+    pub limits: Option<AngleLimits<S>>,
     /// Moment of inertia of the motor's rotor about its own axis, kg m^2.
-    pub rotor_inertia_kg_m2: NonNegative,
+    pub rotor_inertia_kg_m2: NonNegative<S>,
     /// Turns of the rotor for one turn about the axis.
-    pub gear_ratio: Positive,
+    pub gear_ratio: Positive<S>,
 }
 
-impl Default for AngleAxis {
+impl<S: Leaf> Default for AngleAxis<S> {
     fn default() -> Self {
         Self {
-            initial_angle_rad: 0.0,
-            initial_rate_rad_s: 0.0,
+            initial_angle_rad: S::default(),
+            initial_rate_rad_s: S::default(),
             mode: RevoluteMode::Free,
-            damping_n_m_s: NonNegative::ZERO,
+            damping_n_m_s: NonNegative::default(),
             friction: None,
             spring: None,
             limits: None,
-            rotor_inertia_kg_m2: NonNegative::ZERO,
+            rotor_inertia_kg_m2: NonNegative::default(),
             gear_ratio: one(),
         }
     }
@@ -51,212 +57,266 @@ impl Default for AngleAxis {
 
 /// One axis that a joint slides along.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
-pub struct LengthAxis {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LengthAxis", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct LengthAxis<S = f64> {
     /// Extension at the start, m.
-    pub initial_extension_m: f64,
+    pub initial_extension_m: S,
     /// Speed at the start, m/s.
-    pub initial_speed_m_s: f64,
+    pub initial_speed_m_s: S,
     /// Free, held or prescribed.
-    pub mode: PrismaticMode,
+    pub mode: PrismaticMode<S>,
     /// Viscous damping force per speed, N s/m.
     #[serde(rename = "damping_N_s_m")]
-    pub damping_n_s_m: NonNegative,
+    pub damping_n_s_m: NonNegative<S>,
     /// Dry friction.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub friction: Option<LengthFriction>,
+    pub friction: Option<LengthFriction<S>>,
     /// A spring.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub spring: Option<LengthSpring>,
+    pub spring: Option<LengthSpring<S>>,
     /// Stops at the ends of the travel.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub limits: Option<LengthLimits>,
+    pub limits: Option<LengthLimits<S>>,
     /// Moment of inertia of the motor's rotor about its own axis, kg m^2.
-    pub rotor_inertia_kg_m2: NonNegative,
+    pub rotor_inertia_kg_m2: NonNegative<S>,
     /// Angle of the rotor per extension, rad/m.
-    pub gear_ratio_rad_per_m: Positive,
+    pub gear_ratio_rad_per_m: Positive<S>,
 }
 
-impl Default for LengthAxis {
+impl<S: Leaf> Default for LengthAxis<S> {
     fn default() -> Self {
         Self {
-            initial_extension_m: 0.0,
-            initial_speed_m_s: 0.0,
+            initial_extension_m: S::default(),
+            initial_speed_m_s: S::default(),
             mode: PrismaticMode::Free,
-            damping_n_s_m: NonNegative::ZERO,
+            damping_n_s_m: NonNegative::default(),
             friction: None,
             spring: None,
             limits: None,
-            rotor_inertia_kg_m2: NonNegative::ZERO,
+            rotor_inertia_kg_m2: NonNegative::default(),
             gear_ratio_rad_per_m: one(),
         }
     }
 }
 
 /// The default of a gear ratio.
-pub(super) const fn one() -> Positive {
+pub(super) fn one<S: Leaf>() -> Positive<S> {
     Positive::literal(1.0)
 }
 
 /// The default of a smoothing speed.
-pub(super) const fn slow() -> Positive {
+pub(super) fn slow<S: Leaf>() -> Positive<S> {
     Positive::literal(0.01)
 }
 
 /// A number that may be absent, but not empty where it is named.
-fn present<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<f64>, D::Error> {
-    f64::deserialize(deserializer).map(Some)
+fn present<'de, D: Deserializer<'de>, S: Leaf>(deserializer: D) -> Result<Option<S>, D::Error> {
+    S::deserialize(deserializer).map(Some)
 }
 
 /// What decides the angle about an axis.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum RevoluteMode {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "RevoluteMode", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum RevoluteMode<S = f64> {
     /// The dynamics do.
     #[default]
     Free,
     /// It stays at its initial angle.
     Held,
     /// A given rate does.
-    Prescribed(PrescribedRate),
+    Prescribed(Box<PrescribedRate<S>>),
+    /// It turns by a given angle, from rest to rest.
+    Travel(AngleTravel<S>),
 }
 
 /// A rate of turning as a given function of time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct PrescribedRate {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PrescribedRate", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct PrescribedRate<S = f64> {
     /// Full rate, rad/s.
-    pub rate_rad_s: f64,
+    pub rate_rad_s: S,
     /// How the rate goes with time.
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pulse: Option<Pulse>,
+    pub pulse: Option<RatePulse>,
+    /// The times and shares of the history `list`; a rate cannot jump.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub list: Option<HistoryList<S>>,
 }
 
 /// What decides the extension along an axis.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum PrismaticMode {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PrismaticMode", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum PrismaticMode<S = f64> {
     /// The dynamics do.
     #[default]
     Free,
     /// It stays at its initial extension.
     Held,
     /// A given speed does.
-    Prescribed(PrescribedSpeed),
+    Prescribed(Box<PrescribedSpeed<S>>),
+    /// It slides by a given length, from rest to rest.
+    Travel(LengthTravel<S>),
 }
 
 /// A speed of sliding as a given function of time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct PrescribedSpeed {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PrescribedSpeed", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct PrescribedSpeed<S = f64> {
     /// Full speed, m/s.
-    pub speed_m_s: f64,
+    pub speed_m_s: S,
     /// How the speed goes with time.
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pulse: Option<Pulse>,
+    pub pulse: Option<RatePulse>,
+    /// The times and shares of the history `list`; a rate cannot jump.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub list: Option<HistoryList<S>>,
 }
 
 /// Dry friction against turning, `torque rate / sqrt(rate^2 + smoothing^2)`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct AngleFriction {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "AngleFriction", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct AngleFriction<S = f64> {
     /// Its torque, N m.
     #[serde(rename = "torque_N_m")]
-    pub torque_n_m: NonNegative,
+    pub torque_n_m: NonNegative<S>,
     /// Rate about which it changes its sign smoothly, rad/s; what should stick creeps below it.
-    #[serde(default = "slow")]
-    pub smoothing_rad_s: Positive,
+    #[serde(default = "slow::<S>")]
+    pub smoothing_rad_s: Positive<S>,
 }
 
 /// Dry friction against sliding, `force speed / sqrt(speed^2 + smoothing^2)`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct LengthFriction {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LengthFriction", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct LengthFriction<S = f64> {
     /// Its force, N.
     #[serde(rename = "force_N")]
-    pub force_n: NonNegative,
+    pub force_n: NonNegative<S>,
     /// Speed about which it changes its sign smoothly, m/s; what should stick creeps below it.
-    #[serde(default = "slow")]
-    pub smoothing_m_s: Positive,
+    #[serde(default = "slow::<S>")]
+    pub smoothing_m_s: Positive<S>,
 }
 
 /// A linear spring about an axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct AngleSpring {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "AngleSpring", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct AngleSpring<S = f64> {
     /// Moment per angle, N m/rad.
     #[serde(rename = "stiffness_N_m_per_rad")]
-    pub stiffness_n_m_per_rad: NonNegative,
+    pub stiffness_n_m_per_rad: NonNegative<S>,
     /// Angle at which it is slack, rad.
     #[serde(default)]
-    pub rest_rad: f64,
+    pub rest_rad: S,
 }
 
 /// A linear spring along an axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct LengthSpring {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LengthSpring", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct LengthSpring<S = f64> {
     /// Force per extension, N/m.
     #[serde(rename = "stiffness_N_per_m")]
-    pub stiffness_n_per_m: NonNegative,
+    pub stiffness_n_per_m: NonNegative<S>,
     /// Extension at which it is slack, m.
     #[serde(default)]
-    pub rest_m: f64,
+    pub rest_m: S,
 }
 
 /// Stops that push back with `stiffness d (1 + dissipation d')` at the depth d beyond a limit, never outwards.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct AngleLimits {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "AngleLimits", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct AngleLimits<S = f64> {
     /// Smallest angle, rad; none when absent.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "present")]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
-    pub lower_rad: Option<f64>,
+    pub lower_rad: Option<S>,
     /// Largest angle, rad; none when absent.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "present")]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
-    pub upper_rad: Option<f64>,
+    pub upper_rad: Option<S>,
     /// Moment per angle beyond a limit, N m/rad.
     #[serde(rename = "stiffness_N_m_per_rad")]
-    pub stiffness_n_m_per_rad: Positive,
+    pub stiffness_n_m_per_rad: Positive<S>,
     /// What is lost: of a small rate u a stop gives back about `u (1 - 2/3 dissipation u)`, s/rad.
     #[serde(default)]
-    pub dissipation_s_per_rad: NonNegative,
+    pub dissipation_s_per_rad: NonNegative<S>,
 }
 
 /// Stops that push back with `stiffness d (1 + dissipation d')` at the depth d beyond a limit, never outwards.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct LengthLimits {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LengthLimits", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct LengthLimits<S = f64> {
     /// Smallest extension, m; none when absent.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "present")]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
-    pub lower_m: Option<f64>,
+    pub lower_m: Option<S>,
     /// Largest extension, m; none when absent.
     #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "present")]
     #[cfg_attr(feature = "schema", schemars(with = "f64"))]
-    pub upper_m: Option<f64>,
+    pub upper_m: Option<S>,
     /// Force per extension beyond a limit, N/m.
     #[serde(rename = "stiffness_N_per_m")]
-    pub stiffness_n_per_m: Positive,
+    pub stiffness_n_per_m: Positive<S>,
     /// What is lost: of a small speed u a stop gives back about `u (1 - 2/3 dissipation u)`, s/m.
     #[serde(default)]
-    pub dissipation_s_per_m: NonNegative,
+    pub dissipation_s_per_m: NonNegative<S>,
 }

@@ -4,12 +4,17 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::{Colour, Flexible, Joint, Name, NonNegative, Positive, WORLD, yes};
+use crate::scenario::leaf::Leaf;
 
 /// A rigid body. Its geometry is written in a drawing frame of its own; the shape is centred on the centre of mass.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Body {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Body", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Body<S = f64> {
     /// Off leaves out this body and all that hangs on it.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -17,30 +22,30 @@ pub struct Body {
     #[serde(default = "Name::world")]
     pub parent: Name,
     /// Mass, kg.
-    pub mass_kg: Positive,
+    pub mass_kg: Positive<S>,
     /// Colour in the views, `#rrggbb`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<Colour>,
     /// The solid that gives the inertia, unless `inertia` does, and the picture.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub shape: Option<Shape>,
+    pub shape: Option<Shape<S>>,
     /// The inertia in numbers; it replaces that of the shape.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub inertia: Option<Inertia>,
+    pub inertia: Option<Inertia<S>>,
     /// Makes this body a beam that bends, twists and shears.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub flexible: Option<Flexible>,
+    pub flexible: Option<Flexible<S>>,
     /// The centre of mass in the drawing frame, m.
     #[serde(default)]
-    pub centre_of_mass_m: [f64; 3],
+    pub centre_of_mass_m: [S; 3],
     /// How this body moves against its parent.
-    pub joint: Joint,
+    pub joint: Joint<S>,
     /// Named points of this body, reported in the results.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
-    pub points: IndexMap<Name, Point>,
+    pub points: IndexMap<Name, Point<S>>,
 }
 
-impl Body {
+impl<S: Leaf> Body<S> {
     /// The body that this one hangs on; `None` for the world.
     pub fn parent_body(&self) -> Option<&Name> {
         (self.parent != WORLD).then_some(&self.parent)
@@ -49,50 +54,66 @@ impl Body {
 
 /// A named point of a body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Point {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Point", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Point<S = f64> {
     /// Position in the body's drawing frame, m.
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
 }
 
 /// A homogeneous solid, or a point mass.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Shape {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Shape", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum Shape<S = f64> {
     /// A solid box.
-    Box(BoxShape),
+    Box(BoxShape<S>),
     /// A solid circular cylinder.
-    Cylinder(CylinderShape),
+    Cylinder(CylinderShape<S>),
     /// A solid sphere.
-    Sphere(SphereShape),
+    Sphere(SphereShape<S>),
     /// A point mass.
     Point(PointShape),
 }
 
 /// A solid box, its edges along the body's axes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct BoxShape {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "BoxShape", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct BoxShape<S = f64> {
     /// Extent along x, m.
-    pub length_m: Positive,
+    pub length_m: Positive<S>,
     /// Extent along y, m.
-    pub width_m: Positive,
+    pub width_m: Positive<S>,
     /// Extent along z, m.
-    pub height_m: Positive,
+    pub height_m: Positive<S>,
 }
 
 /// A solid circular cylinder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct CylinderShape {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "CylinderShape", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct CylinderShape<S = f64> {
     /// Radius, m.
-    pub radius_m: Positive,
+    pub radius_m: Positive<S>,
     /// Extent along the axis, m.
-    pub length_m: Positive,
+    pub length_m: Positive<S>,
     /// The body axis that the cylinder lies along.
     #[serde(default)]
     pub axis: PrincipalAxis,
@@ -100,11 +121,15 @@ pub struct CylinderShape {
 
 /// A solid sphere.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct SphereShape {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SphereShape", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct SphereShape<S = f64> {
     /// Radius, m.
-    pub radius_m: Positive,
+    pub radius_m: Positive<S>,
 }
 
 /// A point mass: no extent, no inertia of its own.
@@ -129,32 +154,44 @@ pub enum PrincipalAxis {
 
 /// Inertia in numbers, about the centre of mass in body axes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Inertia {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Inertia", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum Inertia<S = f64> {
     /// Moments and products of inertia.
-    Tensor(InertiaTensor),
+    Tensor(InertiaTensor<S>),
     /// Radii of gyration.
-    RadiiOfGyration(RadiiOfGyration),
+    RadiiOfGyration(RadiiOfGyration<S>),
 }
 
 /// Moments and products of inertia about the centre of mass in body axes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct InertiaTensor {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "InertiaTensor", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct InertiaTensor<S = f64> {
     /// Ixx, Iyy, Izz, kg m^2. No one of them may exceed the sum of the other two.
-    pub moments_kg_m2: [NonNegative; 3],
+    pub moments_kg_m2: [NonNegative<S>; 3],
     /// Ixy, Ixz, Iyz, kg m^2, as entries of the tensor: Ixy = -integral(x y dm).
     #[serde(default)]
-    pub products_kg_m2: [f64; 3],
+    pub products_kg_m2: [S; 3],
 }
 
 /// Radii of gyration about the centre of mass; the body's axes are its principal axes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct RadiiOfGyration {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "RadiiOfGyration", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct RadiiOfGyration<S = f64> {
     /// kx, ky, kz, m.
-    pub radii_m: [NonNegative; 3],
+    pub radii_m: [NonNegative<S>; 3],
 }

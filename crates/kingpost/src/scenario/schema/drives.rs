@@ -3,27 +3,33 @@
 use serde::{Deserialize, Serialize};
 
 use super::axes::slow;
+use super::histories::HistoryList;
 use super::{CoordinateName, Cylinder, NonNegative, Positive, yes};
+use crate::scenario::leaf::Leaf;
 
 /// What acts between two bodies, mostly in the joint that connects them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Drive {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Drive", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum Drive<S = f64> {
     /// A torque about an axis.
-    Motor(Motor),
+    Motor(Motor<S>),
     /// A force along an axis.
-    LinearMotor(LinearMotor),
+    LinearMotor(LinearMotor<S>),
     /// A spring and damper with a torque limit that turns an axis to a target.
-    Servo(Servo),
+    Servo(Servo<S>),
     /// A spring and damper with a force limit that moves an axis to a target.
-    LinearServo(LinearServo),
+    LinearServo(LinearServo<S>),
     /// Dry friction about an axis, set and released.
-    Brake(Brake),
+    Brake(Brake<S>),
     /// Dry friction along an axis, set and released.
-    LinearBrake(LinearBrake),
+    LinearBrake(LinearBrake<S>),
     /// A hydraulic cylinder between two pins, on any two bodies.
-    Cylinder(Cylinder),
+    Cylinder(Cylinder<S>),
 }
 
 /// How a drive's strength goes with time.
@@ -34,31 +40,41 @@ pub enum History {
     /// Full strength from the start on.
     #[default]
     Constant,
-    /// Up, hold, reverse, stop, by the times of `pulse`.
+    /// Up, hold, stop, or up, hold, reverse, stop, by the times of `pulse`.
     Pulse,
+    /// Straight lines between the shares of `list` at given times.
+    List,
     /// An input in [-1, 1], named as the drive, times the full strength.
     Lever,
 }
 
-/// Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, from T to -T in twice `rise_s`, -T for
-/// `reverse_s`, back to 0 in `rise_s`, and 0 from then on.
+/// Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on;
+/// with a `reverse_s` from T to -T in twice `rise_s`, -T for `reverse_s`, and then back to 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Pulse {
+    /// When it begins, s.
+    #[serde(default)]
+    pub start_s: NonNegative,
     /// Length of the ramp from 0 to full strength, s; 0 is a jump.
     pub rise_s: NonNegative,
     /// Time at full strength, s.
     pub hold_s: NonNegative,
-    /// Time at full strength the other way, s.
+    /// Time at full strength the other way, s; 0 is a pulse that does not reverse.
+    #[serde(default)]
     pub reverse_s: NonNegative,
 }
 
 /// A torque in a revolute joint; the reaction acts on the parent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Motor {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Motor", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Motor<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -66,20 +82,27 @@ pub struct Motor {
     pub joint: CoordinateName,
     /// Full torque, positive about the joint's axis, N m.
     #[serde(rename = "torque_N_m")]
-    pub torque_n_m: f64,
+    pub torque_n_m: S,
     /// How the torque goes with time.
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pulse: Option<Pulse>,
+    /// The times and shares of the history `list`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub list: Option<HistoryList<S>>,
 }
 
 /// A force in a prismatic joint; the reaction acts on the parent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct LinearMotor {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LinearMotor", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct LinearMotor<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -87,59 +110,70 @@ pub struct LinearMotor {
     pub joint: CoordinateName,
     /// Full force, positive along the joint's axis, N.
     #[serde(rename = "force_N")]
-    pub force_n: f64,
+    pub force_n: S,
     /// How the force goes with time.
     #[serde(default)]
     pub history: History,
     /// The times of the history `pulse`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pulse: Option<Pulse>,
+    /// The times and shares of the history `list`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub list: Option<HistoryList<S>>,
 }
 
 /// A torque `stiffness (target - angle) - damping rate` in a revolute joint, clipped at the torque limit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Servo {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Servo", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Servo<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The revolute joint, or `joint.axis` for an axis that another joint turns about.
     pub joint: CoordinateName,
     /// The angle to hold, rad.
-    pub target_rad: f64,
+    pub target_rad: S,
     /// Torque per angle, N m/rad.
     #[serde(rename = "stiffness_N_m_per_rad")]
-    pub stiffness_n_m_per_rad: NonNegative,
+    pub stiffness_n_m_per_rad: NonNegative<S>,
     /// Torque per rate, N m s/rad.
     #[serde(rename = "damping_N_m_s_per_rad")]
-    pub damping_n_m_s_per_rad: NonNegative,
+    pub damping_n_m_s_per_rad: NonNegative<S>,
     /// Largest torque, N m.
     #[serde(rename = "torque_limit_N_m")]
-    pub torque_limit_n_m: NonNegative,
+    pub torque_limit_n_m: NonNegative<S>,
 }
 
 /// A force `stiffness (target - extension) - damping speed` in a prismatic joint, clipped at the force limit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct LinearServo {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LinearServo", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct LinearServo<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The prismatic joint, or `joint.axis` for an axis that another joint slides along.
     pub joint: CoordinateName,
     /// The extension to hold, m.
-    pub target_m: f64,
+    pub target_m: S,
     /// Force per extension, N/m.
     #[serde(rename = "stiffness_N_per_m")]
-    pub stiffness_n_per_m: NonNegative,
+    pub stiffness_n_per_m: NonNegative<S>,
     /// Force per speed, N s/m.
     #[serde(rename = "damping_N_s_per_m")]
-    pub damping_n_s_per_m: NonNegative,
+    pub damping_n_s_per_m: NonNegative<S>,
     /// Largest force, N.
     #[serde(rename = "force_limit_N")]
-    pub force_limit_n: NonNegative,
+    pub force_limit_n: NonNegative<S>,
 }
 
 /// How far a brake is set.
@@ -158,9 +192,13 @@ pub enum BrakeState {
 
 /// Dry friction about an axis, `torque rate / sqrt(rate^2 + smoothing^2)` when set.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Brake {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Brake", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Brake<S = f64> {
     /// Whether it is there.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -168,10 +206,10 @@ pub struct Brake {
     pub joint: CoordinateName,
     /// Capacity: the torque that it can hold, N m.
     #[serde(rename = "torque_N_m")]
-    pub torque_n_m: NonNegative,
+    pub torque_n_m: NonNegative<S>,
     /// Rate about which its torque changes its sign smoothly, rad/s; what it holds creeps below it.
-    #[serde(default = "slow")]
-    pub smoothing_rad_s: Positive,
+    #[serde(default = "slow::<S>")]
+    pub smoothing_rad_s: Positive<S>,
     /// Set, released, or by a lever.
     #[serde(default)]
     pub state: BrakeState,
@@ -179,9 +217,13 @@ pub struct Brake {
 
 /// Dry friction along an axis, `force speed / sqrt(speed^2 + smoothing^2)` when set.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct LinearBrake {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LinearBrake", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct LinearBrake<S = f64> {
     /// Whether it is there.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -189,10 +231,10 @@ pub struct LinearBrake {
     pub joint: CoordinateName,
     /// Capacity: the force that it can hold, N.
     #[serde(rename = "force_N")]
-    pub force_n: NonNegative,
+    pub force_n: NonNegative<S>,
     /// Speed about which its force changes its sign smoothly, m/s; what it holds creeps below it.
-    #[serde(default = "slow")]
-    pub smoothing_m_s: Positive,
+    #[serde(default = "slow::<S>")]
+    pub smoothing_m_s: Positive<S>,
     /// Set, released, or by a lever.
     #[serde(default)]
     pub state: BrakeState,

@@ -4,12 +4,17 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::{Name, NonNegative, Positive, yes};
+use crate::scenario::leaf::Leaf;
 
 /// A controller that keeps a point of a ship over a place and the ship on a heading by its thrusters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct DynamicPositioning {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "DynamicPositioning", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct DynamicPositioning<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -17,61 +22,73 @@ pub struct DynamicPositioning {
     pub body: Name,
     /// The point that is kept, and that forces and moments refer to, in the body's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// Where.
     #[serde(default)]
-    pub target: StationTarget,
+    pub target: StationTarget<S>,
     /// The controller's gains.
-    pub gains: PositioningGains,
+    pub gains: PositioningGains<S>,
     /// What keeps the thrusters from answering each wave; without it they do.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub wave_filter: Option<WaveFilter>,
+    pub wave_filter: Option<WaveFilter<S>>,
     /// What gives way where a thruster is at its limit.
     #[serde(default)]
     pub priority: ThrustPriority,
     /// Time within which the integrals follow what the thrusters can give while one of them is at its limit, s; without it
     /// sqrt(K_d / K_i), of each of surge, sway and yaw.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub anti_windup_time_s: Option<Positive>,
+    pub anti_windup_time_s: Option<Positive<S>>,
     /// The thrusters by name.
-    pub thrusters: IndexMap<Name, Thruster>,
+    pub thrusters: IndexMap<Name, Thruster<S>>,
 }
 
 /// A place and a heading.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
-pub struct StationTarget {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "StationTarget", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct StationTarget<S = f64> {
     /// x in the world, m.
-    pub x_m: f64,
+    pub x_m: S,
     /// y in the world, m.
-    pub y_m: f64,
+    pub y_m: S,
     /// From the world's x axis, counter-clockwise, rad.
-    pub heading_rad: f64,
+    pub heading_rad: S,
 }
 
 /// Gains of surge, sway and yaw.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum PositioningGains {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PositioningGains", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum PositioningGains<S = f64> {
     /// By the natural period and the damping that the ship is to have.
-    NaturalPeriods(Box<NaturalPeriods>),
+    NaturalPeriods(Box<NaturalPeriods<S>>),
     /// As numbers.
-    Stated(Box<StatedGains>),
+    Stated(Box<StatedGains<S>>),
 }
 
 /// K_p = m omega^2, K_d = 2 zeta omega m, K_i = K_p / T_i with omega = 2 pi / period.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct NaturalPeriods {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "NaturalPeriods", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct NaturalPeriods<S = f64> {
     /// Along the ship.
-    pub surge: TranslationTuning,
+    pub surge: TranslationTuning<S>,
     /// Athwartships.
-    pub sway: TranslationTuning,
+    pub sway: TranslationTuning<S>,
     /// About the vertical.
-    pub yaw: RotationTuning,
+    pub yaw: RotationTuning<S>,
     /// Whether integrals take up the mean of what pushes the ship.
     #[serde(default = "yes")]
     pub integral: bool,
@@ -79,91 +96,107 @@ pub struct NaturalPeriods {
 
 /// How surge or sway answers.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct TranslationTuning {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "TranslationTuning", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct TranslationTuning<S = f64> {
     /// Mass, with that of the water that moves with the ship at low frequency, kg.
-    pub mass_kg: Positive,
+    pub mass_kg: Positive<S>,
     /// Natural period, s.
-    pub period_s: Positive,
+    pub period_s: Positive<S>,
     /// Damping ratio.
-    #[serde(default = "damping_ratio")]
-    pub damping_ratio: Positive,
+    #[serde(default = "damping_ratio::<S>")]
+    pub damping_ratio: Positive<S>,
     /// T_i, s; without it 10 / omega.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub integral_time_s: Option<Positive>,
+    pub integral_time_s: Option<Positive<S>>,
 }
 
 /// How yaw answers.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct RotationTuning {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "RotationTuning", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct RotationTuning<S = f64> {
     /// Moment of inertia about the vertical, with that of the water, kg m^2.
-    pub inertia_kg_m2: Positive,
+    pub inertia_kg_m2: Positive<S>,
     /// Natural period, s.
-    pub period_s: Positive,
+    pub period_s: Positive<S>,
     /// Damping ratio.
-    #[serde(default = "damping_ratio")]
-    pub damping_ratio: Positive,
+    #[serde(default = "damping_ratio::<S>")]
+    pub damping_ratio: Positive<S>,
     /// T_i, s; without it 10 / omega.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub integral_time_s: Option<Positive>,
+    pub integral_time_s: Option<Positive<S>>,
 }
 
-const fn damping_ratio() -> Positive {
+fn damping_ratio<S: Leaf>() -> Positive<S> {
     Positive::literal(0.8)
 }
 
 /// Gains as numbers: of surge and sway, and of yaw.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct StatedGains {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "StatedGains", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct StatedGains<S = f64> {
     /// Force per error, N/m.
     #[serde(rename = "stiffness_N_per_m")]
-    pub stiffness_n_per_m: [Positive; 2],
+    pub stiffness_n_per_m: [Positive<S>; 2],
     /// Force per velocity, N s/m.
     #[serde(rename = "damping_N_s_per_m")]
-    pub damping_n_s_per_m: [NonNegative; 2],
+    pub damping_n_s_per_m: [NonNegative<S>; 2],
     /// Rate of the force per error, N/(m s).
     #[serde(default, rename = "integral_N_per_m_s")]
-    pub integral_n_per_m_s: [NonNegative; 2],
+    pub integral_n_per_m_s: [NonNegative<S>; 2],
     /// Moment per error, N m/rad.
     #[serde(rename = "yaw_stiffness_N_m_per_rad")]
-    pub yaw_stiffness_n_m_per_rad: Positive,
+    pub yaw_stiffness_n_m_per_rad: Positive<S>,
     /// Moment per rate, N m s/rad.
     #[serde(rename = "yaw_damping_N_m_s_per_rad")]
-    pub yaw_damping_n_m_s_per_rad: NonNegative,
+    pub yaw_damping_n_m_s_per_rad: NonNegative<S>,
     /// Rate of the moment per error, N m/(rad s).
     #[serde(default, rename = "yaw_integral_N_m_per_rad_s")]
-    pub yaw_integral_n_m_per_rad_s: NonNegative,
+    pub yaw_integral_n_m_per_rad_s: NonNegative<S>,
 }
 
 /// Notches, and a low pass after them, in what the controller makes of errors and rates; not in its integrals.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct WaveFilter {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "WaveFilter", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct WaveFilter<S = f64> {
     /// Periods that are notched out, s: the waves' peak period, or several about it.
     #[serde(default)]
-    pub notch_periods_s: Vec<Positive>,
+    pub notch_periods_s: Vec<Positive<S>>,
     /// What a notch leaves at its own period: the ratio of the dampings of its numerator and its denominator.
-    #[serde(default = "notch_ratio")]
-    pub notch_damping_ratio: NonNegative,
+    #[serde(default = "notch_ratio::<S>")]
+    pub notch_damping_ratio: NonNegative<S>,
     /// Period of the low pass of second order, s; without it there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub cutoff_period_s: Option<Positive>,
+    pub cutoff_period_s: Option<Positive<S>>,
     /// Its damping ratio.
-    #[serde(default = "butterworth")]
-    pub cutoff_damping_ratio: Positive,
+    #[serde(default = "butterworth::<S>")]
+    pub cutoff_damping_ratio: Positive<S>,
 }
 
-const fn notch_ratio() -> NonNegative {
+fn notch_ratio<S: Leaf>() -> NonNegative<S> {
     NonNegative::literal(0.1)
 }
 
-const fn butterworth() -> Positive {
+fn butterworth<S: Leaf>() -> Positive<S> {
     Positive::literal(core::f64::consts::FRAC_1_SQRT_2)
 }
 
@@ -181,90 +214,106 @@ pub enum ThrustPriority {
 
 /// A thruster.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Thruster {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Thruster", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum Thruster<S = f64> {
     /// A propeller in a tunnel through the hull, that pushes both ways alike.
-    Tunnel(TunnelThruster),
+    Tunnel(TunnelThruster<S>),
     /// A propeller on a fixed shaft.
-    MainPropeller(MainPropeller),
+    MainPropeller(MainPropeller<S>),
     /// A propeller that turns about the vertical.
-    Azimuth(AzimuthThruster),
+    Azimuth(AzimuthThruster<S>),
 }
 
 /// A propeller in a tunnel.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct TunnelThruster {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "TunnelThruster", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct TunnelThruster<S = f64> {
     /// Whether it runs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Where it acts, in the body's drawing frame, m.
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// Direction of its positive thrust from the body's x axis to port, rad.
-    #[serde(default = "athwartships")]
-    pub direction_rad: f64,
+    #[serde(default = "athwartships::<S>")]
+    pub direction_rad: S,
     /// Largest thrust, both ways, N.
     #[serde(rename = "max_thrust_N")]
-    pub max_thrust_n: Positive,
+    pub max_thrust_n: Positive<S>,
     /// Time constant of the thrust behind its command, s.
-    pub time_constant_s: Positive,
+    pub time_constant_s: Positive<S>,
     /// Weight of its use against that of the others in the allocation.
-    #[serde(default = "one")]
-    pub weight: Positive,
+    #[serde(default = "one::<S>")]
+    pub weight: Positive<S>,
 }
 
 /// A propeller on a fixed shaft.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct MainPropeller {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "MainPropeller", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct MainPropeller<S = f64> {
     /// Whether it runs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Where it acts, in the body's drawing frame, m.
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// Direction of its thrust ahead from the body's x axis to port, rad.
     #[serde(default)]
-    pub direction_rad: f64,
+    pub direction_rad: S,
     /// Largest thrust ahead, N.
     #[serde(rename = "max_thrust_N")]
-    pub max_thrust_n: Positive,
+    pub max_thrust_n: Positive<S>,
     /// Largest thrust astern, N.
     #[serde(rename = "max_astern_thrust_N")]
-    pub max_astern_thrust_n: Positive,
+    pub max_astern_thrust_n: Positive<S>,
     /// Time constant of the thrust behind its command, s.
-    pub time_constant_s: Positive,
+    pub time_constant_s: Positive<S>,
     /// Weight of its use against that of the others in the allocation.
-    #[serde(default = "one")]
-    pub weight: Positive,
+    #[serde(default = "one::<S>")]
+    pub weight: Positive<S>,
 }
 
 /// A propeller that turns about the vertical: its thrust is two components, whose length has a limit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct AzimuthThruster {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "AzimuthThruster", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct AzimuthThruster<S = f64> {
     /// Whether it runs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Where it acts, in the body's drawing frame, m.
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// Largest thrust in any direction, N.
     #[serde(rename = "max_thrust_N")]
-    pub max_thrust_n: Positive,
+    pub max_thrust_n: Positive<S>,
     /// Time constant of both components of the thrust behind their commands, s.
-    pub time_constant_s: Positive,
+    pub time_constant_s: Positive<S>,
     /// Weight of its use against that of the others in the allocation.
-    #[serde(default = "one")]
-    pub weight: Positive,
+    #[serde(default = "one::<S>")]
+    pub weight: Positive<S>,
 }
 
-const fn athwartships() -> f64 {
-    core::f64::consts::FRAC_PI_2
+fn athwartships<S: Leaf>() -> S {
+    S::literal(core::f64::consts::FRAC_PI_2)
 }
 
-const fn one() -> Positive {
+fn one<S: Leaf>() -> Positive<S> {
     Positive::literal(1.0)
 }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{NonNegative, Positive};
+use crate::scenario::leaf::Leaf;
 
 /// Makes a body a uniform beam along its x axis, centred on its centre of mass. Its mass is the body's, its length
 /// that of the shape unless it is given.
@@ -11,112 +12,144 @@ use super::{NonNegative, Positive};
 /// half piece, with the body's joint; the segments after it are `boom.1`, `boom.2`, and so on. What hangs on the body
 /// hangs on the segment at its `position_m`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Flexible {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Flexible", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Flexible<S = f64> {
     /// Number of elastic joints along the beam, from 1 to 64.
     pub segments: u64,
     /// Young's modulus, Pa.
     #[serde(rename = "youngs_modulus_Pa")]
-    pub youngs_modulus_pa: Positive,
+    pub youngs_modulus_pa: Positive<S>,
     /// Poisson's ratio, between -1 and 0.5; the shear modulus is E / (2 (1 + nu)).
-    #[serde(default = "steel")]
-    pub poissons_ratio: f64,
+    #[serde(default = "steel::<S>")]
+    pub poissons_ratio: S,
     /// The cross-section.
-    pub section: Section,
+    pub section: Section<S>,
     /// Length, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub length_m: Option<Positive>,
+    pub length_m: Option<Positive<S>>,
     /// Damping in proportion to the stiffness; none when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub damping: Option<FlexibleDamping>,
+    pub damping: Option<FlexibleDamping<S>>,
 }
 
-fn steel() -> f64 {
-    0.3
+fn steel<S: Leaf>() -> S {
+    S::literal(0.3)
 }
 
 /// A beam's cross-section: y to port, z up.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Section {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Section", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum Section<S = f64> {
     /// A round tube or bar.
-    CircularTube(CircularTube),
+    CircularTube(CircularTube<S>),
     /// A rectangular tube.
-    RectangularTube(RectangularTube),
+    RectangularTube(RectangularTube<S>),
     /// Any section, by its numbers.
-    General(GeneralSection),
+    General(GeneralSection<S>),
 }
 
 /// A round tube; a bar where the wall is half of the diameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct CircularTube {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "CircularTube", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct CircularTube<S = f64> {
     /// Outer diameter, m.
-    pub outer_diameter_m: Positive,
+    pub outer_diameter_m: Positive<S>,
     /// Thickness of the wall, m; at most half of the diameter.
-    pub wall_m: Positive,
+    pub wall_m: Positive<S>,
 }
 
 /// A rectangular tube with walls of one thickness.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct RectangularTube {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "RectangularTube", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct RectangularTube<S = f64> {
     /// Outer extent along y, m.
-    pub width_m: Positive,
+    pub width_m: Positive<S>,
     /// Outer extent along z, m.
-    pub height_m: Positive,
+    pub height_m: Positive<S>,
     /// Thickness of the walls, m; less than half of width and height.
-    pub wall_m: Positive,
+    pub wall_m: Positive<S>,
 }
 
 /// A cross-section by its numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct GeneralSection {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "GeneralSection", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct GeneralSection<S = f64> {
     /// Area, m^2.
-    pub area_m2: Positive,
+    pub area_m2: Positive<S>,
     /// Second moments of area about y (integral of z^2) and about z (integral of y^2), m^4.
-    pub second_moments_m4: [Positive; 2],
+    pub second_moments_m4: [Positive<S>; 2],
     /// Torsion constant, m^4.
-    pub torsion_constant_m4: Positive,
+    pub torsion_constant_m4: Positive<S>,
     /// Shear areas for forces along y and along z, m^2; without them the beam does not shear.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub shear_areas_m2: Option<[Positive; 2]>,
+    pub shear_areas_m2: Option<[Positive<S>; 2]>,
 }
 
 /// Damping in proportion to the stiffness: each elastic joint's moment is K (angle + time rate).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum FlexibleDamping {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "FlexibleDamping", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum FlexibleDamping<S = f64> {
     /// By the damping ratio that a mode of a frequency has.
-    Ratio(DampingRatio),
+    Ratio(DampingRatio<S>),
     /// By the time.
-    StiffnessTime(StiffnessTime),
+    StiffnessTime(StiffnessTime<S>),
 }
 
 /// The damping ratio of a mode; modes of other frequencies have it in proportion to theirs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct DampingRatio {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "DampingRatio", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct DampingRatio<S = f64> {
     /// Damping over critical damping.
-    pub ratio: NonNegative,
+    pub ratio: NonNegative<S>,
     /// Frequency of the mode, Hz.
     #[serde(rename = "frequency_Hz")]
-    pub frequency_hz: Positive,
+    pub frequency_hz: Positive<S>,
 }
 
 /// Damping over stiffness.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct StiffnessTime {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "StiffnessTime", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct StiffnessTime<S = f64> {
     /// s.
-    pub time_s: NonNegative,
+    pub time_s: NonNegative<S>,
 }

@@ -3,49 +3,58 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Name, NonNegative, Positive, yes};
+use crate::scenario::leaf::Leaf;
 
 /// The wind: steady, the same everywhere at one height.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Wind {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Wind", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Wind<S = f64> {
     /// Mean speed at the reference height, m/s.
-    pub speed_m_s: NonNegative,
+    pub speed_m_s: NonNegative<S>,
     /// Direction that the wind goes to, from the world's x axis, counter-clockwise, rad.
-    pub direction_rad: f64,
+    pub direction_rad: S,
     /// Height above the still water that the speed is given at, m.
-    #[serde(default = "ten_metres")]
-    pub reference_height_m: Positive,
+    #[serde(default = "ten_metres::<S>")]
+    pub reference_height_m: Positive<S>,
     /// How the speed goes with the height.
     #[serde(default)]
-    pub profile: WindProfile,
+    pub profile: WindProfile<S>,
     /// Density of the air, kg/m^3.
-    #[serde(default = "air")]
-    pub air_density_kg_m3: Positive,
+    #[serde(default = "air::<S>")]
+    pub air_density_kg_m3: Positive<S>,
 }
 
-const fn ten_metres() -> Positive {
+fn ten_metres<S: Leaf>() -> Positive<S> {
     Positive::literal(10.0)
 }
 
-const fn air() -> Positive {
+fn air<S: Leaf>() -> Positive<S> {
     Positive::literal(1.225)
 }
 
 /// Speed of the wind over height.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum WindProfile {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "WindProfile", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum WindProfile<S = f64> {
     /// The same at all heights.
     Uniform,
     /// By a power of the height.
-    PowerLaw(PowerLaw),
+    PowerLaw(PowerLaw<S>),
     /// By the logarithm of the height over a roughness.
-    Logarithmic(Logarithmic),
+    Logarithmic(Logarithmic<S>),
 }
 
-impl Default for WindProfile {
+impl<S: Leaf> Default for WindProfile<S> {
     fn default() -> Self {
         Self::PowerLaw(PowerLaw::default())
     }
@@ -53,14 +62,18 @@ impl Default for WindProfile {
 
 /// U(z) = U (z / z_reference)^exponent; of a current U(z) = U ((h + z) / h)^exponent, with h the water's depth.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
-pub struct PowerLaw {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PowerLaw", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct PowerLaw<S = f64> {
     /// 1/7 unless given.
-    pub exponent: NonNegative,
+    pub exponent: NonNegative<S>,
 }
 
-impl Default for PowerLaw {
+impl<S: Leaf> Default for PowerLaw<S> {
     fn default() -> Self {
         Self { exponent: NonNegative::literal(1.0 / 7.0) }
     }
@@ -68,30 +81,42 @@ impl Default for PowerLaw {
 
 /// U(z) = U ln(z / roughness) / ln(z_reference / roughness).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Logarithmic {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Logarithmic", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Logarithmic<S = f64> {
     /// Height at which the law has no wind, m: 0.0001 to 0.01 at sea.
-    pub roughness_m: Positive,
+    pub roughness_m: Positive<S>,
 }
 
 /// Speed of the current over depth.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum CurrentProfile {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "CurrentProfile", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum CurrentProfile<S = f64> {
     /// The same at all depths.
     #[default]
     Uniform,
     /// By a power of the height over the bottom, for tides.
-    PowerLaw(PowerLaw),
+    PowerLaw(PowerLaw<S>),
 }
 
 /// The wind on a body by coefficients of its relative velocity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct WindLoad {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "WindLoad", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct WindLoad<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -99,20 +124,24 @@ pub struct WindLoad {
     pub body: Name,
     /// The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// Height above the still water whose wind the coefficients refer to, m.
-    #[serde(default = "ten_metres")]
-    pub height_m: Positive,
+    #[serde(default = "ten_metres::<S>")]
+    pub height_m: Positive<S>,
     /// The coefficients.
-    pub coefficients: FlowCoefficients,
+    pub coefficients: FlowCoefficients<S>,
 }
 
 /// The current on a body by coefficients of its relative velocity. Do not damp surge, sway and yaw by other
 /// forces too.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct CurrentLoad {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "CurrentLoad", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct CurrentLoad<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -120,35 +149,39 @@ pub struct CurrentLoad {
     pub body: Name,
     /// The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// Draught over which the square of the current is averaged where it has a profile, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub draught_m: Option<Positive>,
+    pub draught_m: Option<Positive<S>>,
     /// The coefficients.
-    pub coefficients: FlowCoefficients,
+    pub coefficients: FlowCoefficients<S>,
 }
 
 /// C_x, C_y, C_n in F_x = rho/2 V^2 A_x C_x, F_y = rho/2 V^2 A_y C_y, M_z = rho/2 V^2 A_y L C_n, in the body's axes, with V the
 /// relative velocity; a smooth curve through the points.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct FlowCoefficients {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "FlowCoefficients", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct FlowCoefficients<S = f64> {
     /// Directions that the flow goes to, from the body's x axis, counter-clockwise, rad, increasing: 0 from astern, pi
     /// from ahead, as OCIMF's.
     pub directions_rad: Vec<f64>,
     /// Whether port is as starboard: the directions go from 0 to pi and are mirrored.
     pub symmetric: bool,
     /// C_x at each direction, forward.
-    pub surge: Vec<f64>,
+    pub surge: Vec<S>,
     /// C_y at each direction, to port.
-    pub sway: Vec<f64>,
+    pub sway: Vec<S>,
     /// C_n at each direction, bow to port.
-    pub yaw: Vec<f64>,
+    pub yaw: Vec<S>,
     /// A_x, m^2.
-    pub frontal_area_m2: Positive,
+    pub frontal_area_m2: Positive<S>,
     /// A_y, m^2.
-    pub lateral_area_m2: Positive,
+    pub lateral_area_m2: Positive<S>,
     /// L, m.
-    pub length_m: Positive,
+    pub length_m: Positive<S>,
 }

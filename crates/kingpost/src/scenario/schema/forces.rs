@@ -6,46 +6,55 @@ use super::{
     CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, SlackTank, SpringLine, WindLoad,
     yes,
 };
+use crate::scenario::leaf::Leaf;
 
 /// What acts on the bodies from outside.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Force {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Force", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum Force<S = f64> {
     /// Weight, downwards along the world's z axis.
-    Gravity(Gravity),
+    Gravity(Gravity<S>),
     /// Damping proportional to a body's rates.
-    ViscousDamping(ViscousDamping),
+    ViscousDamping(ViscousDamping<S>),
     /// Drag by the square of a body's rates.
-    QuadraticDamping(QuadraticDamping),
+    QuadraticDamping(QuadraticDamping<S>),
     /// The water on a hull.
-    Hydrodynamics(Hydrodynamics),
+    Hydrodynamics(Hydrodynamics<S>),
     /// The free surface of a tank that is neither empty nor full.
-    SlackTank(Box<SlackTank>),
+    SlackTank(Box<SlackTank<S>>),
     /// A line without weight that pulls between two points.
-    SpringLine(SpringLine),
+    SpringLine(SpringLine<S>),
     /// A mooring line that hangs, and may lie on the seabed.
-    CatenaryLine(CatenaryLine),
+    CatenaryLine(CatenaryLine<S>),
     /// The wind on a body, by coefficients.
-    WindLoad(Box<WindLoad>),
+    WindLoad(Box<WindLoad<S>>),
     /// The current on a body, by coefficients.
-    CurrentLoad(Box<CurrentLoad>),
+    CurrentLoad(Box<CurrentLoad<S>>),
     /// Thrusters that keep a ship in its place.
-    DynamicPositioning(Box<DynamicPositioning>),
+    DynamicPositioning(Box<DynamicPositioning<S>>),
 }
 
 /// Weight of every body, downwards along the world's z axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
-pub struct Gravity {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Gravity", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct Gravity<S = f64> {
     /// Whether it acts.
     pub enabled: bool,
     /// Acceleration of free fall, m/s^2.
-    pub acceleration_m_s2: NonNegative,
+    pub acceleration_m_s2: NonNegative<S>,
 }
 
-impl Default for Gravity {
+impl<S: Leaf> Default for Gravity<S> {
     fn default() -> Self {
         Self { enabled: true, acceleration_m_s2: NonNegative::literal(9.80665) }
     }
@@ -54,9 +63,13 @@ impl Default for Gravity {
 /// A force and a moment against a body's velocity and angular velocity, each in body axes. Velocity is relative to the
 /// water where the sea has a current.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct ViscousDamping {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "ViscousDamping", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct ViscousDamping<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -65,25 +78,29 @@ pub struct ViscousDamping {
     /// The point that the force acts at, and whose velocity counts, in the body's drawing frame, m; without it, the
     /// centre of mass.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub position_m: Option<[f64; 3]>,
+    pub position_m: Option<[S; 3]>,
     /// Force per velocity of the point along x, y, z of the body, N s/m.
     #[serde(default, rename = "linear_N_s_m")]
-    pub linear_n_s_m: [NonNegative; 3],
+    pub linear_n_s_m: [NonNegative<S>; 3],
     /// Moment per roll, pitch, yaw rate, N m s.
     #[serde(default, rename = "angular_N_m_s")]
-    pub angular_n_m_s: [NonNegative; 3],
+    pub angular_n_m_s: [NonNegative<S>; 3],
     /// Added to these: rows of force x, y, z (N) and moment x, y, z (N m), columns of velocity x, y, z (m/s) and roll,
     /// pitch, yaw rate (rad/s). No motion may gain energy from it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub matrix: Option<Box<[[f64; 6]; 6]>>,
+    pub matrix: Option<Box<[[S; 6]; 6]>>,
 }
 
 /// A force -c |v| v and a moment -c |omega| omega, component by component in body axes; v is relative to the water where
 /// the sea has a current.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct QuadraticDamping {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "QuadraticDamping", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct QuadraticDamping<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -91,11 +108,11 @@ pub struct QuadraticDamping {
     pub body: Name,
     /// The point that the force acts at, and whose velocity counts, in the body's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// Force per square of velocity along x, y, z of the body, N s^2/m^2.
     #[serde(default, rename = "linear_N_s2_m2")]
-    pub linear_n_s2_m2: [NonNegative; 3],
+    pub linear_n_s2_m2: [NonNegative<S>; 3],
     /// Moment per square of the roll, pitch, yaw rate, N m s^2.
     #[serde(default, rename = "angular_N_m_s2")]
-    pub angular_n_m_s2: [NonNegative; 3],
+    pub angular_n_m_s2: [NonNegative<S>; 3],
 }

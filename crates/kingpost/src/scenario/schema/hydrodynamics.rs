@@ -3,13 +3,18 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Name, Positive, yes};
+use crate::scenario::leaf::Leaf;
 
 /// The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, the waves that the hull makes
 /// and those that come. Weight is no part of it: that is gravity's, on every body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Hydrodynamics {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Hydrodynamics", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Hydrodynamics<S = f64> {
     /// Whether it acts.
     #[serde(default = "yes")]
     pub enabled: bool,
@@ -20,7 +25,7 @@ pub struct Hydrodynamics {
     /// The database's origin in the body's drawing frame, m; the axes are the body's. It lies on the water plane at the
     /// database's draught.
     #[serde(default)]
-    pub origin_m: [f64; 3],
+    pub origin_m: [S; 3],
     /// How buoyancy is computed.
     #[serde(default)]
     pub hydrostatics: Hydrostatics,
@@ -49,7 +54,7 @@ pub struct Hydrodynamics {
 }
 
 /// The default of `slow_motion_cutoff_rad_s`.
-const fn slow_motion_cutoff() -> Positive {
+fn slow_motion_cutoff() -> Positive {
     Positive::literal(0.05)
 }
 

@@ -9,33 +9,38 @@ use super::{
     AngleAxis, AngleFriction, AngleLimits, AngleSpring, Direction, LengthAxis, LengthFriction, LengthLimits,
     LengthSpring, Name, NonNegative, Positive, PrismaticMode, RevoluteMode,
 };
+use crate::scenario::leaf::Leaf;
 
 /// How a body moves against its parent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Joint {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Joint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum Joint<S = f64> {
     /// Free in the world, in six degrees; translation and rotation can be held.
-    Floating(FloatingJoint),
+    Floating(FloatingJoint<S>),
     /// Turns about one axis.
-    Revolute(RevoluteJoint),
+    Revolute(RevoluteJoint<S>),
     /// Slides along one axis.
-    Prismatic(PrismaticJoint),
+    Prismatic(PrismaticJoint<S>),
     /// Turns about and slides along one axis.
-    Cylindrical(CylindricalJoint),
+    Cylindrical(CylindricalJoint<S>),
     /// Turns about two perpendicular axes.
-    Universal(UniversalJoint),
+    Universal(UniversalJoint<S>),
     /// Slides in a plane and turns about its normal.
-    Planar(PlanarJoint),
+    Planar(PlanarJoint<S>),
     /// Turns about a point.
-    Spherical(SphericalJoint),
+    Spherical(SphericalJoint<S>),
     /// Does not move against its parent.
-    Fixed(FixedJoint),
+    Fixed(FixedJoint<S>),
     /// Moves in the world as the waves and its RAOs say.
-    MovedByWaves(MovedByWaves),
+    MovedByWaves(MovedByWaves<S>),
 }
 
-impl Joint {
+impl<S: Leaf> Joint<S> {
     /// `floating`, `revolute` and so on: the key under which it stands.
     pub fn kind(&self) -> &'static str {
         match self {
@@ -67,7 +72,7 @@ impl Joint {
     }
 
     /// Where it sits; at the origins for a floating joint.
-    pub fn place(&self) -> JointPlace {
+    pub fn place(&self) -> JointPlace<S> {
         let (position_m, child_position_m, orientation_rad) = match self {
             Self::Floating(_) => return JointPlace::default(),
             Self::Revolute(j) => (j.position_m, j.child_position_m, j.orientation_rad),
@@ -77,13 +82,13 @@ impl Joint {
             Self::Planar(j) => (j.position_m, j.child_position_m, j.orientation_rad),
             Self::Spherical(j) => (j.position_m, j.child_position_m, j.orientation_rad),
             Self::Fixed(j) => (j.position_m, j.child_position_m, j.orientation_rad),
-            Self::MovedByWaves(j) => (j.position_m, j.origin_m, [0.0, 0.0, j.heading_rad]),
+            Self::MovedByWaves(j) => (j.position_m, j.origin_m, [S::default(), S::default(), j.heading_rad]),
         };
         JointPlace { position_m, child_position_m, orientation_rad }
     }
 
     /// The fields that hold its directions, with what they hold.
-    pub fn directions(&self) -> Vec<(&'static str, Direction)> {
+    pub fn directions(&self) -> Vec<(&'static str, Direction<S>)> {
         match self {
             Self::Revolute(joint) => vec![("axis", joint.axis)],
             Self::Prismatic(joint) => vec![("axis", joint.axis)],
@@ -97,20 +102,24 @@ impl Joint {
 
 /// Where a joint sits in its two bodies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct JointPlace {
+pub struct JointPlace<S = f64> {
     /// In the parent's drawing frame, m.
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// In the body's drawing frame, m.
-    pub child_position_m: [f64; 3],
+    pub child_position_m: [S; 3],
     /// The body's axes in the parent's: roll, pitch, yaw, rad.
-    pub orientation_rad: [f64; 3],
+    pub orientation_rad: [S; 3],
 }
 
 /// A body free in the world. Its parent is the world.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
-pub struct FloatingJoint {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "FloatingJoint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct FloatingJoint<S = f64> {
     /// Name of the joint; the body's when absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
@@ -119,75 +128,83 @@ pub struct FloatingJoint {
     /// Holds the orientation as it is.
     pub hold_rotation: bool,
     /// Where the body is and how it moves at the start.
-    pub initial: InitialMotion,
+    pub initial: InitialMotion<S>,
 }
 
 /// Where a floating body is and how it moves at the start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
-pub struct InitialMotion {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "InitialMotion", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct InitialMotion<S = f64> {
     /// Position of the centre of mass in the world, m.
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// Roll, pitch, yaw (intrinsic z-y-x angles), rad.
-    pub orientation_rad: [f64; 3],
+    pub orientation_rad: [S; 3],
     /// Velocity of the centre of mass in the world, m/s.
-    pub velocity_m_s: [f64; 3],
+    pub velocity_m_s: [S; 3],
     /// Angular velocity in body axes: roll, pitch, yaw rate, rad/s.
-    pub angular_velocity_rad_s: [f64; 3],
+    pub angular_velocity_rad_s: [S; 3],
 }
 
 /// A hinge.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct RevoluteJoint {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "RevoluteJoint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct RevoluteJoint<S = f64> {
     /// Name of the joint; the body's when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The axis in this body's axes, of any length but 0.
-    pub axis: Direction,
+    pub axis: Direction<S>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
-    pub child_position_m: [f64; 3],
+    pub child_position_m: [S; 3],
     /// This body's axes in the parent's at angle 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     #[serde(default)]
-    pub orientation_rad: [f64; 3],
+    pub orientation_rad: [S; 3],
     /// Angle at the start, rad.
     #[serde(default)]
-    pub initial_angle_rad: f64,
+    pub initial_angle_rad: S,
     /// Rate at the start, rad/s.
     #[serde(default)]
-    pub initial_rate_rad_s: f64,
+    pub initial_rate_rad_s: S,
     /// Viscous damping moment per rate, N m s.
     #[serde(default, rename = "damping_N_m_s")]
-    pub damping_n_m_s: NonNegative,
+    pub damping_n_m_s: NonNegative<S>,
     /// Dry friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub friction: Option<AngleFriction>,
+    pub friction: Option<AngleFriction<S>>,
     /// A spring.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub spring: Option<AngleSpring>,
+    pub spring: Option<AngleSpring<S>>,
     /// Stops at the ends of the travel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub limits: Option<AngleLimits>,
+    pub limits: Option<AngleLimits<S>>,
     /// Moment of inertia of the motor's rotor about its own axis, kg m^2.
     #[serde(default)]
-    pub rotor_inertia_kg_m2: NonNegative,
+    pub rotor_inertia_kg_m2: NonNegative<S>,
     /// Turns of the rotor for one turn about the axis.
-    #[serde(default = "one")]
-    pub gear_ratio: Positive,
+    #[serde(default = "one::<S>")]
+    pub gear_ratio: Positive<S>,
     /// Free, held or prescribed.
     #[serde(default)]
-    pub mode: RevoluteMode,
+    pub mode: RevoluteMode<S>,
 }
 
-impl RevoluteJoint {
+impl<S: Leaf> RevoluteJoint<S> {
     /// Its one axis.
-    pub fn only_axis(&self) -> AngleAxis {
+    pub fn only_axis(&self) -> AngleAxis<S> {
         AngleAxis {
             initial_angle_rad: self.initial_angle_rad,
             initial_rate_rad_s: self.initial_rate_rad_s,
@@ -204,55 +221,59 @@ impl RevoluteJoint {
 
 /// A slide.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct PrismaticJoint {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PrismaticJoint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct PrismaticJoint<S = f64> {
     /// Name of the joint; the body's when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The axis in this body's axes, of any length but 0.
-    pub axis: Direction,
+    pub axis: Direction<S>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
-    pub child_position_m: [f64; 3],
+    pub child_position_m: [S; 3],
     /// This body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     #[serde(default)]
-    pub orientation_rad: [f64; 3],
+    pub orientation_rad: [S; 3],
     /// Extension at the start, m.
     #[serde(default)]
-    pub initial_extension_m: f64,
+    pub initial_extension_m: S,
     /// Speed at the start, m/s.
     #[serde(default)]
-    pub initial_speed_m_s: f64,
+    pub initial_speed_m_s: S,
     /// Viscous damping force per speed, N s/m.
     #[serde(default, rename = "damping_N_s_m")]
-    pub damping_n_s_m: NonNegative,
+    pub damping_n_s_m: NonNegative<S>,
     /// Dry friction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub friction: Option<LengthFriction>,
+    pub friction: Option<LengthFriction<S>>,
     /// A spring.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub spring: Option<LengthSpring>,
+    pub spring: Option<LengthSpring<S>>,
     /// Stops at the ends of the travel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub limits: Option<LengthLimits>,
+    pub limits: Option<LengthLimits<S>>,
     /// Moment of inertia of the motor's rotor about its own axis, kg m^2.
     #[serde(default)]
-    pub rotor_inertia_kg_m2: NonNegative,
+    pub rotor_inertia_kg_m2: NonNegative<S>,
     /// Angle of the rotor per extension, rad/m.
-    #[serde(default = "one")]
-    pub gear_ratio_rad_per_m: Positive,
+    #[serde(default = "one::<S>")]
+    pub gear_ratio_rad_per_m: Positive<S>,
     /// Free, held or prescribed.
     #[serde(default)]
-    pub mode: PrismaticMode,
+    pub mode: PrismaticMode<S>,
 }
 
-impl PrismaticJoint {
+impl<S: Leaf> PrismaticJoint<S> {
     /// Its one axis.
-    pub fn only_axis(&self) -> LengthAxis {
+    pub fn only_axis(&self) -> LengthAxis<S> {
         LengthAxis {
             initial_extension_m: self.initial_extension_m,
             initial_speed_m_s: self.initial_speed_m_s,
@@ -269,16 +290,20 @@ impl PrismaticJoint {
 
 /// No motion against the parent.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
-pub struct FixedJoint {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "FixedJoint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct FixedJoint<S = f64> {
     /// Name of the joint; the body's when absent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The joint in the parent's drawing frame, m.
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// The joint in this body's drawing frame, m.
-    pub child_position_m: [f64; 3],
+    pub child_position_m: [S; 3],
     /// This body's axes in the parent's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
-    pub orientation_rad: [f64; 3],
+    pub orientation_rad: [S; 3],
 }

@@ -3,126 +3,143 @@
 use serde::{Deserialize, Serialize};
 
 use super::{AngleAxis, Direction, LengthAxis, Name, NonNegative};
+use crate::scenario::leaf::Leaf;
 
 /// Turns about and slides along one axis. Its coordinates are `rotation` and `translation`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct CylindricalJoint {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "CylindricalJoint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct CylindricalJoint<S = f64> {
     /// Name of the joint; the body's when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The axis in this body's axes, of any length but 0.
-    pub axis: Direction,
+    pub axis: Direction<S>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
-    pub child_position_m: [f64; 3],
+    pub child_position_m: [S; 3],
     /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     #[serde(default)]
-    pub orientation_rad: [f64; 3],
+    pub orientation_rad: [S; 3],
     /// The turning about the axis.
     #[serde(default)]
-    pub rotation: AngleAxis,
+    pub rotation: AngleAxis<S>,
     /// The sliding along the axis.
     #[serde(default)]
-    pub translation: LengthAxis,
+    pub translation: LengthAxis<S>,
 }
 
 /// Turns about an axis that stays with the parent, then about one that stays with this body. Its coordinates are
 /// `first` and `second`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct UniversalJoint {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "UniversalJoint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct UniversalJoint<S = f64> {
     /// Name of the joint; the body's when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The axis that stays with the parent, in this body's axes at angle 0, of any length but 0.
-    pub first_axis: Direction,
+    pub first_axis: Direction<S>,
     /// The axis that stays with this body, in its axes, perpendicular to the first.
-    pub second_axis: Direction,
+    pub second_axis: Direction<S>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
-    pub child_position_m: [f64; 3],
+    pub child_position_m: [S; 3],
     /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     #[serde(default)]
-    pub orientation_rad: [f64; 3],
+    pub orientation_rad: [S; 3],
     /// The turning about the first axis.
     #[serde(default)]
-    pub first: AngleAxis,
+    pub first: AngleAxis<S>,
     /// The turning about the second axis.
     #[serde(default)]
-    pub second: AngleAxis,
+    pub second: AngleAxis<S>,
 }
 
 /// Slides in a plane that stays with the parent and turns about its normal. Its coordinates are `x`, `y` and
 /// `rotation`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct PlanarJoint {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PlanarJoint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct PlanarJoint<S = f64> {
     /// Name of the joint; the body's when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The plane's normal in this body's axes, of any length but 0.
-    pub normal: Direction,
+    pub normal: Direction<S>,
     /// The direction of x in the plane, in this body's axes at angle 0, perpendicular to the normal; y is the normal
     /// times x.
-    pub x_axis: Direction,
+    pub x_axis: Direction<S>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
-    pub child_position_m: [f64; 3],
+    pub child_position_m: [S; 3],
     /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     #[serde(default)]
-    pub orientation_rad: [f64; 3],
+    pub orientation_rad: [S; 3],
     /// The sliding along x.
     #[serde(default)]
-    pub x: LengthAxis,
+    pub x: LengthAxis<S>,
     /// The sliding along y.
     #[serde(default)]
-    pub y: LengthAxis,
+    pub y: LengthAxis<S>,
     /// The turning about the normal.
     #[serde(default)]
-    pub rotation: AngleAxis,
+    pub rotation: AngleAxis<S>,
 }
 
 /// Turns about a point. Its coordinates `x`, `y` and `z` are the angular velocity against the parent in this body's
 /// axes.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct SphericalJoint {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SphericalJoint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct SphericalJoint<S = f64> {
     /// Name of the joint; the body's when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
     /// The joint in the parent's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// The joint in this body's drawing frame, m.
     #[serde(default)]
-    pub child_position_m: [f64; 3],
+    pub child_position_m: [S; 3],
     /// This body's axes in the parent's where all coordinates are 0: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     #[serde(default)]
-    pub orientation_rad: [f64; 3],
+    pub orientation_rad: [S; 3],
     /// This body's axes at the start in those that `orientation_rad` gives: roll, pitch, yaw (intrinsic z-y-x angles),
     /// rad.
     #[serde(default)]
-    pub initial_orientation_rad: [f64; 3],
+    pub initial_orientation_rad: [S; 3],
     /// Angular velocity against the parent at the start, in this body's axes, rad/s.
     #[serde(default)]
-    pub initial_angular_velocity_rad_s: [f64; 3],
+    pub initial_angular_velocity_rad_s: [S; 3],
     /// Viscous damping moment per angular velocity, N m s.
     #[serde(default, rename = "damping_N_m_s")]
-    pub damping_n_m_s: NonNegative,
+    pub damping_n_m_s: NonNegative<S>,
     /// Holds the orientation against the parent as it is.
     #[serde(default)]
     pub held: bool,

@@ -3,51 +3,60 @@
 use serde::{Deserialize, Serialize};
 
 use super::{NonNegative, Pin, Positive, yes};
+use crate::scenario::leaf::Leaf;
 
 /// A line without weight between two points on bodies, or on a body and in the world: a spring that pulls when it is
 /// longer than its unstretched length.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct SpringLine {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SpringLine", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct SpringLine<S = f64> {
     /// Whether it is there.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// One end: the fairlead, say.
-    pub first: Pin,
+    pub first: Pin<S>,
     /// The other end: a bollard on the `world`, or on another body.
-    pub second: Pin,
+    pub second: Pin<S>,
     /// Length without tension, m.
-    pub unstretched_length_m: Positive,
+    pub unstretched_length_m: Positive<S>,
     /// EA: tension per strain, N.
     #[serde(rename = "axial_stiffness_N")]
-    pub axial_stiffness_n: Positive,
+    pub axial_stiffness_n: Positive<S>,
     /// Damping along the line: a in T = EA/L0 s (1 + a s') at the stretch s, never less than 0, s/m.
     #[serde(default)]
-    pub dissipation_s_per_m: NonNegative,
+    pub dissipation_s_per_m: NonNegative<S>,
 }
 
 /// A mooring line from a fairlead to an anchor: at every moment the elastic catenary in which it would rest, without
 /// inertia, drag and seabed friction of its own.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct CatenaryLine {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "CatenaryLine", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct CatenaryLine<S = f64> {
     /// Whether it is there.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// The upper end, on a body.
-    pub fairlead: Pin,
+    pub fairlead: Pin<S>,
     /// The lower end in the world, m.
-    pub anchor_m: [f64; 3],
+    pub anchor_m: [S; 3],
     /// Length without tension, m.
-    pub unstretched_length_m: Positive,
+    pub unstretched_length_m: Positive<S>,
     /// Weight less buoyancy of the unstretched length, N/m.
     #[serde(rename = "weight_in_water_N_per_m")]
-    pub weight_in_water_n_per_m: Positive,
+    pub weight_in_water_n_per_m: Positive<S>,
     /// EA: tension per strain, N.
     #[serde(rename = "axial_stiffness_N")]
-    pub axial_stiffness_n: Positive,
+    pub axial_stiffness_n: Positive<S>,
     /// Whether the anchor stands on a flat seabed, at the anchor's depth everywhere, that carries the line. Without it
     /// the line hangs freely.
     #[serde(default = "yes")]

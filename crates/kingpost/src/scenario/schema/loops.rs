@@ -3,22 +3,27 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Name, NonNegative, Positive, yes};
+use crate::scenario::leaf::Leaf;
 
 /// A joint that closes a loop, cut out of the tree and written as constraints between the two bodies that it ties. Name
 /// only those that the joints do not keep already: a four-bar linkage in the x-z plane needs x and z.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Loop {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Loop", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Loop<S = f64> {
     /// Whether it holds.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Where it is tied to one body. Constraints are along and about these axes.
-    pub first: Attachment,
+    pub first: Attachment<S>,
     /// Where it is tied to the other.
-    pub second: Attachment,
+    pub second: Attachment<S>,
     /// What it constrains, in any order; none may follow from the others.
-    pub constraints: Vec<Constraint>,
+    pub constraints: Vec<Constraint<S>>,
     /// The largest gap at the start that is closed by moving the free joints, m, and rad for angles. They move by the
     /// least that the masses allow; a larger gap is an error.
     #[serde(default = "start_gap")]
@@ -26,30 +31,38 @@ pub struct Loop {
 }
 
 /// The default of `start_gap_m`.
-const fn start_gap() -> NonNegative {
+fn start_gap() -> NonNegative {
     NonNegative::literal(0.1)
 }
 
 /// A point with axes on a body, or on the world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Attachment {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Attachment", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Attachment<S = f64> {
     /// The body, or `world`.
     pub body: Name,
     /// The point in the body's drawing frame, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// The axes in the body's: roll, pitch, yaw (intrinsic z-y-x angles), rad.
     #[serde(default)]
-    pub orientation_rad: [f64; 3],
+    pub orientation_rad: [S; 3],
 }
 
 /// One equation between the two attachments.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Constraint {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Constraint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum Constraint<S = f64> {
     /// The second stays at x = 0 in the axes of the first.
     X,
     /// The second stays at y = 0 in the axes of the first.
@@ -63,26 +76,30 @@ pub enum Constraint {
     /// The second does not turn about z of the first.
     Yaw,
     /// The second stays at a distance from the first, as on a massless rod.
-    Distance(Distance),
+    Distance(Distance<S>),
 }
 
 /// A distance to keep.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Distance {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Distance", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Distance<S = f64> {
     /// Length of the rod, m.
-    pub length_m: Positive,
+    pub length_m: Positive<S>,
 }
 
-impl Attachment {
+impl<S: Leaf> Attachment<S> {
     /// The body; `None` for the world.
     pub fn named_body(&self) -> Option<&Name> {
         (self.body != super::WORLD).then_some(&self.body)
     }
 }
 
-impl Constraint {
+impl<S: Leaf> Constraint<S> {
     /// The name under which it stands.
     pub fn name(&self) -> &'static str {
         match self {

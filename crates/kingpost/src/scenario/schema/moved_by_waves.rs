@@ -3,13 +3,18 @@
 use serde::{Deserialize, Serialize};
 
 use super::Name;
+use crate::scenario::leaf::Leaf;
 
 /// A body that moves with the waves of the sea by displacement RAOs, whatever acts on it. Its parent is the world. Its
 /// coordinates `x`, `y`, `z`, `yaw`, `pitch` and `roll` are those of the RAOs' vessel axes about their mean place.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct MovedByWaves {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "MovedByWaves", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct MovedByWaves<S = f64> {
     /// Name of the joint; the body's when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<Name>,
@@ -20,11 +25,11 @@ pub struct MovedByWaves {
     pub symmetric: Option<bool>,
     /// The origin of the file's vessel axes in this body's drawing frame, m.
     #[serde(default)]
-    pub origin_m: [f64; 3],
+    pub origin_m: [S; 3],
     /// Mean place of that origin in the world, m.
     #[serde(default)]
-    pub position_m: [f64; 3],
+    pub position_m: [S; 3],
     /// Mean heading, from the world's x axis counter-clockwise, rad.
     #[serde(default)]
-    pub heading_rad: f64,
+    pub heading_rad: S,
 }

@@ -4,36 +4,41 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::{CurrentProfile, Name, NonNegative, Positive, Waves};
+use crate::scenario::leaf::Leaf;
 
 /// The water that hulls float in, and what moves it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, default)]
-pub struct Sea {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Sea", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct Sea<S = f64> {
     /// Density of the water, kg/m^3.
-    pub density_kg_m3: Positive,
+    pub density_kg_m3: Positive<S>,
     /// Depth of the still water, m; without it, infinite.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub depth_m: Option<Positive>,
+    pub depth_m: Option<Positive<S>>,
     /// The wave systems by name: wind sea, swell.
-    pub waves: IndexMap<Name, Waves>,
+    pub waves: IndexMap<Name, Waves<S>>,
     /// Time over which the waves grow from nothing at the start, s.
     pub ramp_s: NonNegative,
     /// Velocity of the water at the surface along the world's x and y, m/s.
-    pub current_m_s: [f64; 2],
+    pub current_m_s: [S; 2],
     /// How the current goes with depth: for loads of the current by coefficients; damping and radiation see that at the
     /// surface.
-    pub current_profile: CurrentProfile,
+    pub current_profile: CurrentProfile<S>,
 }
 
-impl Default for Sea {
+impl<S: Leaf> Default for Sea<S> {
     fn default() -> Self {
         Self {
             density_kg_m3: Positive::literal(1025.0),
             depth_m: None,
             waves: IndexMap::new(),
             ramp_s: NonNegative::literal(0.0),
-            current_m_s: [0.0; 2],
+            current_m_s: [S::default(); 2],
             current_profile: CurrentProfile::Uniform,
         }
     }

@@ -3,23 +3,28 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Positive, yes};
+use crate::scenario::leaf::Leaf;
 
 /// One wave system of the sea. Directions are those that the waves go to, from the world's x axis towards y: 180 degrees
 /// is a head sea for a ship at heading 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Waves {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Waves", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum Waves<S = f64> {
     /// One regular wave.
-    Regular(RegularWave),
+    Regular(RegularWave<S>),
     /// A sea that still grows, by the JONSWAP spectrum.
-    Jonswap(Jonswap),
+    Jonswap(Jonswap<S>),
     /// A fully developed sea, by the Pierson-Moskowitz spectrum.
-    PiersonMoskowitz(PiersonMoskowitz),
+    PiersonMoskowitz(PiersonMoskowitz<S>),
     /// Swell and wind sea in one direction, by the six-parameter spectrum of Ochi and Hubble.
     OchiHubble(OchiHubble),
     /// Wind sea and swell of the Norwegian Sea, by the spectrum of Torsethaugen.
-    Torsethaugen(PiersonMoskowitz),
+    Torsethaugen(PiersonMoskowitz<S>),
     /// A sea whose spectrum is given as a table.
     Spectrum(SpectrumTable),
     /// Waves that were measured.
@@ -28,14 +33,18 @@ pub enum Waves {
 
 /// A regular wave.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct RegularWave {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "RegularWave", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct RegularWave<S = f64> {
     /// Whether it runs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// From trough to crest, m.
-    pub height_m: Positive,
+    pub height_m: Positive<S>,
     /// Period, s.
     pub period_s: Positive,
     /// Where it goes to, rad.
@@ -48,14 +57,18 @@ pub struct RegularWave {
 
 /// A sea by the JONSWAP spectrum, scaled to the significant height numerically.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Jonswap {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Jonswap", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Jonswap<S = f64> {
     /// Whether it runs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Significant wave height Hs, m.
-    pub significant_height_m: Positive,
+    pub significant_height_m: Positive<S>,
     /// Period at the spectrum's peak, s.
     pub peak_period_s: Positive,
     /// Peak enhancement gamma, from 1 to 10; 1 is Pierson and Moskowitz' spectrum.
@@ -70,20 +83,24 @@ pub struct Jonswap {
 }
 
 /// The default of `gamma`.
-const fn gamma() -> Positive {
+fn gamma() -> Positive {
     Positive::literal(3.3)
 }
 
 /// A sea by significant height and peak period: the Pierson-Moskowitz spectrum, or Torsethaugen's.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct PiersonMoskowitz {
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "PiersonMoskowitz", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct PiersonMoskowitz<S = f64> {
     /// Whether it runs.
     #[serde(default = "yes")]
     pub enabled: bool,
     /// Significant wave height Hs, m.
-    pub significant_height_m: Positive,
+    pub significant_height_m: Positive<S>,
     /// Period at the spectrum's peak, s.
     pub peak_period_s: Positive,
     /// Mean direction that the waves go to, rad.
@@ -215,7 +232,7 @@ pub enum WaveAmplitudes {
     Random,
 }
 
-impl Waves {
+impl<S: Leaf> Waves<S> {
     /// The kind, as it is written.
     pub fn kind(&self) -> &'static str {
         match self {

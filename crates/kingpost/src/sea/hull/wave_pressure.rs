@@ -31,19 +31,61 @@ impl<S: Scalar> WettedHull<S> {
         mesh: &HullMesh,
         hull_in_world: &Frame<S>,
         specific_weight: S,
+        water: impl FnMut(Vector3<S>) -> LocalWater<S>,
+    ) -> Wrench<S> {
+        let unbounded = S::constant(f64::INFINITY);
+        self.pressure_wrench_below(mesh, hull_in_world, specific_weight, unbounded, water)
+    }
+
+    /// The same, to the last bit, where no wave is higher than `highest_m` above still water: the sea is not asked for at
+    /// a vertex above that whose neighbours are all dry.
+    ///
+    /// # Panics
+    /// When the memory was made for another mesh.
+    pub fn pressure_wrench_below(
+        &mut self,
+        mesh: &HullMesh,
+        hull_in_world: &Frame<S>,
+        specific_weight: S,
+        highest_m: S,
         mut water: impl FnMut(Vector3<S>) -> LocalWater<S>,
     ) -> Wrench<S> {
         assert_eq!(mesh.vertices().len(), self.heights.len(), "the memory is of another mesh");
-        for (vertex, r) in mesh.vertices().iter().enumerate() {
-            let point = hull_in_world.point(Vector3::constant(r.0));
+        let in_world = |vertex: usize| hull_in_world.point(Vector3::constant(mesh.vertices()[vertex].0));
+        let mut ask = |point: Vector3<S>| {
             let LocalWater { elevation, dynamic_pressure } = water(point);
-            self.heights[vertex] = point[2] - elevation;
-            self.sides[vertex] = side(self.heights[vertex]);
-            self.shares[vertex] = dynamic_pressure - specific_weight * point[2];
+            (point[2] - elevation, dynamic_pressure - specific_weight * point[2])
+        };
+        for vertex in 0..mesh.vertices().len() {
+            let point = in_world(vertex);
+            self.asked[vertex] = !(point[2] - highest_m).all(|above| above > 0.0);
+            self.sides[vertex] = DRY;
+            if self.asked[vertex] {
+                (self.heights[vertex], self.shares[vertex]) = ask(point);
+                self.sides[vertex] = side(self.heights[vertex]);
+            }
         }
-        let mut wrench = Wrench::zero();
+        for triangle in mesh.faces() {
+            let corners = triangle.corners.map(|i| i as usize);
+            if corners.iter().all(|i| self.sides[*i] == DRY) {
+                continue;
+            }
+            for vertex in corners {
+                if !self.asked[vertex] {
+                    (self.heights[vertex], self.shares[vertex]) = ask(in_world(vertex));
+                    self.asked[vertex] = true;
+                }
+            }
+        }
         // Zero, unless the pose is not finite.
-        wrench.force[0] = hull_in_world.position[2] * S::ZERO;
+        let nothing = hull_in_world.position[2] * S::ZERO;
+        self.sum_of_wet_triangles(mesh, nothing)
+    }
+
+    /// Over all triangles, from the heights, sides and pressures of their corners; a force of `first` along x beside.
+    fn sum_of_wet_triangles(&self, mesh: &HullMesh, first: S) -> Wrench<S> {
+        let mut wrench = Wrench::zero();
+        wrench.force[0] = first;
         for triangle in mesh.faces() {
             let corners = triangle.corners.map(|i| i as usize);
             let sides = corners.map(|i| self.sides[i]);

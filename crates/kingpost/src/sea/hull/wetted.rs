@@ -81,13 +81,16 @@ pub struct WettedHull<S = f64> {
     pub(super) sides: Vec<u8>,
     /// Of each vertex: its share in the integrals, or the pressure there.
     pub(super) shares: Vec<S>,
+    /// Whether the water at a vertex has been asked for.
+    pub(super) asked: Vec<bool>,
 }
 
 impl<S: Scalar> WettedHull<S> {
     /// Memory for this mesh.
     pub fn new(mesh: &HullMesh) -> Self {
         let vertices = mesh.vertices().len();
-        Self { heights: vec![S::ZERO; vertices], sides: vec![DRY; vertices], shares: vec![S::ZERO; vertices] }
+        let (heights, shares) = (vec![S::ZERO; vertices], vec![S::ZERO; vertices]);
+        Self { heights, sides: vec![DRY; vertices], shares, asked: vec![false; vertices] }
     }
 
     /// The buoyancy of the hull in this position. A position that is not finite gives what is not

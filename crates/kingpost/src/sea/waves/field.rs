@@ -28,20 +28,20 @@ pub struct WaveField<S = f64> {
     waves: Vec<WaveComponent<S>>,
     water: Water,
     ramp_s: f64,
-    amplitudes_m: Vec<S>,
-    turns: Turns<S>,
+    pub(super) amplitudes_m: Vec<S>,
+    pub(super) turns: Turns<S>,
     /// 1 / (1 + e^-2kh) of each wave.
-    bottom_scales: Vec<S>,
+    pub(super) bottom_scales: Vec<S>,
 }
 
 /// What the waves' phases are made of, in turns of 2 pi rad and one array each, so that a loop over
 /// the waves becomes SIMD code.
 #[derive(Clone, Debug, PartialEq)]
-struct Turns<S> {
-    x_per_m: Vec<S>,
-    y_per_m: Vec<S>,
-    time_per_s: Vec<S>,
-    phase: Vec<S>,
+pub(super) struct Turns<S> {
+    pub(super) x_per_m: Vec<S>,
+    pub(super) y_per_m: Vec<S>,
+    pub(super) time_per_s: Vec<S>,
+    pub(super) phase: Vec<S>,
 }
 
 /// What the water does at a point.
@@ -198,25 +198,6 @@ impl<S: Scalar> WaveField<S> {
         self.linear_kinematics(self.stretched(point, elevation), time_s)
     }
 
-    /// Elevation over a point, m, and the dynamic pressure of [`Self::kinematics`] there, Pa. The slices
-    /// are memory, one entry a wave each.
-    ///
-    /// # Panics
-    /// When a slice has not one entry a wave.
-    pub fn elevation_and_pressure(
-        &self,
-        point: Vector3<S>,
-        time_s: f64,
-        real: &mut [S],
-        imaginary: &mut [S],
-    ) -> [S; 2] {
-        self.phasors([point[0], point[1]], time_s, real, imaginary);
-        let elevation = real.iter().fold(S::ZERO, |sum, a| sum + *a);
-        let z = self.stretched(point, elevation)[2];
-        let head = real.iter().enumerate().fold(S::ZERO, |sum, (i, a)| sum + *a * self.decay(i, z)[0]);
-        [elevation, head * S::constant(self.water.gravity_m_s2 * self.water.density_kg_m3)]
-    }
-
     /// The dynamic pressure of [`Self::kinematics`] alone, Pa, where the elevation above the point is
     /// known.
     pub fn dynamic_pressure_pa(&self, point: Vector3<S>, elevation_m: S, time_s: f64) -> S {
@@ -242,7 +223,8 @@ impl<S: Scalar> WaveField<S> {
         point[2].select_less(elevation, below, || S::ZERO)
     }
 
-    fn stretched(&self, point: Vector3<S>, elevation: S) -> Vector3<S> {
+    /// The point of the still water whose linear field Wheeler's stretching gives this one.
+    pub(super) fn stretched(&self, point: Vector3<S>, elevation: S) -> Vector3<S> {
         let below_surface = point[2] - elevation;
         let height = match self.water.depth_m {
             Some(depth_m) => {

@@ -1,0 +1,36 @@
+//! Values that arrive some ticks later.
+
+use super::Own;
+use crate::scalar::Scalar;
+
+/// A delay of whole ticks: a ring in an element's discrete numbers, whose head is a mode.
+///
+/// ```
+/// use kingpost::elements::{Delay, Own};
+/// let delay = Delay { first_number: 0, mode: 0, ticks: 2 };
+/// let (mut numbers, mut modes) = ([0.0; 2], [0]);
+/// let mut own = Own { states: &mut [], numbers: &mut numbers, modes: &mut modes };
+/// let out: Vec<f64> = [1.0, 2.0, 3.0, 4.0].into_iter().map(|value| delay.pass(&mut own, value)).collect();
+/// assert_eq!(out, [0.0, 0.0, 1.0, 2.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Delay {
+    /// First of its `ticks` numbers among the element's.
+    pub first_number: usize,
+    /// The mode that says where the oldest value stands.
+    pub mode: usize,
+    /// By how many ticks a value is late.
+    pub ticks: usize,
+}
+
+impl Delay {
+    /// Once a tick: takes a value, and gives the one of so many ticks ago.
+    pub fn pass<S: Scalar>(&self, own: &mut Own<'_, S>, value: S) -> S {
+        if self.ticks == 0 {
+            return value;
+        }
+        let head = own.modes[self.mode].rem_euclid(self.ticks as i64) as usize;
+        own.modes[self.mode] = ((head + 1) % self.ticks) as i64;
+        core::mem::replace(&mut own.numbers[self.first_number + head], value)
+    }
+}

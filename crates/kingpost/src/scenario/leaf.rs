@@ -1,0 +1,237 @@
+//! What a number of a scenario is read as: plain, or as several runs side by side, or with its derivatives.
+
+use std::fmt::{self, Debug, Display};
+
+use serde::de::{DeserializeOwned, Error, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::error::FieldError;
+use crate::scalar::{Dual, LANES, Lanes, Scalar};
+
+/// A continuous number of a scenario. The types of a scenario are generic over it; what decides the structure of a run
+/// (steps, seeds, times of switching, tables' grids) is a plain number there.
+///
+/// A leaf reads itself from a number. [`Lanes`] and [`Dual`] read themselves from a list of their parts too, which
+/// stands in no file: see [`super::together`].
+pub trait Leaf: Copy + Debug + Default + PartialEq + DeserializeOwned + 'static {
+    /// A default that stands in the source.
+    fn literal(value: f64) -> Self;
+    /// A value that fails a test of its range, if there is one.
+    fn outside(self, inside: impl Fn(f64) -> bool) -> Option<f64>;
+}
+
+/// What the JSON Schema is generic over: the plain number.
+#[cfg(feature = "schema")]
+pub trait Described: Leaf + Serialize + schemars::JsonSchema {}
+
+#[cfg(feature = "schema")]
+impl Described for f64 {}
+
+/// A leaf that a model can be built of. A builder computes with all of it: there is no way to its first lane or to its
+/// value without its derivatives, but for those here, which fail where something would be lost.
+pub trait Quantity: Leaf + Scalar + Display {
+    /// How many scenarios stand side by side in it.
+    const SCENARIOS: usize;
+
+    /// From the number in each of the scenarios; without derivatives.
+    fn of_each(number: impl Fn(usize) -> f64) -> Self;
+
+    /// The value, if all lanes share it, and whether it has no derivative.
+    fn shared(self) -> (Option<f64>, bool);
+
+    /// The plain number, for what is plain in the engine.
+    ///
+    /// # Errors
+    /// Lanes that differ, or a derivative.
+    fn same(self, field: &str) -> Result<f64, FieldError> {
+        match self.shared() {
+            (Some(value), true) => Ok(value),
+            _ => Err(FieldError::new(field, self, ONE_NUMBER)),
+        }
+    }
+
+    /// The plain number, and the factor, 1, that carries its derivatives: for what is in proportion to it.
+    ///
+    /// # Errors
+    /// Lanes that differ.
+    fn scaled(self, field: &str) -> Result<(f64, Self), FieldError> {
+        let value = self.shared().0.ok_or_else(|| FieldError::new(field, self, ONE_NUMBER))?;
+        Ok((value, if value == 0.0 { Self::ONE } else { self / Self::constant(value) }))
+    }
+
+    /// Whether a test holds: a decision, which all lanes must share.
+    ///
+    /// # Errors
+    /// Lanes in which it holds beside others in which it does not.
+    fn decides(self, field: &str, test: impl Fn(f64) -> bool) -> Result<bool, FieldError> {
+        match (self.all(&test), self.all(|value| !test(value))) {
+            (true, _) => Ok(true),
+            (_, true) => Ok(false),
+            _ => Err(FieldError::new(field, self, ONE_NUMBER)),
+        }
+    }
+
+    /// Whether it is 0 in all lanes and stays so along all directions: what it scales may be left out.
+    fn vanishes(self) -> bool {
+        self.shared() == (Some(0.0), true)
+    }
+}
+
+/// What is allowed where a number decides how a run is made up.
+const ONE_NUMBER: &str = "one number: it decides how the run is made up";
+
+impl Leaf for f64 {
+    fn literal(value: f64) -> Self {
+        value
+    }
+    fn outside(self, inside: impl Fn(f64) -> bool) -> Option<f64> {
+        (!inside(self)).then_some(self)
+    }
+}
+
+impl Quantity for f64 {
+    const SCENARIOS: usize = 1;
+
+    fn of_each(number: impl Fn(usize) -> f64) -> Self {
+        number(0)
+    }
+    fn shared(self) -> (Option<f64>, bool) {
+        (Some(self), true)
+    }
+}
+
+impl Leaf for Lanes {
+    fn literal(value: f64) -> Self {
+        Self::constant(value)
+    }
+    fn outside(self, inside: impl Fn(f64) -> bool) -> Option<f64> {
+        self.to_array().into_iter().find(|value| !inside(*value))
+    }
+}
+
+impl Quantity for Lanes {
+    const SCENARIOS: usize = LANES;
+
+    fn of_each(number: impl Fn(usize) -> f64) -> Self {
+        Self::new(core::array::from_fn(number))
+    }
+    fn shared(self) -> (Option<f64>, bool) {
+        let [first, rest @ ..] = self.to_array();
+        (rest.iter().all(|value| value.to_bits() == first.to_bits()).then_some(first), true)
+    }
+}
+
+impl<const N: usize> Leaf for Dual<N> {
+    fn literal(value: f64) -> Self {
+        Self::constant(value)
+    }
+    fn outside(self, inside: impl Fn(f64) -> bool) -> Option<f64> {
+        (!inside(self.value)).then_some(self.value)
+    }
+}
+
+impl<const N: usize> Quantity for Dual<N> {
+    const SCENARIOS: usize = 1;
+
+    fn of_each(number: impl Fn(usize) -> f64) -> Self {
+        Self::constant(number(0))
+    }
+    fn shared(self) -> (Option<f64>, bool) {
+        (Some(self.value), self.derivative == [0.0; N])
+    }
+}
+
+impl Display for Lanes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [first, rest @ ..] = self.to_array();
+        Display::fmt(&first, f)?;
+        rest.iter().filter(|value| **value != first).try_for_each(|value| {
+            f.write_str(", ")?;
+            Display::fmt(value, f)
+        })
+    }
+}
+
+impl<const N: usize> Display for Dual<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Display::fmt(&self.value, f)
+    }
+}
+
+/// The parts of a number: itself, or those of a list.
+struct Parts;
+
+impl<'de> Visitor<'de> for Parts {
+    type Value = Vec<f64>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("f64")
+    }
+    fn visit_i64<E>(self, value: i64) -> Result<Vec<f64>, E> {
+        Ok(vec![value as f64])
+    }
+    fn visit_u64<E>(self, value: u64) -> Result<Vec<f64>, E> {
+        Ok(vec![value as f64])
+    }
+    fn visit_f64<E>(self, value: f64) -> Result<Vec<f64>, E> {
+        Ok(vec![value])
+    }
+    fn visit_seq<A: SeqAccess<'de>>(self, mut access: A) -> Result<Vec<f64>, A::Error> {
+        let mut parts = Vec::with_capacity(access.size_hint().unwrap_or(LANES));
+        while let Some(part) = access.next_element()? {
+            parts.push(part);
+        }
+        Ok(parts)
+    }
+}
+
+/// A number, or a list with one part for each lane.
+impl<'de> Deserialize<'de> for Lanes {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let parts = deserializer.deserialize_any(Parts)?;
+        match (parts.as_slice(), <[f64; LANES]>::try_from(parts.as_slice())) {
+            (_, Ok(lanes)) => Ok(Self::new(lanes)),
+            ([value], _) => Ok(Self::constant(*value)),
+            _ => Err(D::Error::invalid_length(parts.len(), &"a number for each lane")),
+        }
+    }
+}
+
+/// A number, or a list of its value and its derivatives.
+impl<'de, const N: usize> Deserialize<'de> for Dual<N> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let parts = deserializer.deserialize_any(Parts)?;
+        let wrong = || D::Error::invalid_length(parts.len(), &"a value and its derivatives");
+        let (value, derivative) = parts.split_first().ok_or_else(wrong)?;
+        match <[f64; N]>::try_from(derivative) {
+            Ok(derivative) => Ok(Self { value: *value, derivative }),
+            Err(_) if derivative.is_empty() => Ok(Self::constant(*value)),
+            Err(_) => Err(wrong()),
+        }
+    }
+}
+
+/// A leaf that holds nothing: what is left of a scenario is its structure.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Blank;
+
+impl Leaf for Blank {
+    fn literal(_: f64) -> Self {
+        Self
+    }
+    fn outside(self, _: impl Fn(f64) -> bool) -> Option<f64> {
+        None
+    }
+}
+
+impl Serialize for Blank {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_unit()
+    }
+}
+
+impl<'de> Deserialize<'de> for Blank {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Parts).map(|_| Self)
+    }
+}

@@ -1,0 +1,84 @@
+//! How strengths and rates go with time, and motions that are given by how far they go.
+
+use serde::{Deserialize, Serialize};
+
+use super::{NonNegative, Positive};
+use crate::scenario::leaf::Leaf;
+
+/// Shares of the full strength at given times, and straight lines between them: none before the first time, the last
+/// share after the last.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "HistoryList", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct HistoryList<S = f64> {
+    /// Times, s, none before the one in front of it. The same time twice is a jump, which a motor may make and a
+    /// prescribed rate may not.
+    pub time_s: Vec<NonNegative>,
+    /// The share at each time: 1 is full, -1 full the other way.
+    pub share: Vec<S>,
+}
+
+/// Times of a pulse of a prescribed rate R, which cannot jump: from 0 to R in `rise_s`, R for `hold_s`, back to 0 in
+/// `rise_s`, and 0 from then on; with a `reverse_s` from R to -R in twice `rise_s`, -R for `reverse_s`, and then back to 0.
+/// Without a reverse the way is `R (rise_s + hold_s)`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct RatePulse {
+    /// When it begins, s.
+    #[serde(default)]
+    pub start_s: NonNegative,
+    /// Length of the ramp from 0 to the full rate, s.
+    pub rise_s: Positive,
+    /// Time at the full rate, s.
+    pub hold_s: NonNegative,
+    /// Time at the full rate the other way, s; 0 is a pulse that does not reverse.
+    #[serde(default)]
+    pub reverse_s: NonNegative,
+}
+
+/// Turning by an angle, from rest to rest: the rate goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
+/// ramps it is `angle / (duration_s - ramp_s)`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "AngleTravel", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct AngleTravel<S = f64> {
+    /// How far it turns, positive about the axis, rad.
+    pub angle_rad: S,
+    /// When it begins, s.
+    #[serde(default)]
+    pub start_s: NonNegative,
+    /// From rest to rest, both ramps included, s.
+    pub duration_s: Positive,
+    /// Length of a ramp, s; at most half of the duration.
+    pub ramp_s: Positive,
+}
+
+/// Sliding by a length, from rest to rest: the speed goes up in `ramp_s`, holds, and goes back to 0 in `ramp_s`. Between the
+/// ramps it is `length / (duration_s - ramp_s)`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LengthTravel", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct LengthTravel<S = f64> {
+    /// How far it slides, positive along the axis, m.
+    pub length_m: S,
+    /// When it begins, s.
+    #[serde(default)]
+    pub start_s: NonNegative,
+    /// From rest to rest, both ramps included, s.
+    pub duration_s: Positive,
+    /// Length of a ramp, s; at most half of the duration.
+    pub ramp_s: Positive,
+}

@@ -1,0 +1,171 @@
+//! A scenario over another number: with its derivatives, or several side by side.
+//!
+//! A resolved scenario is written out, and in what is written a number becomes a list of parts: one for each lane, or the
+//! value and its derivatives. The types read that back. A field that is plain refuses the list, with its path.
+
+#[cfg(not(target_family = "wasm"))]
+mod side_by_side;
+
+#[cfg(not(target_family = "wasm"))]
+pub(crate) use side_by_side::side_by_side;
+
+use serde_json::Value;
+
+use super::build::assemble;
+use super::error::{FieldError, ScenarioError};
+use super::leaf::{Leaf, Quantity};
+use super::read::{TypeError, path_of};
+use super::schema::Scenario;
+use super::tree::segments;
+use super::{units, wording};
+use crate::scalar::Dual;
+use crate::simulation::Setup;
+
+impl Scenario {
+    /// What a simulation is made of over another scalar, all numbers constants.
+    ///
+    /// # Errors
+    /// As [`setup`](Self::setup).
+    pub fn setup_over<S: Quantity>(&self) -> Result<Setup<S>, ScenarioError> {
+        self.setup_over_with(&self.setup()?)
+    }
+
+    /// The same; `alone` is the scenario's own setup.
+    pub(crate) fn setup_over_with<S: Quantity>(&self, alone: &Setup) -> Result<Setup<S>, ScenarioError> {
+        let scenario = self.over::<S>(&self.written()).map_err(|error| untyped(&error))?;
+        Ok(assemble(&scenario, &vec![alone; S::SCENARIOS])?)
+    }
+
+    /// What a simulation is made of, with its derivatives along parameters: direction k is the
+    /// parameter, or the path of a number, `names[k]`, in the unit of its path.
+    ///
+    /// A name leads to the fields that it writes, each of which begins with the constant factor of its unit as its
+    /// derivative; everything that is computed from them has the derivative of the formula.
+    ///
+    /// ```
+    /// # let text = include_str!("../../../../scenarios/paper.yaml");
+    /// let scenario = kingpost::scenario::read(text, "paper.yaml", &[])?;
+    /// let setup = scenario.setup_along::<1>(&["bodies.arm.mass_kg"])?;
+    /// let arm = setup.model.body("arm").unwrap();
+    /// assert_eq!(setup.model.bodies[arm].mass.derivative, [1.0]);
+    /// # Ok::<(), kingpost::scenario::ScenarioError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A name that is no parameter and no path of a number, or a number that changes the
+    /// structure, or when laws change their form, or how the run is stepped.
+    ///
+    /// # Panics
+    /// When there are more than N names.
+    pub fn setup_along<const N: usize>(&self, names: &[&str]) -> Result<Setup<Dual<N>>, ScenarioError> {
+        self.setup_along_with(&self.setup()?, names)
+    }
+
+    /// The same; `alone` is the scenario's own setup.
+    pub(crate) fn setup_along_with<const N: usize>(
+        &self,
+        alone: &Setup,
+        names: &[&str],
+    ) -> Result<Setup<Dual<N>>, ScenarioError> {
+        assert!(names.len() <= N, "at most as many names as directions");
+        let (mut written, mut seeds) = (self.written(), Vec::new());
+        for (direction, name) in names.iter().enumerate() {
+            for path in self.paths_of(name) {
+                let (path, factor) = units::si_path(&segments(&path));
+                let dotted = path.join(".");
+                let seeded = seeds.iter().any(|(known, _)| *known == dotted);
+                seed::<N>(&mut written, &path, seeded, (direction, factor))
+                    .ok_or_else(|| FieldError::new(*name, wording::NO_NUMBER, wording::CONTINUOUS))?;
+                seeds.push((dotted, *name));
+            }
+        }
+        let scenario = self.over(&written).map_err(|error| refused(&seeds, untyped(&error)))?;
+        Ok(assemble(&scenario, &[alone]).map_err(|error| refused(&seeds, error))?)
+    }
+
+    /// The paths that a parameter writes; of any other name itself.
+    fn paths_of(&self, name: &str) -> Vec<String> {
+        let parameter = self.parameters.iter().find(|parameter| parameter.name == name);
+        parameter.map_or_else(|| vec![name.to_owned()], |parameter| parameter.writes.clone())
+    }
+
+    /// The resolved scenario as a tree of values.
+    pub(super) fn written(&self) -> Value {
+        serde_json::to_value(self).unwrap_or_default()
+    }
+
+    pub(super) fn over<S: Leaf>(&self, written: &Value) -> Result<Scenario<S>, TypeError> {
+        let scenario: Scenario<S> = serde_path_to_error::deserialize(written)?;
+        Ok(Scenario { files: self.files.clone(), ..scenario })
+    }
+}
+
+pub(super) fn untyped(error: &TypeError) -> FieldError {
+    FieldError::new(path_of(error).join("."), error.inner(), wording::REQUIRED)
+}
+
+/// An error of a field that has derivatives, by the name that gave them; any other as it is.
+fn refused(seeds: &[(String, &str)], error: FieldError) -> FieldError {
+    let seeded = seeds.iter().find(|(path, _)| *path == error.field);
+    let within = || seeds.iter().find(|(path, _)| !error.field.is_empty() && path.starts_with(&error.field));
+    match seeded.or_else(within) {
+        Some((_, name)) => FieldError::new(*name, wording::NO_DERIVATIVE, wording::CONTINUOUS),
+        None => error,
+    }
+}
+
+/// Makes the number at a path one with derivatives, unless it is one, and adds the derivative along a direction. `None`
+/// where there is no number.
+fn seed<const N: usize>(
+    written: &mut Value,
+    path: &[String],
+    seeded: bool,
+    (direction, factor): (usize, f64),
+) -> Option<()> {
+    let slot = written.pointer_mut(&format!("/{}", path.join("/")))?;
+    if !seeded {
+        let value = slot.is_number().then(|| slot.take())?;
+        let parts = core::iter::once(value).chain((0..N).map(|_| Value::from(0.0)));
+        *slot = parts.collect();
+    }
+    let derivative = slot.as_array_mut()?.get_mut(1 + direction)?;
+    *derivative = Value::from(derivative.as_f64()? + factor);
+    Some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scenario::{Scenario, read};
+
+    const TEXT: &str = include_str!("../../../../scenarios/paper.yaml");
+
+    fn paper() -> Scenario {
+        read(TEXT, "paper.yaml", &[]).expect("the gallery reads")
+    }
+
+    fn error(name: &str) -> String {
+        paper().setup_along::<1>(&[name]).map(drop).expect_err("no derivative").to_string()
+    }
+
+    #[test]
+    fn a_unit_in_a_path_is_a_factor_of_the_derivative() {
+        let names = ["bodies.arm.mass_t", "bodies.ship.joint.floating.initial.orientation_deg.2", "crane_x_m"];
+        let setup = paper().setup_along::<3>(&names).expect("the numbers are there");
+        let arm = setup.model.body("arm").expect("the arm is there");
+        assert_eq!(setup.model.bodies[arm].mass.derivative[0], 1000.0);
+        // The quaternion of a small turn is half the angle.
+        assert!((setup.q[6].derivative[1] - 0.5_f64.to_radians()).abs() < 1e-15);
+        assert!(setup.q.iter().all(|q| q.derivative[2] == 0.0));
+    }
+
+    #[test]
+    fn what_has_no_derivative_is_refused_by_name() {
+        assert_eq!(
+            error("motor_1"),
+            "motor_1: found no number, allowed: a parameter, or the path of a number, that moves the model continuously"
+        );
+        for name in ["simulation.step_s", "drives.motor_1.motor.pulse.rise_s", "simulation.seed", "nonsense"] {
+            assert!(error(name).starts_with(name), "{}", error(name));
+        }
+    }
+}
