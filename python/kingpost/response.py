@@ -30,7 +30,7 @@ QUANTITIES = {
     "velocity": ("point", "m/s/m", "velocity of a point in the world"),
     "acceleration": ("point", "m/s2/m", "acceleration of a point in the world"),
     "rotation": ("body", "rad/m", "roll, pitch and yaw of a body"),
-    "joint_position": ("coordinate", "rad/m or m/m", "joint angle or extension"),
+    "joint_position": ("coordinate", "", "joint angle or extension"),
 }
 
 
@@ -88,7 +88,7 @@ def rao(
     directions = _within_one_turn(np.asarray(given, float))
     frequencies = [] if frequencies_rad_s is None else np.atleast_1d(frequencies_rad_s)
     found = simulation.wave_response(directions, np.asarray(frequencies, float))
-    return _dataset(simulation.scenario, found, points)
+    return _dataset(simulation, found, points)
 
 
 def _within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -102,7 +102,7 @@ def _within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]
     return directions_rad
 
 
-def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | None) -> xarray.Dataset:
+def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str] | None) -> xarray.Dataset:
     import xarray
 
     omega = np.array(found["frequencies_rad_s"])
@@ -115,7 +115,9 @@ def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | 
     displacement = displacement[..., chosen, :]
     rate = -1j * omega[:, None, None]
     # Those of a floating body are its place and angles.
-    joints = [i for i, name in enumerate(found["coordinates"]) if not _floats(name, bodies)]
+    unit_of = _joint_units(simulation)
+    joints = [i for i, name in enumerate(found["coordinates"]) if name in unit_of]
+    names = [found["coordinates"][i] for i in joints]
     values = {
         "displacement": displacement,
         "velocity": rate * displacement,
@@ -131,7 +133,8 @@ def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | 
             ".".join([f"{{{dim}}}", of, *(f"{{{k}}}" for k in across[dim][1:])])
             for of in (name, name + PHASE)
         ]
-        about = {"units": units, "long_name": f"amplitude of the {long_name}", "column": columns[0]}
+        about = {"units": units} if units else {}
+        about |= {"long_name": f"amplitude of the {long_name}", "column": columns[0]}
         variables[name] = (dims, np.abs(values[name]), about)
         about = {
             "units": "rad",
@@ -139,7 +142,7 @@ def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | 
             "column": columns[1],
         }
         variables[name + PHASE] = (dims, np.angle(values[name]), about)
-    attributes = results.attributes(scenario, "about rest in still water")
+    attributes = results.attributes(simulation.scenario, "about rest in still water")
     attributes["reference_m"] = found["reference_m"]
     attributes["heading_rad"] = found["heading_rad"]
     if found["warnings"]:
@@ -155,7 +158,11 @@ def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | 
         "body": np.array(bodies, str),
         "angle": list(ANGLES),
         "place": (("point", "axis"), np.array(found["places_m"])[chosen], metre),
-        "coordinate": np.array([found["coordinates"][i] for i in joints], str),
+        "coordinate": np.array(names, str),
+        results.unit_coordinate("joint_position"): (
+            "coordinate",
+            np.array([f"{unit_of[k]}/m" for k in names], str),
+        ),
     }
     return xarray.Dataset(variables, coordinates, attributes)
 
@@ -166,10 +173,10 @@ def _place(places: Sequence[str], point: str) -> int:
     return places.index(point)
 
 
-def _floats(coordinate: str, bodies: Sequence[str]) -> bool:
-    """Whether a coordinate is that of a floating joint, which is named after its body."""
-    body, _, axis = coordinate.rpartition(".")
-    return body in bodies and axis in (*AXES, *ANGLES)
+def _joint_units(simulation: Simulation) -> dict[str, str]:
+    """The unit of each coordinate of the joints, as the engine has it in its channels."""
+    channel = next((one for one in simulation.channels if one["variable"] == "joint_position"), None)
+    return dict(zip(channel["labels"][0], channel["units"], strict=True)) if channel else {}
 
 
 def complex_amplitude(found: xarray.Dataset, quantity: str) -> xarray.DataArray:
