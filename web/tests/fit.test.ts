@@ -28,7 +28,7 @@ it("knows how far a body reaches from its centre", () => {
 });
 
 it("takes a hull for its mesh, wherever its centre of mass lies", () => {
-  const body = { name: "hull", parent: "world", colour: null, mass_kg: 500, shape: { kind: "sphere", radius_m: 1 } as const };
+  const body = { name: "hull", parent: "world", floats: false, colour: null, inertia_kg_m2: INERTIA, mass_kg: 500, shape: { kind: "sphere", radius_m: 1 } as const };
   const vertices_m: [number, number, number][] = [[-9, -2, -3], [11, 0, 1], [0, 2, 1]];
   const hull = { name: "water", body: "hull", origin_m: [0, 0, -1] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4 };
   expect(boxOf(body, { ...hull, mesh: { vertices_m, triangles: [[0, 1, 2]] } })).toEqual({ low: [-9, -2, -3], high: [11, 2, 1] });
