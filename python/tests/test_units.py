@@ -89,7 +89,7 @@ def test_the_heave_of_a_ship_that_waves_move_is_a_length(tmp_path) -> None:
     moved = {"moved_by_waves": {"raos": "ship.csv"}}
     ship = {"version": 1, "title": "A moved ship", "sea": {"waves": {}},
             "simulation": {"step_s": 0.05, "duration_s": 0.1},
-            "bodies": {"ship": {**BODY, "joint": moved}}}  # fmt: skip
+            "bodies": {"ship": {**BODY, "joint": moved}}, "forces": {"weight": {"gravity": {}}}}  # fmt: skip
     (tmp_path / "moved.yaml").write_text(json.dumps(ship))
     found = kingpost.run(tmp_path / "moved.yaml")
     units = found["joint_position_unit"].to_series()
