@@ -2,9 +2,11 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 import { gallery } from "./vite/gallery.ts";
 
+const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
 export default defineConfig({
   base: "./",
-  plugins: [gallery(fileURLToPath(new URL("../scenarios", import.meta.url)))],
+  plugins: [gallery(here("../scenarios"), here("src/engine/pkg"))],
   worker: { format: "es" },
   build: {
     target: "es2022",

@@ -31,9 +31,8 @@ def text(results: xarray.Dataset, scenario: Scenario) -> str:
 def warnings(results: xarray.Dataset, scenario: Scenario) -> list[str]:
     """Where a hull left what linear hydrodynamics hold for: small angles, little heave, a dry deck."""
     found = []
-    forces = scenario.resolved["forces"]
     for hull in scenario.model["hulls"]:
-        if forces[hull["name"]]["hydrodynamics"]["hydrostatics"] != "mesh":
+        if hull["is_linear"]:
             found += _of_hull(results, hull)
     return [f"warning: {words}" for words in found]
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from . import results
 from .errors import KingpostError
-from .response import complex_amplitude, floating_bodies
+from .response import complex_amplitude
+from .results import floating_bodies
 
 if TYPE_CHECKING:
     import pandas

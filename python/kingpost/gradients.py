@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 DERIVATIVE = "_derivative"
 """Ends the name of a variable's derivatives."""
+PER_UNIT = " per unit of the parameter"
+"""Ends the units of derivatives."""
 
 
 def gradient(
@@ -93,8 +95,20 @@ def _with_derivatives(
     for name, variable in run.data_vars.items():
         values = np.stack([each[name].values for each in along])
         about = variable.attrs | {
-            "units": f"{variable.attrs['units']} per unit of the parameter",
             "long_name": f"derivative of {variable.attrs['long_name']}",
+            "column": ".".join(
+                f"{part}{DERIVATIVE}.{{parameter}}" if part == name else part
+                for part in variable.attrs["column"].split(".")
+            ),
         }
+        if "units" in about:
+            about["units"] += PER_UNIT
+        else:
+            of_variable = np.char.add(
+                variable.coords[results.unit_coordinate(name)].values.astype(str), PER_UNIT
+            )
+            along = ("parameter", *variable.coords[results.unit_coordinate(name)].dims)
+            per_unit = np.broadcast_to(of_variable, (len(names), *of_variable.shape))
+            found = found.assign_coords({results.unit_coordinate(f"{name}{DERIVATIVE}"): (along, per_unit)})
         found[f"{name}{DERIVATIVE}"] = (("parameter", *variable.dims), values, about)
     return found

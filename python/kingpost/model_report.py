@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import hydrostatics_report
 from .report import steps, table
-from .results import gravity_m_s2
 
 if TYPE_CHECKING:
     from .scenario import Scenario
 
 WORLD = "world"
-
-# What acts on bodies without carrying them.
-CARRIES_NOTHING = ("current_load", "dynamic_positioning", "gravity", "quadratic_damping", "slack_tank",
-                   "viscous_damping", "wind_load")  # fmt: skip
 
 
 def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
@@ -40,7 +35,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         _laws("forces", resolved.get("forces", {})),
         _sea(described["sea"]),
         *hydrostatics_report.sections(scenario),
-        [f"warning: gravity acts and nothing carries {name}: it falls" for name in falling(resolved)],
+        [f"warning: {words}" for words in described["warnings"]],
         [
             f"{settings['integrator']}, {settings['duration_s']:g} s {steps(settings)}, "
             f"recorded every {settings['record_every_s']:g} s"
@@ -166,59 +161,6 @@ def _prescribed(resolved: dict[str, Any]) -> list[str]:
             ((_, given),) = mode.items()
             rows.append((joint.get("name") or name, _fields(given)))
     return table(rows, "<<") if len(rows) > 1 else []
-
-
-def falling(resolved: dict[str, Any]) -> list[str]:
-    """Floating bodies that gravity pulls on and nothing carries: no force but gravity acts on what
-    hangs together with them, and no joint, closed loop or cylinder ties that to the world. Damping
-    slows a fall but carries nothing."""
-    if not gravity_m_s2(resolved):
-        return []
-    carried = {WORLD, *_carried_by_forces(resolved.get("forces", {}))}
-    ties = list(_ties(resolved))
-    while grown := {body for tie in ties if carried & tie for body in tie} - carried:
-        carried |= grown
-    bodies = resolved["bodies"].items()
-    return [name for name, body in bodies if body["enabled"] and _floats(body) and name not in carried]
-
-
-def _floats(body: dict[str, Any]) -> bool:
-    """Whether a body's joint leaves it free to move away."""
-    joint = body["joint"].get("floating")
-    return joint is not None and not joint["hold_translation"]
-
-
-def _carried_by_forces(forces: dict[str, Any]) -> Iterator[str]:
-    """The bodies on which a force acts that may carry them."""
-    for law in forces.values():
-        ((kind, fields),) = law.items()
-        if fields["enabled"] and kind not in CARRIES_NOTHING:
-            yield from _named_bodies(fields)
-
-
-def _named_bodies(value: Any) -> Iterator[str]:
-    """What stands under ``body`` in a law's fields.
-
-    >>> list(_named_bodies({"first": {"body": "quay"}, "second": {"body": "ship"}}))
-    ['quay', 'ship']
-    """
-    entries = value.items() if isinstance(value, dict) else ((None, entry) for entry in value)
-    for name, entry in entries:
-        if name == "body":
-            yield entry
-        elif isinstance(entry, dict | list):
-            yield from _named_bodies(entry)
-
-
-def _ties(resolved: dict[str, Any]) -> Iterator[set[str]]:
-    """The pairs of bodies that joints, closed loops and hydraulic cylinders tie together."""
-    for name, body in resolved["bodies"].items():
-        if body["enabled"] and not _floats(body):
-            yield {name, body["parent"]}
-    cylinders = (law.get("cylinder") for law in resolved.get("drives", {}).values())
-    for law in [*resolved.get("loops", {}).values(), *filter(None, cylinders)]:
-        if law["enabled"]:
-            yield {end["body"] for end in _ends(law)}
 
 
 def written(value: Any) -> str:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import units
+from .results import unit_of
 
 if TYPE_CHECKING:
     import xarray
@@ -19,9 +19,6 @@ WORST_ENERGY_ERROR = 0.01
 
 # Rows of a table that a summary prints.
 MOST_ROWS = 20
-
-# Ends of the names of constraints that are angles.
-TURNS = (".roll", ".pitch", ".yaw")
 
 ANGLES = {"roll": "x", "pitch": "y", "yaw": "z"}
 
@@ -86,9 +83,8 @@ def steps(simulation: dict[str, Any]) -> str:
 
 
 def ships(scenario: Scenario) -> list[str]:
-    """Names of the bodies that float."""
-    joints = scenario.model["joints"]
-    return [joint["body"] for joint in joints if joint["kind"] == "floating"]
+    """Names of the bodies that float, and of ships that waves move."""
+    return [body["name"] for body in scenario.model["bodies"] if body["floats"]]
 
 
 def _ship(results: xarray.Dataset, body: str) -> list[str]:
@@ -146,22 +142,21 @@ def _joints(results: xarray.Dataset) -> list[str]:
     rows = [("joint", "position", "largest", "", "rate", "largest", "", "largest force", "")]
     in_degrees = 180 / np.pi
     most_force = float(np.abs(results["joint_reaction"].values).max())
-    slides = units.sliding(results)
     for name in results["coordinate"].values:
         position, rate, force = (
             results[variable].sel(coordinate=name)
             for variable in ("joint_position", "joint_velocity", "joint_force")
         )
-        turns = units.of_column(position, slides) == "rad"
+        turns = unit_of(position) == "rad"
         scale, unit, places = (in_degrees, "deg", 4) if turns else (1.0, "m", 6)
         rows.append((
             str(name),
             *(fixed(scale * value, places) for value in (position.values[-1], largest(position.values))),
             unit,
             *(fixed(value, 6) for value in (rate.values[-1], largest(rate.values))),
-            units.of_column(rate, slides),
+            unit_of(rate),
             significant(largest(force.values), most_force),
-            units.of_column(force, slides),
+            unit_of(force),
         ))  # fmt: skip
     return table(_shortened(rows), "<>><>><><")
 
@@ -185,7 +180,7 @@ def _loop_error(results: xarray.Dataset) -> list[str]:
     """How far the loops were open at most, and along which constraint."""
     worst = np.abs(results["loop_error"].values).max(axis=0)
     constraint = str(results["constraint"].values[worst.argmax()])
-    unit = "rad" if constraint.endswith(TURNS) else "m"
+    unit = unit_of(results["loop_error"].sel(constraint=constraint))
     return [f"loop error, largest: {worst.max():.1e} {unit} along {constraint}"]
 
 
@@ -216,20 +211,23 @@ def _shortened(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
 
 def _ledger(results: xarray.Dataset) -> list[str]:
     last = results.isel(time=-1)
-    work = float(last["work_done"])
-    error = float(last["energy_error"])
-    relative = f" ({error / work:+.2e} of the work done)" if work else ""
+    energy, momentum = (float(results[f"{of}_scale"].max()) for of in ("energy", "momentum"))
+    error, off = float(last["energy_error"]), float(last["momentum_error"])
     rows = [
         ("kinetic energy", joules(float(last["kinetic_energy"]))),
         ("potential energy", joules(float(last["potential_energy"]))),
-        ("work done", joules(work)),
+        ("work done", joules(float(last["work_done"]))),
         ("energy dissipated", joules(float(last["energy_dissipated"]))),
-        ("energy error", f"{error:+.3e} J{relative}"),
-        ("momentum error", f"{float(last['momentum_error']):.3e} N m s"),
+        ("energy error", f"{error:+.3e} J{_share(error, energy, 'energy')}"),
+        ("momentum error", f"{off:.3e} N m s{_share(off, momentum, 'angular momentum')}"),
     ]
     lines = table(rows, "<<")
-    scale = max(abs(work), float(last["kinetic_energy"]))
-    if abs(error) > WORST_ENERGY_ERROR * scale:
-        off = f"{abs(error) / scale:.1%}"
-        lines += ["", f"warning: the energy is off by {off}: take a smaller simulation.step_s"]
+    if abs(error) > WORST_ENERGY_ERROR * energy:
+        share = f"{abs(error) / energy:.1%}" if energy else f"{abs(error):.3e} J"
+        lines += ["", f"warning: the energy is off by {share}: take a smaller simulation.step_s"]
     return lines
+
+
+def _share(error: float, scale: float, of: str) -> str:
+    """An error beside the largest of what was in play so far, as the app shows it too."""
+    return f" ({error / scale:+.2e} of the largest {of} in play)" if scale else ""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -31,7 +30,7 @@ QUANTITIES = {
     "velocity": ("point", "m/s/m", "velocity of a point in the world"),
     "acceleration": ("point", "m/s2/m", "acceleration of a point in the world"),
     "rotation": ("body", "rad/m", "roll, pitch and yaw of a body"),
-    "joint_position": ("coordinate", "rad/m or m/m", "joint angle or extension"),
+    "joint_position": ("coordinate", "", "joint angle or extension"),
 }
 
 
@@ -89,7 +88,7 @@ def rao(
     directions = _within_one_turn(np.asarray(given, float))
     frequencies = [] if frequencies_rad_s is None else np.atleast_1d(frequencies_rad_s)
     found = simulation.wave_response(directions, np.asarray(frequencies, float))
-    return _dataset(simulation.scenario, found, points)
+    return _dataset(simulation, found, points)
 
 
 def _within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -103,7 +102,7 @@ def _within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]
     return directions_rad
 
 
-def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | None) -> xarray.Dataset:
+def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str] | None) -> xarray.Dataset:
     import xarray
 
     omega = np.array(found["frequencies_rad_s"])
@@ -116,7 +115,9 @@ def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | 
     displacement = displacement[..., chosen, :]
     rate = -1j * omega[:, None, None]
     # Those of a floating body are its place and angles.
-    joints = [i for i, name in enumerate(found["coordinates"]) if not _floats(name, bodies)]
+    unit_of = _joint_units(simulation)
+    joints = [i for i, name in enumerate(found["coordinates"]) if name in unit_of]
+    names = [found["coordinates"][i] for i in joints]
     values = {
         "displacement": displacement,
         "velocity": rate * displacement,
@@ -128,11 +129,20 @@ def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | 
     variables: dict[str, Any] = {}
     for name, (dim, units, long_name) in QUANTITIES.items():
         dims = ("direction", "frequency", *across[dim])
-        about = {"units": units, "long_name": f"amplitude of the {long_name}"}
+        columns = [
+            ".".join([f"{{{dim}}}", of, *(f"{{{k}}}" for k in across[dim][1:])])
+            for of in (name, name + PHASE)
+        ]
+        about = {"units": units} if units else {}
+        about |= {"long_name": f"amplitude of the {long_name}", "column": columns[0]}
         variables[name] = (dims, np.abs(values[name]), about)
-        about = {"units": "rad", "long_name": f"lag of the {long_name} behind the crest"}
+        about = {
+            "units": "rad",
+            "long_name": f"lag of the {long_name} behind the crest",
+            "column": columns[1],
+        }
         variables[name + PHASE] = (dims, np.angle(values[name]), about)
-    attributes = results.attributes(scenario, "about rest in still water")
+    attributes = results.attributes(simulation.scenario, "about rest in still water")
     attributes["reference_m"] = found["reference_m"]
     attributes["heading_rad"] = found["heading_rad"]
     if found["warnings"]:
@@ -148,7 +158,11 @@ def _dataset(scenario: Scenario, found: dict[str, Any], points: Sequence[str] | 
         "body": np.array(bodies, str),
         "angle": list(ANGLES),
         "place": (("point", "axis"), np.array(found["places_m"])[chosen], metre),
-        "coordinate": np.array([found["coordinates"][i] for i in joints], str),
+        "coordinate": np.array(names, str),
+        results.unit_coordinate("joint_position"): (
+            "coordinate",
+            np.array([f"{unit_of[k]}/m" for k in names], str),
+        ),
     }
     return xarray.Dataset(variables, coordinates, attributes)
 
@@ -159,10 +173,10 @@ def _place(places: Sequence[str], point: str) -> int:
     return places.index(point)
 
 
-def _floats(coordinate: str, bodies: Sequence[str]) -> bool:
-    """Whether a coordinate is that of a floating joint, which is named after its body."""
-    body, _, axis = coordinate.rpartition(".")
-    return body in bodies and axis in (*AXES, *ANGLES)
+def _joint_units(simulation: Simulation) -> dict[str, str]:
+    """The unit of each coordinate of the joints, as the engine has it in its channels."""
+    channel = next((one for one in simulation.channels if one["variable"] == "joint_position"), None)
+    return dict(zip(channel["labels"][0], channel["units"], strict=True)) if channel else {}
 
 
 def complex_amplitude(found: xarray.Dataset, quantity: str) -> xarray.DataArray:
@@ -185,12 +199,12 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
         "direction_deg": np.rad2deg(directions).ravel(),
         "frequency_rad_s": frequencies.ravel(),
     }
-    for name, values in found.data_vars.items():
+    for values in found.data_vars.values():
         dims = [dim for dim in values.dims if dim not in ("direction", "frequency")]
         flat = values.stack(entry=dims)
         for entry in range(flat.sizes["entry"]):
             labels = {dim: flat[dim].values[entry] for dim in dims}
-            columns[results.column_name(str(name), labels)] = flat.isel(entry=entry).values.ravel()
+            columns[results.column_name(values, labels)] = flat.isel(entry=entry).values.ravel()
     return pandas.DataFrame(columns)
 
 
@@ -212,7 +226,7 @@ def _plot(found: xarray.Dataset, path: Path) -> None:
     from matplotlib.figure import Figure
 
     rows = [("displacement", "point", point, "axis") for point in found["point"].values]
-    floating = floating_bodies(found)
+    floating = results.floating_bodies(found)
     rows += [("rotation", "body", body, "angle") for body in found["body"].values if body in floating]
     figure = Figure(figsize=(10, 2.4 * len(rows)), layout="constrained")
     axes = figure.subplots(len(rows), 3, sharex=True, squeeze=False)
@@ -256,13 +270,7 @@ def main_points(scenario: Scenario) -> list[str]:
     ['ship', 'tower.top', 'arm.tip']
     """
     bodies = scenario.resolved["bodies"]
-    floating = [name for name, body in bodies.items() if "floating" in body["joint"]]
+    floating = [body["name"] for body in scenario.model["bodies"] if body["floats"]]
     return floating + [
         f"{name}.{point}" for name, body in bodies.items() for point in body.get("points") or {}
     ]
-
-
-def floating_bodies(found: xarray.Dataset) -> list[str]:
-    """Names of the bodies that float."""
-    bodies = json.loads(found.attrs["scenario"])["bodies"]
-    return [name for name, body in bodies.items() if "floating" in body["joint"]]

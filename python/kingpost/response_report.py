@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .report import table
-from .response import AXES, floating_bodies
+from .response import AXES
+from .results import floating_bodies
 
 if TYPE_CHECKING:
     import xarray

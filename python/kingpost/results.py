@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
-import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from importlib.metadata import version
 from itertools import product
 from pathlib import Path
@@ -24,9 +23,6 @@ if TYPE_CHECKING:
     from .scenario import Scenario
 
 ENDINGS = (".nc", ".csv", ".parquet")
-NAMED = ("body", "coordinate", "joint", "loop", "constraint", "cylinder", "hull", "line", "flow", "station",
-         "thruster", "point", "drive")  # fmt: skip
-"""Dimensions whose label stands before the variable in a flat column name."""
 AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port"
 
 
@@ -40,7 +36,7 @@ def dataset(
     scenario
         What was run; stored resolved in the attributes.
     channels
-        The channel table: variable, unit, frame, dimensions and their labels, offset, length.
+        The channel table: variable, units, names, frame, dimensions and their labels, offset, length.
     rows
         One row per record, shape (records, values); or of many runs, shape (runs, records, values),
         where a run that ended early has NaN.
@@ -52,7 +48,9 @@ def dataset(
     xarray.Dataset
         Dimension ``time`` (s), before it ``run`` where there are many, and those of the channels;
         every variable carries ``units``,
-        ``long_name``, as short as an axis of a plot wants it, ``description`` and ``frame``.
+        ``long_name``, as short as an axis of a plot wants it, ``description``, ``frame`` and ``column``,
+        how its flat columns are named. Where its numbers differ in their units, as forces and moments do,
+        the coordinate ``<variable>_unit`` has them in the place of ``units`` (`unit_of`).
     """
     import xarray
 
@@ -63,12 +61,12 @@ def dataset(
         labels = dict(zip(channel["dims"], channel["labels"], strict=True))
         shape = (*rows.shape[:-1], *(len(names) for names in labels.values()))
         values = rows[..., start : start + length].reshape(shape)
-        about = {
-            "units": channel["unit"],
-            "long_name": short_name(channel["long_name"]),
-            "description": channel["long_name"],
-            "frame": channel["frame"],
-        }
+        about = {key: channel[key] for key in ("long_name", "description", "frame", "column")}
+        if channel["unit"] is None:
+            units = np.array(channel["units"], str).reshape(shape[rows.ndim - 1 :])
+            coordinates[unit_coordinate(channel["variable"])] = _where_they_differ(units, channel["dims"])
+        else:
+            about = {"units": channel["unit"], **about}
         if channel["variable"] == "time":
             longest = values if rows.ndim == 2 else np.nanmax(values, axis=0)
             coordinates["time"] = ("time", longest.ravel(), about)
@@ -79,15 +77,35 @@ def dataset(
     return xarray.Dataset(variables, coordinates, attributes(scenario, status))
 
 
-def short_name(description: str) -> str:
-    """The first words of a description, for the axes of plots.
+def _where_they_differ(units: NDArray[np.str_], dims: Sequence[str]) -> tuple[list[str], NDArray[np.str_]]:
+    """Units without the dimensions along which they are the same."""
+    kept = list(dims)
+    for axis in reversed(range(units.ndim)):
+        if (units == units.take([0], axis)).all():
+            units = units.take(0, axis)
+            kept.pop(axis)
+    return kept, units
 
-    >>> short_name("tension of a line at its first end, or its fairlead")
-    'tension of a line'
-    >>> short_name("angular velocity: roll, pitch and yaw rate")
-    'angular velocity'
+
+def unit_coordinate(variable: Hashable | None) -> str:
+    """Name of the coordinate that has the units of a variable's numbers, where they differ.
+
+    >>> unit_coordinate("joint_position")
+    'joint_position_unit'
     """
-    return re.split("[,;:]| at its | where the hull ", description, maxsplit=1)[0]
+    return "unit" if variable is None else f"{variable}_unit"
+
+
+def unit_of(column: xarray.DataArray) -> str:
+    """The unit of a variable, or of one of its columns where they differ in their units.
+
+    >>> from kingpost import run
+    >>> found = run("paper", {"simulation.duration_s": 0.001})
+    >>> unit_of(found["velocity"]), unit_of(found["joint_reaction"].sel(joint="slew", component="moment_x"))
+    ('m/s', 'N m')
+    """
+    name = unit_coordinate(column.name)
+    return str(column.coords[name].item()) if name in column.coords else str(column.attrs.get("units", ""))
 
 
 def frame(results: xarray.Dataset) -> pandas.DataFrame:
@@ -98,28 +116,33 @@ def frame(results: xarray.Dataset) -> pandas.DataFrame:
     """
     import pandas
 
-    columns = {"time": results["time"].values}
-    for name, variable in results.data_vars.items():
-        dims = [dim for dim in variable.dims if dim != "time"]
+    flat = {name: series.values for name, series in columns(results)}
+    return pandas.DataFrame({"time": results["time"].values, **flat})
+
+
+def columns(
+    results: xarray.Dataset, along: Sequence[str] = ("time",)
+) -> Iterator[tuple[str, xarray.DataArray]]:
+    """The flat columns with their names: each goes along time, and along what else is asked for."""
+    for variable in results.data_vars.values():
+        dims = [dim for dim in variable.dims if dim not in along]
         for labels in product(*(results[dim].values for dim in dims)):
             at = dict(zip(dims, labels, strict=True))
-            columns[column_name(str(name), at)] = variable.sel(at).values
-    return pandas.DataFrame(columns)
+            yield column_name(variable, at), variable.sel(at)
 
 
-def column_name(variable: str, labels: dict[Any, Any]) -> str:
-    """Name of a flat column.
+def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
+    """Name of a flat column, by the variable's attribute ``column``; labels that it leaves out are last.
 
-    >>> column_name("angular_velocity", {"body": "ship", "axis": "x"})
-    'ship.angular_velocity.x'
-    >>> column_name("joint_position", {"coordinate": "slew"})
-    'slew.joint_position'
-    >>> column_name("excitation_force", {"hull": "water", "component": "force_x"})
-    'water.excitation_force.force_x'
+    >>> import xarray
+    >>> rate = xarray.DataArray(0.0, name="angular_velocity")
+    >>> rate.attrs["column"] = "{body}.angular_velocity.{axis}"
+    >>> column_name(rate, {"body": "ship", "axis": "x", "run": 3})
+    'ship.angular_velocity.x.3'
     """
-    before = [str(label) for dim, label in labels.items() if dim in NAMED]
-    after = [str(label) for dim, label in labels.items() if dim not in NAMED]
-    return ".".join([*before, variable, *after])
+    pattern = str(variable.attrs.get("column", variable.name))
+    left_out = [str(label) for dim, label in labels.items() if f"{{{dim}}}" not in pattern]
+    return ".".join([pattern.format_map(labels), *left_out])
 
 
 def check_output(path: str | Path, endings: Sequence[str] = ENDINGS) -> Path:
@@ -141,7 +164,8 @@ def check_output(path: str | Path, endings: Sequence[str] = ENDINGS) -> Path:
 def write(results: xarray.Dataset, path: str | Path) -> Path:
     """Write results by the file's ending: ``.nc`` (NetCDF), ``.csv`` or ``.parquet``.
 
-    A CSV holds the numbers alone; units and attributes are in the other two.
+    A CSV holds the numbers alone; units and attributes are in the other two: in Parquet the unit of a
+    column is in the metadata of its field.
     """
     path = check_output(path)
     ending = path.suffix.lower()
@@ -159,18 +183,26 @@ def _write_parquet(results: xarray.Dataset, path: Path) -> None:
     import pyarrow.parquet
 
     table = pyarrow.Table.from_pandas(frame(results), preserve_index=False)
-    fields = []
-    for field in table.schema:
-        name = next(part for part in field.name.split(".")[::-1] if part in results.variables)
-        fields.append(field.with_metadata({"units": results[name].attrs["units"]}))
+    units = {"time": unit_of(results["time"]), **{name: unit_of(series) for name, series in columns(results)}}
+    fields = [field.with_metadata({"units": units[field.name]}) for field in table.schema]
     attributes = {key: str(value) for key, value in results.attrs.items()}
     metadata = {**(table.schema.metadata or {}), **attributes}
     pyarrow.parquet.write_table(table.cast(pyarrow.schema(fields, metadata)), path)
 
 
+def floating_bodies(results: xarray.Dataset) -> list[str]:
+    """Names of the ships and of whatever floats as they do.
+
+    >>> from kingpost import run
+    >>> floating_bodies(run("paper", {"simulation.duration_s": 0.001}))
+    ['ship']
+    """
+    return json.loads(results.attrs.get("floating_bodies", "[]"))
+
+
 def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
     """What every data set says of the run that it comes from."""
-    resolved = scenario.resolved
+    described, sea = scenario.model, scenario.model["sea"]
     versions = {name: version(name) for name in ("numpy", "xarray")}
     versions |= {"kingpost": _engine.__version__, "python": platform.python_version()}
     return {
@@ -180,20 +212,10 @@ def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
         "scenario": scenario.json,
         "files": json.dumps(scenario.digests),
         "versions": json.dumps(versions),
-        "seed": resolved["simulation"]["seed"],
-        "gravity_m_s2": gravity_m_s2(resolved),
-        "water_density_kg_m3": water_density_kg_m3(resolved),
+        "seed": scenario.resolved["simulation"]["seed"],
+        "gravity_m_s2": described["gravity_m_s2"],
+        "water_density_kg_m3": sea["density_kg_m3"] if sea else 0.0,
+        "floating_bodies": json.dumps([body["name"] for body in described["bodies"] if body["floats"]]),
+        "model_warnings": json.dumps(described["warnings"]),
         "axes": AXES,
     }
-
-
-def gravity_m_s2(resolved: dict[str, Any]) -> float:
-    """Acceleration of gravity that acts in a resolved scenario, m/s2; 0 where it is off."""
-    laws = (force.get("gravity") for force in resolved.get("forces", {}).values())
-    return float(sum(law["acceleration_m_s2"] for law in laws if law and law["enabled"]))
-
-
-def water_density_kg_m3(resolved: dict[str, Any]) -> float:
-    """Density of the water in a resolved scenario, kg/m3; 0 where there is no sea."""
-    sea = resolved.get("sea")
-    return float(sea["density_kg_m3"]) if sea else 0.0

@@ -62,6 +62,28 @@ class Input:
     value: float
 
 
+@dataclass(frozen=True)
+class DrawnLine:
+    """A line that a picture draws: the rope of a load, a mooring line, a tube.
+
+    Attributes
+    ----------
+    name
+        Whose it is.
+    style
+        ``rope``, ``barrel``, ``rod`` or ``pin``.
+    radius_m
+        0 where it is too thin to be drawn to scale.
+    points_m
+        In the world, m, shape (points, 3); of a pin one.
+    """
+
+    name: str
+    style: str
+    radius_m: float
+    points_m: NDArray[np.float64]
+
+
 class Simulation:
     """One run of a scenario, stepped by hand.
 
@@ -192,6 +214,20 @@ class Simulation:
     def poses(self) -> NDArray[np.float64]:
         """Pose of each body: x, y, z (m, world) and quaternion w, x, y, z. Shape (bodies, 7)."""
         return self._engine.poses()
+
+    def lines(self) -> list[DrawnLine]:
+        """The lines to draw beside the bodies, where they are now.
+
+        >>> [(line.name, line.style, line.points_m.shape) for line in Simulation(load("chain")).lines()]
+        []
+        """
+        lines = json.loads(self._engine.lines_json())
+        ends = np.cumsum([line["points"] for line in lines])[:-1]
+        points = np.split(self._engine.line_points().reshape(-1, 3), ends)
+        return [
+            DrawnLine(line["name"], line["style"], line["radius_m"], of)
+            for line, of in zip(lines, points, strict=True)
+        ]
 
     def acceleration(self, tau: ArrayLike | None = None) -> NDArray[np.float64]:
         """Accelerations of the free coordinates now (m/s2 or rad/s2).

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from .errors import KingpostError
+from .results import unit_coordinate
 
 if TYPE_CHECKING:
     import xarray
@@ -55,9 +56,9 @@ def summary(
 
     Notes
     -----
-    The units are the variable's, but s for the period, which is not a number where the mean is crossed
-    upwards fewer than twice. A run that ended early, which `Batch` fills up with what is not a number,
-    has statistics that are not numbers.
+    The coordinate ``<variable>_unit`` has the units, the variable's, but s for the period, which is not a
+    number where the mean is crossed upwards fewer than twice. A run that ended early, which `Batch` fills
+    up with what is not a number, has statistics that are not numbers.
 
     >>> import xarray
     >>> time = np.arange(0.0, 100.0, 0.1)
@@ -81,7 +82,19 @@ def summary(
     most, least = kept.max("time", skipna=False), kept.min("time", skipna=False)
     values = (kept.mean("time"), deviation, 2 * deviation, 4 * deviation, period, most, least)
     names = xarray.DataArray(np.array(STATISTICS), dims="statistic", name="statistic")
-    return xarray.concat(values, names).assign_attrs(kept.attrs).rename(kept.name)
+    about = {key: value for key, value in kept.attrs.items() if key != "units"}
+    found = xarray.concat(values, names).assign_attrs(about).rename(kept.name)
+    return found.assign_coords({unit_coordinate(kept.name): _units(kept, names)})
+
+
+def _units(kept: xarray.DataArray, names: xarray.DataArray) -> xarray.DataArray:
+    """The unit of each statistic, and of each component where those differ."""
+    import xarray
+
+    name = unit_coordinate(kept.name)
+    unit = kept.coords[name] if name in kept.coords else xarray.DataArray(str(kept.attrs.get("units", "")))
+    period = names == "zero_up_crossing_period"
+    return xarray.where(period, "s", unit.drop_vars(name, errors="ignore"))
 
 
 def spectrum(

@@ -5,16 +5,15 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
-from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from . import pooling, statistics, units
+from . import pooling, statistics
 from .errors import KingpostError
 from .report import fixed, table
-from .results import column_name
+from .results import columns, floating_bodies, unit_of
 
 if TYPE_CHECKING:
     import pandas
@@ -144,8 +143,7 @@ def _stands_still(values: np.ndarray) -> bool:
 
 def _chosen(results: xarray.Dataset, patterns: Sequence[str]) -> dict[str, str]:
     """Names of flat columns with their units."""
-    slides = units.sliding(results)
-    found = {name: units.of_column(series, slides) for name, series in _columns(results)}
+    found = {name: unit_of(series) for name, series in _columns(results)}
     if not patterns:
         return {name: unit for name, unit in found.items() if _is_default(results, name)}
     chosen = {name: unit for name, unit in found.items() if any(fnmatchcase(name, p) for p in patterns)}
@@ -158,22 +156,15 @@ def _chosen(results: xarray.Dataset, patterns: Sequence[str]) -> dict[str, str]:
 
 
 def _is_default(results: xarray.Dataset, name: str) -> bool:
-    described = json.loads(results.attrs.get("scenario", "{}")).get("bodies", {})
-    floating = [body for body, given in described.items() if "floating" in given["joint"]]
-    return name in [f"{body}.{quantity}" for body in floating for quantity in OF_SHIPS] or any(
-        variable in name.split(".") for variable in ALL_OF
-    )
+    return name in [
+        f"{body}.{quantity}" for body in floating_bodies(results) for quantity in OF_SHIPS
+    ] or any(variable in name.split(".") for variable in ALL_OF)
 
 
 def _columns(results: xarray.Dataset) -> Iterator[tuple[str, xarray.DataArray]]:
     """Flat columns as `kingpost run -o FILE.csv` names them, over time and, of many runs, ``run``."""
-    for variable, values in results.data_vars.items():
-        if "time" not in values.dims:
-            continue
-        dims = [dim for dim in values.dims if dim not in ("time", "run")]
-        for labels in product(*(results[dim].values for dim in dims)):
-            at = dict(zip(dims, labels, strict=True))
-            yield column_name(str(variable), at), values.sel(at)
+    over_time = results[[name for name, values in results.data_vars.items() if "time" in values.dims]]
+    return columns(over_time, along=("time", "run"))
 
 
 def _series(results: xarray.Dataset, name: str) -> list[xarray.DataArray]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 
 import kingpost
@@ -113,8 +114,8 @@ def test_a_summary_says_that_dormand_prince_chooses_its_steps():
 
 
 @pytest.mark.parametrize("name", ["dual_draglink_crane", "knuckle_boom_crane"])
-def test_the_pins_of_the_description_are_where_the_results_measure(name):
-    """Source: two ways to one length: poses of bodies and described pins; the channel of the run."""
+def test_what_is_drawn_of_a_cylinder_is_as_long_as_the_results_measure(name):
+    """Source: two ways to one length: the points to draw; the channel of the run."""
     scenario = kingpost.load(name)
     simulation = kingpost.Simulation(scenario)
     simulation.step(500)
@@ -127,11 +128,16 @@ def test_the_pins_of_the_description_are_where_the_results_measure(name):
         return pose[:3] + p + 2 * np.cross(r, np.cross(r, p) + w * p)
 
     row = simulation.row()
-    offset = {channel["variable"]: channel["offset"] for channel in simulation.channels}
-    for i, cylinder in enumerate(scenario.model["cylinders"]):
-        length = np.linalg.norm(place(cylinder["second"]) - place(cylinder["first"]))
-        assert length == pytest.approx(row[offset["cylinder_length"] + i], abs=1e-13)
-        assert cylinder["shortest_m"] < length < cylinder["longest_m"]
+    channel = next(channel for channel in simulation.channels if channel["variable"] == "cylinder_length")
+    drawn = {(line.name, line.style): line.points_m for line in simulation.lines()}
+    for i, cylinder in enumerate(channel["labels"][0]):
+        barrel, rod = drawn[cylinder, "barrel"], drawn[cylinder, "rod"]
+        length = np.linalg.norm(rod[-1] - barrel[0])
+        assert length == pytest.approx(row[channel["offset"] + i], abs=1e-12)
+        law = scenario.resolved["drives"][cylinder]["cylinder"]
+        assert law["shortest_m"] < length < law["longest_m"]
+        # The rod comes out of the barrel.
+        assert np.linalg.norm(rod[0] - barrel[0]) < np.linalg.norm(barrel[1] - barrel[0]) < length
     for loop in scenario.model["loops"]:
         assert place(loop["first"]) == pytest.approx(place(loop["second"]), abs=1e-9)
 
@@ -148,16 +154,22 @@ def test_what_nothing_carries_falls(text, falls, tmp_path):
     """Source: with gravity something has to tie each floating body to the world; damping does not."""
     path = tmp_path / "floats.yaml"
     path.write_text(text, encoding="utf-8")
-    assert model_report.falling(kingpost.load(path).resolved) == falls
+    scenario = kingpost.load(path)
+    words = [f"gravity acts and nothing carries {name}: it falls" for name in falls]
+    assert scenario.model["warnings"] == words
+    shown = model_report.text(scenario, []).splitlines()
+    assert [line for line in shown if line.startswith("warning: gravity")] == [
+        f"warning: {word}" for word in words
+    ]
 
 
-def test_a_force_on_any_body_that_hangs_together_with_it_carries_a_floating_body():
-    """Source: the resolved form of a scenario, with a force that names its body as those to come do."""
-    resolved = kingpost.load("paper", gravity=True, hold_centre=False).resolved
-    assert model_report.falling(resolved) == ["ship"]
-    water = {"enabled": True, "body": "ship"}
-    forces = resolved["forces"] | {"water": {"buoyancy": water}}
-    assert model_report.falling(resolved | {"forces": forces}) == []
+def test_the_water_carries_a_ship_and_without_it_a_ship_falls():
+    """Source: Archimedes; the results carry what was warned of."""
+    falls = ["gravity acts and nothing carries ship: it falls"]
+    paper = kingpost.load("paper", {"simulation.duration_s": 0.001}, gravity=True, hold_centre=False)
+    assert paper.model["warnings"] == falls
+    assert json.loads(kingpost.run(paper).attrs["model_warnings"]) == falls
+    assert kingpost.load("barge").model["warnings"] == []
 
 
 def test_the_modes_of_a_ship_are_its_own_and_the_waters_on_demand(capsys):

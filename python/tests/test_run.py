@@ -78,7 +78,8 @@ def test_a_dataset_has_the_dimensions_and_variables_of_the_contract(calibration)
 def test_every_variable_says_its_unit_its_name_and_its_frame(calibration):
     """Source: the project's public contract."""
     for name, variable in {**calibration.data_vars, "time": calibration["time"]}.items():
-        assert set(variable.attrs) >= {"units", "long_name", "description", "frame"}, name
+        assert set(variable.attrs) >= {"long_name", "description", "frame", "column"}, name
+        assert ("units" in variable.attrs) != (f"{name}_unit" in variable.coords), name
         assert variable.attrs["frame"] in ("world", "body", "joint", "loop", "slow_frame", "heading", "none")
     assert calibration["angular_velocity"].attrs["units"] == "rad/s"
     assert calibration["angular_velocity"].attrs["frame"] == "body"

@@ -9,7 +9,6 @@ from pathlib import Path
 import kingpost
 import pytest
 from kingpost import cli
-from kingpost.results import column_name
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "scenarios.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```(\w*)\n(.*?)```", PAGE, re.DOTALL)
@@ -121,9 +120,10 @@ def table() -> list[str]:
     ]
     for channel in channels:
         at = {dim: labels.get(dim, f"NAME_OF_{dim.upper()}") for dim in channel["dims"]}
-        cells = (f"`{channel['variable']}`", f"`{column_name(channel['variable'], at)}`", channel["unit"],
+        cells = (f"`{channel['variable']}`", f"`{channel['column'].format_map(at)}`",
+                 " or ".join(dict.fromkeys(channel["units"])),
                  "" if channel["frame"] == "none" else channel["frame"].replace("_", " "),
-                 ", ".join(channel["dims"]), channel["long_name"])  # fmt: skip
+                 ", ".join(channel["dims"]), channel["description"])  # fmt: skip
         rows.append("| " + " | ".join(cells) + " |")
     return rows
 

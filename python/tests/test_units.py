@@ -1,4 +1,4 @@
-"""The unit of one column of a variable that has several."""
+"""Every column of results has one unit, and it is a unit."""
 
 from __future__ import annotations
 
@@ -6,10 +6,14 @@ import json
 from pathlib import Path
 
 import kingpost
+import pint
+import pyarrow.parquet
 import pytest
 import xarray
-from kingpost import report, units
+from kingpost import gallery, report, results
 from kingpost.cli import main
+from kingpost.displacement_raos import SENSES
+from kingpost.statistics import summary
 
 BODY = {"mass_kg": 9, "inertia": {"tensor": {"moments_kg_m2": [1, 1, 1]}}}
 JOINTS = {
@@ -26,6 +30,7 @@ SCENARIO = {
     "bodies": {name: {**BODY, "joint": joint} for name, joint in JOINTS.items()},
 }
 LENGTHS = {"rail", "table.x", "table.y", "screw.translation"}
+UNITS = pint.UnitRegistry()
 
 
 @pytest.fixture
@@ -36,26 +41,30 @@ def joints(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize(
-    ("dimension", "label", "both", "unit"),
-    [
-        ("component", "force_z", "N, N m", "N"),
-        ("component", "moment_x", "N, N m", "N m"),
-        ("planar", "sway", "m, rad", "m"),
-        ("planar", "yaw", "m, rad", "rad"),
-        ("coordinate", "pendant.first", "rad or m", "rad"),
-        ("coordinate", "winch", "N m or N", "N"),
-    ],
-)
-def test_a_column_has_the_unit_of_its_own_component(dimension, label, both, unit) -> None:
-    series = xarray.DataArray([0.0], {dimension: label}, ("time",), attrs={"units": both})
-    assert units.of_column(series, {"winch"}) == unit
+@pytest.mark.parametrize("name", gallery.names())
+def test_every_column_of_the_gallery_has_one_unit_that_pint_parses(name) -> None:
+    """Source: pint, a program of its own that knows units."""
+    simulation = kingpost.Simulation(name)
+    found = results.dataset(simulation.scenario, simulation.channels, simulation.row()[None, :], "")
+    names = [channel_name for channel in simulation.channels for channel_name in channel["columns"]]
+    units = {column: results.unit_of(series) for column, series in results.columns(found)}
+    assert ["time", *units] == names
+    assert list(results.frame(found).columns) == names
+    said = [unit for channel in simulation.channels for unit in channel["units"]]
+    assert [results.unit_of(found["time"]), *units.values()] == said
+    for column, unit in units.items():
+        dimension = UNITS.parse_units(unit).dimensionality
+        if ".moment_" in column:
+            assert dimension == UNITS.parse_units("N m").dimensionality, column
+        elif ".force_" in column:
+            assert dimension == UNITS.parse_units("N").dimensionality, column
 
 
-def test_lengths_are_told_from_angles_by_the_kind_of_the_joint_not_by_the_names_of_its_axes(joints) -> None:
+def test_lengths_are_told_from_angles_by_the_engine_not_by_the_names_of_axes(joints) -> None:
     """Source: docs/conventions.md: the x of a planar joint is a length, that of a spherical one an angle."""
     found = kingpost.run(joints)
-    assert units.sliding(found) == LENGTHS
+    units = found["joint_position_unit"].to_series()
+    assert set(units.index[units == "m"]) == LENGTHS
     shown = report.summary(found, kingpost.load(joints)).splitlines()
     # The table of positions stands before that of reactions.
     rows = {line.split()[0]: line.split() for line in reversed(shown) if line.split()}
@@ -64,12 +73,29 @@ def test_lengths_are_told_from_angles_by_the_kind_of_the_joint_not_by_the_names_
         assert rows[str(name)][6] == ("m/s" if name in LENGTHS else "rad/s"), name
 
 
-def test_the_heave_of_a_ship_that_waves_move_is_a_length() -> None:
+def test_the_heave_of_a_ship_that_waves_move_is_a_length(tmp_path) -> None:
     """Source: its surge, sway and heave are along the axes of its heading, its angles about them."""
-    names = [f"ship.{axis}" for axis in ("x", "y", "z", "roll", "pitch", "yaw")]
-    scenario = json.dumps({"bodies": {"ship": {"joint": {"moved_by_waves": {}}}}})
-    found = xarray.Dataset(coords={"coordinate": names}, attrs={"scenario": scenario})
-    assert units.sliding(found) == {"ship.x", "ship.y", "ship.z"}
+    lags = [f"{sense.split('_')[0]}_lag_deg" for sense in SENSES]
+    amplitudes = [
+        f"{sense}_{unit}" for sense, unit in zip(SENSES, ["m_per_m"] * 3 + ["deg_per_m"] * 3, strict=True)
+    ]
+    rows = [",".join(["direction_to_deg", "frequency_rad_s", *amplitudes, *lags])]
+    rows += [
+        f"{direction},{frequency}" + 6 * ",0.5" + 6 * ",0"
+        for direction in (0, 90, 180, 270)
+        for frequency in (0.2, 2)
+    ]
+    (tmp_path / "ship.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
+    moved = {"moved_by_waves": {"raos": "ship.csv"}}
+    ship = {"version": 1, "title": "A moved ship", "sea": {"waves": {}},
+            "simulation": {"step_s": 0.05, "duration_s": 0.1},
+            "bodies": {"ship": {**BODY, "joint": moved}}, "forces": {"weight": {"gravity": {}}}}  # fmt: skip
+    (tmp_path / "moved.yaml").write_text(json.dumps(ship))
+    found = kingpost.run(tmp_path / "moved.yaml")
+    units = found["joint_position_unit"].to_series()
+    assert units[["ship.x", "ship.y", "ship.z"]].tolist() == ["m"] * 3
+    assert units[["ship.roll", "ship.pitch", "ship.yaw"]].tolist() == ["rad"] * 3
+    assert results.unit_of(found["joint_force"].sel(coordinate="ship.z")) == "N"
 
 
 def test_statistics_of_a_file_have_the_units_of_the_run(joints, tmp_path, capsys) -> None:
@@ -80,3 +106,26 @@ def test_statistics_of_a_file_have_the_units_of_the_run(joints, tmp_path, capsys
     text = capsys.readouterr().out
     rows = {line.split()[0]: line.split() for line in text.splitlines() if line.split()}
     assert [rows[channel][1] for channel in channels] == ["m", "deg"]
+
+
+def test_a_period_is_in_seconds_whatever_it_is_the_period_of(joints) -> None:
+    """Source: the definition of a period."""
+    found = summary(kingpost.run(joints))
+    assert "units" not in found["roll"].attrs
+    period, mean = ({"statistic": name} for name in ("zero_up_crossing_period", "mean"))
+    assert results.unit_of(found["roll"].sel(body="arm", **period)) == "s"
+    assert results.unit_of(found["roll"].sel(body="arm", **mean)) == "rad"
+    positions = found["joint_position"]
+    assert {results.unit_of(positions.sel(coordinate=at, **period)) for at in ("rail", "arm")} == {"s"}
+    assert [results.unit_of(positions.sel(coordinate=at, **mean)) for at in ("rail", "arm")] == ["m", "rad"]
+
+
+def test_files_keep_the_unit_of_each_column(joints, tmp_path) -> None:
+    """Source: the round trip."""
+    found = kingpost.run(joints)
+    again = xarray.load_dataset(results.write(found, tmp_path / "run.nc"), engine="h5netcdf")
+    xarray.testing.assert_identical(again, found)
+    schema = pyarrow.parquet.read_schema(results.write(found, tmp_path / "run.parquet"))
+    columns = ("rail.joint_position", "arm.joint_force", "rail.joint_force", "arm.joint_reaction.moment_z",
+               "arm.joint_reaction.force_z")  # fmt: skip
+    assert [schema.field(name).metadata[b"units"] for name in columns] == [b"m", b"N m", b"N", b"N m", b"N"]

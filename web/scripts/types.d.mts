@@ -1,3 +1,3 @@
-/** Where the generated types stand. */
-export const TYPES: string;
-export function scenarioTypes(): Promise<string>;
+/** Where the generated types stand, by the name of their schema. */
+export const TYPES: Record<"scenario" | "model", string>;
+export function typesOf(name: string): Promise<string>;

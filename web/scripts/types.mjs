@@ -1,17 +1,22 @@
-// Writes src/generated/scenario.d.ts from the scenario's JSON Schema, which comes from the engine's types.
+// Writes src/generated: types from the JSON Schemas of the scenario and of what the engine says of it, which come from
+// the engine's types.
 import { writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { compileFromFile } from "json-schema-to-typescript";
 
-const SCHEMA = fileURLToPath(new URL("../../schema/scenario.schema.json", import.meta.url));
-export const TYPES = fileURLToPath(new URL("../src/generated/scenario.d.ts", import.meta.url));
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 
-export function scenarioTypes() {
-  return compileFromFile(SCHEMA, {
+/** Name of each schema, and where its types stand. */
+export const TYPES = { scenario: here("../src/generated/scenario.d.ts"), model: here("../src/generated/model.d.ts") };
+
+export function typesOf(name) {
+  return compileFromFile(here(`../../schema/${name}.schema.json`), {
     additionalProperties: false,
-    bannerComment: "/* Generated from schema/scenario.schema.json by `npm run types`; do not edit. */",
+    bannerComment: `/* Generated from schema/${name}.schema.json by \`npm run types\`; do not edit. */`,
     style: { printWidth: 110 },
   });
 }
 
-if (process.argv[1] === fileURLToPath(import.meta.url)) writeFileSync(TYPES, await scenarioTypes());
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  for (const [name, file] of Object.entries(TYPES)) writeFileSync(file, await typesOf(name));
+}

@@ -58,6 +58,14 @@ export class FakeEngine implements Engine {
     throw { kind: "input", message: "the box cannot float" };
   }
 
+  lines_json(): string {
+    return JSON.stringify([{ name: "painter", style: "rope", radius_m: 0, points: 2 }]);
+  }
+
+  line_points(): Float64Array {
+    return Float64Array.of(0, 0, 0, 1, 0, this.time_s());
+  }
+
   model_json(): string {
     return JSON.stringify({
       title: "A box",
@@ -67,16 +75,17 @@ export class FakeEngine implements Engine {
       record_every_s: this.recordEvery_s,
       integrator: "rk4",
       bodies: [
-        { name: "ship", parent: "world", mass_kg: 1200, shape: { box: { length_m: 2, width_m: 1, height_m: 1 } }, colour: null },
+        { name: "ship", parent: "world", floats: true, mass_kg: 1200, inertia_kg_m2: [[200, 0, 0], [0, 500, 0], [0, 0, 500]], shape: { box: { length_m: 2, width_m: 1, height_m: 1 } }, colour: null },
       ],
       joints: [{ name: "ship", body: "ship", kind: "floating", free_coordinates: [] }],
       loops: [],
-      cylinders: [],
+      gravity_m_s2: 9.81,
       sea: null,
       hulls: [],
       parameters: [
         { name: "load", label: "Load", unit: "", kind: "boolean", value: this.overrides.load ?? false, range: null, choices: null, live: false },
       ],
+      warnings: [],
     });
   }
 
@@ -95,22 +104,24 @@ export class FakeEngine implements Engine {
   free(): void {}
 }
 
-function scalar(variable: string, offset: number): Channel {
-  return { variable, long_name: variable, unit: "1", frame: "none", dims: [], labels: [], offset, len: 1 };
-}
-
-function ofShip(variable: string, offset: number): Channel {
-  return { ...scalar(variable, offset), dims: ["body"], labels: [["ship"]] };
+/** A channel as the engine publishes it: its columns by its labels. */
+export function channelOf(variable: string, dims: string[] = [], labels: string[][] = [], units: string[] = ["1"], offset = 0): Channel {
+  const leads = dims.length > 0 && dims[0] !== "axis";
+  const column = [...dims.slice(0, leads ? 1 : 0).map((dim) => `{${dim}}`), variable, ...dims.slice(leads ? 1 : 0).map((dim) => `{${dim}}`)].join(".");
+  const columns = labels.reduce((names, along, k) => names.flatMap((name) => along.map((label) => name.replace(`{${dims[k]}}`, label))), [column]);
+  const each = columns.map((_, i) => units[i % units.length]);
+  const unit = each.every((one) => one === each[0]) ? each[0] : null;
+  return { variable, long_name: variable.replaceAll("_", " "), description: "", unit, units: each, frame: "none", dims, labels, column, columns, offset, len: columns.length };
 }
 
 export const CHANNELS: Channel[] = [
-  scalar("time", 0),
-  { ...ofShip("angular_velocity", 1), dims: ["body", "axis"], labels: [["ship"], ["x", "y", "z"]], len: 3 },
-  ofShip("roll", 4),
-  ofShip("pitch", 5),
-  ofShip("yaw", 6),
-  scalar("kinetic_energy", 7),
-  scalar("energy_error", 8),
-  scalar("momentum_error", 9),
-  { ...scalar("joint_reaction", 10), dims: ["joint", "component"], labels: [["slew"], ["force_x", "force_y", "force_z"]], len: 3 },
+  channelOf("time", [], [], ["s"], 0),
+  channelOf("angular_velocity", ["body", "axis"], [["ship"], ["x", "y", "z"]], ["rad/s"], 1),
+  channelOf("roll", ["body"], [["ship"]], ["rad"], 4),
+  channelOf("pitch", ["body"], [["ship"]], ["rad"], 5),
+  channelOf("yaw", ["body"], [["ship"]], ["rad"], 6),
+  channelOf("kinetic_energy", [], [], ["J"], 7),
+  channelOf("energy_error", [], [], ["J"], 8),
+  channelOf("momentum_error", [], [], ["N m s"], 9),
+  channelOf("joint_reaction", ["joint", "component"], [["slew"], ["force_x", "force_y", "force_z"]], ["N"], 10),
 ];

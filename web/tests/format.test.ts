@@ -1,6 +1,5 @@
 import { expect, it } from "vitest";
 import { duration, fixed, scientific } from "../src/app/format";
-import { principalInertia } from "../src/app/accuracy";
 import { sliderStep, withoutRounding } from "../src/ui/items";
 
 it("writes numbers with a true minus, and no minus zero", () => {
@@ -29,12 +28,6 @@ it("gives sliders round steps", () => {
   expect(sliderStep(-5, 5)).toBe(0.05);
   expect(sliderStep(0, 250)).toBe(1);
   expect(sliderStep(0, 0)).toBe(1);
-});
-
-it("knows the inertia of solids", () => {
-  expect(principalInertia({ kind: "box", length_m: 20, width_m: 10, height_m: 5 }, 12)).toEqual([125, 425, 500]);
-  expect(principalInertia({ kind: "cylinder", radius_m: 2, length_m: 3, axis: "x" }, 12)).toEqual([24, 21, 21]);
-  expect(principalInertia({ kind: "point" }, 12)).toEqual([0, 0, 0]);
 });
 
 it("writes a number without what turning it to radians and back has left", () => {

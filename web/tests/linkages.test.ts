@@ -1,10 +1,13 @@
 import { Color, Group, Mesh, Vector3 } from "three";
+import type { InterleavedBufferAttribute, Object3D } from "three";
+import type { Line2 } from "three/addons/lines/Line2.js";
 import { expect, it } from "vitest";
-import type { ModelInfo } from "../src/engine/engine";
+import type { BodyInfo, DrawnLine, ModelInfo } from "../src/engine/engine";
+import { DrawnLines } from "../src/view/lines";
 import { Linkages } from "../src/view/linkages";
 import type { Palette } from "../src/view/palette";
 
-const BODY = { parent: "world", shape: null, colour: null, mass_kg: 1 };
+const BODY = { parent: "world", floats: false, shape: null, colour: null, mass_kg: 1, inertia_kg_m2: [] } as unknown as BodyInfo;
 const MODEL: ModelInfo = {
   title: "A boom on a post",
   description: "",
@@ -27,20 +30,13 @@ const MODEL: ModelInfo = {
   ],
   sea: null,
   hulls: [],
-  cylinders: [
-    {
-      name: "luffing",
-      first: { body: "post", position_m: [0, 0, 1] },
-      second: { body: "boom", position_m: [1, 0, 0] },
-      shortest_m: 2,
-      longest_m: 3.5,
-    },
-  ],
+  gravity_m_s2: 0,
   parameters: [],
+  warnings: [],
 };
 
 const colours = new Color();
-const PALETTE = { barrel: colours, rod: colours, pin: colours } as Palette;
+const PALETTE = { barrel: colours, rod: colours, pin: colours, rope: colours } as Palette;
 
 /** Post and boom with their linkages, the boom turned a quarter about z at x, y, z. */
 function drawn(x: number, y: number, z: number) {
@@ -59,22 +55,35 @@ function spans(line: Group): [Vector3, Vector3][] {
   return line.children.map((part) => [part.localToWorld(new Vector3()), part.localToWorld(new Vector3(0, 1, 0))]);
 }
 
-it("spans barrel and rod between the pins, wherever the bodies are", () => {
-  for (const y of [1.5, 2]) {
-    const { world } = drawn(0, y, 1);
-    const [tube, rod] = spans(world.children.at(-1) as Group);
-    expect(tube[0].distanceTo(new Vector3(0, 0, 1))).toBeCloseTo(0, 12);
-    expect(tube[1].distanceTo(new Vector3(0, 0.88 * 2, 1))).toBeCloseTo(0, 12);
-    expect(rod[1].distanceTo(new Vector3(0, y + 1, 1))).toBeCloseTo(0, 12);
-    expect(rod[0].y).toBeLessThan(tube[1].y);
+const TELESCOPE: DrawnLine[] = [
+  { name: "luffing", style: "barrel", radius_m: 0.07, points: 2 },
+  { name: "luffing", style: "rod", radius_m: 0.04, points: 2 },
+  { name: "luffing", style: "pin", radius_m: 0.08, points: 1 },
+  { name: "bow", style: "rope", radius_m: 0, points: 3 },
+];
+
+it("lays tubes, pins and ropes through the engine's points", () => {
+  const world = new Group();
+  const lines = new DrawnLines(TELESCOPE, world, PALETTE);
+  for (const y of [3, 4]) {
+    lines.place([0, 0, 1, 0, 1.76, 1, 0, 0.88, 1, 0, y, 1, 0, y, 1, 5, 5, 5, 6, 5, 4, 7, 5, 5]);
+    world.updateMatrixWorld(true);
+    const [tube, rod, pin, rope] = world.children;
+    const ends = (part: Object3D) => [part.localToWorld(new Vector3()), part.localToWorld(new Vector3(0, 1, 0))];
+    expect(ends(tube)[0].distanceTo(new Vector3(0, 0, 1))).toBeCloseTo(0, 12);
+    expect(ends(tube)[1].distanceTo(new Vector3(0, 1.76, 1))).toBeCloseTo(0, 12);
+    expect(ends(rod)[1].distanceTo(new Vector3(0, y, 1))).toBeCloseTo(0, 12);
+    expect(pin.position.toArray()).toEqual([0, y, 1]);
+    const { data } = (rope as Line2).geometry.getAttribute("instanceStart") as InterleavedBufferAttribute;
+    expect(Array.from(data.array)).toEqual([5, 5, 5, 6, 5, 4, 6, 5, 4, 7, 5, 5]);
   }
 });
 
 it("hangs pins on the bodies and on the world, and a rod between those of a distance", () => {
   const { world, post, boom } = drawn(0, 1, 3);
-  expect(post.children.length).toBe(1);
-  expect(boom.children.map((pin) => (pin as Mesh).position.toArray())).toEqual([[1, 0, 0], [1, 0, 0]]);
-  const [rod] = spans(world.children.at(-2) as Group);
+  expect(post.children.length).toBe(0);
+  expect(boom.children.map((pin) => (pin as Mesh).position.toArray())).toEqual([[1, 0, 0]]);
+  const [rod] = spans(world.children.at(-1) as Group);
   expect(rod[0].distanceTo(new Vector3(0, 2, 3))).toBeCloseTo(0, 12);
   expect(rod[1].distanceTo(new Vector3(0, 0, 7))).toBeCloseTo(0, 12);
 });

@@ -1,16 +1,20 @@
 import { describe, expect, it } from "vitest";
+import { readModel } from "../src/engine/engine";
 import type { Channel, ModelInfo } from "../src/engine/engine";
+import { channelOf, FakeEngine } from "./fake";
 import { decimalsOf, kindsOf, scaleOf } from "../src/plots/quantities";
 
-function channel(variable: string, labels: string[], unit: string): Channel {
-  const dims = variable.startsWith("point") ? ["point", "axis"] : ["coordinate"];
-  return { variable, long_name: "", unit, frame: "none", dims, labels: [labels], offset: 0, len: labels.length };
+function channel(variable: string, labels: string[], ...units: string[]): Channel {
+  const [dims, along] = variable.startsWith("point") ? [["point", "axis"], [labels, ["x", "y", "z"]]] : [["coordinate"], [labels]];
+  return channelOf(variable, dims, along, units);
 }
 
-function model(joints: ModelInfo["joints"]): ModelInfo {
-  const bodies = joints.map(({ body }) => ({ name: body, parent: "world", shape: null, colour: null, mass_kg: 1 }));
-  const settings = { duration_s: 1, step_s: 0.1, record_every_s: 0.1, integrator: "rk4" };
-  return { title: "", description: "", ...settings, bodies, joints, loops: [], cylinders: [], sea: null, hulls: [], parameters: [] };
+type Joint = Pick<ModelInfo["joints"][number], "name" | "body" | "kind">;
+
+function model(joints: Joint[]): ModelInfo {
+  const described = readModel(new FakeEngine().model_json());
+  const bodies = joints.map(({ body, kind }) => ({ ...described.bodies[0], name: body, floats: kind === "floating" }));
+  return { ...described, bodies, joints: joints.map((joint) => ({ ...joint, free_coordinates: [] })) };
 }
 
 const SHIP = { name: "ship", body: "ship", kind: "floating" } as const;
@@ -20,7 +24,7 @@ const TELESCOPE = { name: "telescope", body: "tube", kind: "prismatic" } as cons
 describe("what the figures can show", () => {
   it("begins with the ship, then has every joint coordinate and point", () => {
     const channels = [
-      channel("joint_position", ["slew", "telescope"], "rad or m"),
+      channel("joint_position", ["slew", "telescope"], "rad", "m"),
       channel("point_position", ["tube.tip"], "m"),
       channel("point_velocity", ["tube.tip"], "m/s"),
     ];
@@ -45,7 +49,7 @@ describe("what the figures can show", () => {
   });
 
   it("shows angles in degrees and lengths in metres", () => {
-    const { angles } = kindsOf(model([SHIP, SLEW, TELESCOPE]), [channel("joint_position", ["slew", "telescope"], "rad or m")]);
+    const { angles } = kindsOf(model([SHIP, SLEW, TELESCOPE]), [channel("joint_position", ["slew", "telescope"], "rad", "m")]);
     const [, slew, telescope] = angles;
     expect([slew.units.deg, telescope.units.deg]).toEqual(["°", "m"]);
     expect([scaleOf(slew, "deg"), scaleOf(telescope, "deg")]).toEqual([180 / Math.PI, 1]);
@@ -54,12 +58,12 @@ describe("what the figures can show", () => {
 
   it("knows which axes of a joint of several slide", () => {
     const beam = { name: "boom.1", body: "boom.1", kind: "elastic" } as const;
-    const { angles } = kindsOf(model([beam]), [channel("joint_position", ["boom.1.shear_z", "boom.1.bending_y"], "rad or m")]);
+    const { angles } = kindsOf(model([beam]), [channel("joint_position", ["boom.1.shear_z", "boom.1.bending_y"], "m", "rad")]);
     expect(angles.slice(1).map(({ units }) => units.rad)).toEqual(["m", "rad"]);
   });
 
   it("has the heave of each hull beside the wave, from its draught at rest", () => {
-    const hull = { name: "water", body: "ship", origin_m: [0, 0, 1.5] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, mesh: null };
+    const hull = { name: "water", body: "ship", origin_m: [0, 0, 1.5] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, is_linear: true, mesh: null };
     const { angles } = kindsOf({ ...model([SHIP, SLEW]), hulls: [hull] }, []);
     expect(angles.map(({ title }) => title)).toEqual(["Angles of ship", "Heave of ship"]);
     expect(angles[1].quantities.map(({ column, offset }) => [column, offset ?? 0])).toEqual([["ship.position.z", 1.5], ["water.wave_elevation", 0]]);
@@ -69,35 +73,55 @@ describe("what the figures can show", () => {
   });
 
   it("has the hook load, tensions and the loads of sea and wind, in kN", () => {
-    const labelled = (variable: string, thing: string): Channel => ({ ...channel(variable, [thing], "N"), dims: [thing] });
+    const wrench = (variable: string, thing: string): Channel =>
+      channelOf(variable, [thing, "component"], [[thing], ["force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z"]], ["N", "N", "N", "N m", "N m", "N m"]);
+    const labelled = (variable: string, thing: string): Channel => channelOf(variable, [thing], [[thing]], ["N"]);
     const channels = [
-      { ...channel("joint_reaction", ["ship", "pendant"], "N, N m"), dims: ["joint", "component"] },
+      channelOf("joint_reaction", ["joint", "component"], [["ship", "pendant"], ["force_x", "force_y", "force_z"]], ["N"]),
       labelled("line_tension", "bow"),
-      labelled("excitation_force", "water"),
-      labelled("flow_force", "gale"),
-      { ...channel("station_force", ["dp"], "N, N m"), dims: ["station", "planar"] },
-      { ...channel("thruster_thrust", ["dp.bow"], "N"), dims: ["thruster"] },
+      wrench("excitation_force", "water"),
+      wrench("flow_force", "gale"),
+      channelOf("station_force", ["station", "planar"], [["dp"], ["surge", "sway", "yaw"]], ["N", "N", "N m"]),
+      channelOf("thruster_thrust", ["thruster"], [["dp.bow"]], ["N"]),
     ];
-    const hull = { name: "water", body: "ship", origin_m: [0, 0, 1.5] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, mesh: null };
+    const hull = { name: "water", body: "ship", origin_m: [0, 0, 1.5] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, is_linear: true, mesh: null };
     const { rates } = kindsOf({ ...model([SHIP, SLEW]), hulls: [hull] }, channels);
     expect(rates.slice(1).map(({ title, units }) => [title, units.deg])).toEqual([
       ["pendant: force carried", "kN"],
-      ["bow: tension", "kN"],
-      ["Wave force on ship", "kN"],
-      ["Wave moment on ship", "kN m"],
-      ["dp: force of the thrusters", "kN"],
-      ["dp.bow: thrust", "kN"],
-      ["gale: force", "kN"],
-      ["gale: moment", "kN m"],
+      ["bow: line tension", "kN"],
+      ["water: excitation force (kN)", "kN"],
+      ["water: excitation force (kN m)", "kN m"],
+      ["gale: flow force (kN)", "kN"],
+      ["gale: flow force (kN m)", "kN m"],
+      ["dp: station force (kN)", "kN"],
+      ["dp: station force (kN m)", "kN m"],
+      ["dp.bow: thruster thrust", "kN"],
     ]);
     const [, hook, bow, wave] = rates;
-    expect(rates.slice(-4, -2).flatMap(({ quantities }) => quantities.map(({ column }) => column))).toEqual(
-      ["dp.station_force.surge", "dp.station_force.sway", "dp.bow.thruster_thrust"],
+    expect(rates.slice(-3).flatMap(({ quantities }) => quantities.map(({ column }) => column))).toEqual(
+      ["dp.station_force.surge", "dp.station_force.sway", "dp.station_force.yaw", "dp.bow.thruster_thrust"],
     );
     expect(hook.quantities[0].lengthOf).toEqual(["x", "y", "z"].map((axis) => `pendant.joint_reaction.force_${axis}`));
-    expect(bow.quantities.map(({ column }) => column)).toEqual(["bow.line_tension", "bow.line_end_tension"]);
+    expect(bow.quantities.map(({ column }) => column)).toEqual(["bow.line_tension"]);
     expect(wave.quantities[2].column).toBe("water.excitation_force.force_z");
     expect([scaleOf(hook, "deg"), decimalsOf(hook, "deg")]).toEqual([1e-3, 2]);
+  });
+
+  it("shows a thing of any kind that the engine has a variable of, in its unit", () => {
+    const channels = [channelOf("gripper_opening", ["gripper"], [["claw"]], ["rad"]), channelOf("valve_flow", ["valve"], [["main"]], ["m^3/s"])];
+    const { rates } = kindsOf(model([SHIP]), channels);
+    expect(rates.slice(1).map(({ title, units, turns }) => [title, units.deg, turns])).toEqual([
+      ["claw: gripper opening", "°", true],
+      ["main: valve flow", "m^3/s", false],
+    ]);
+  });
+
+  it("shows the heave of a ship that waves move as a length, and its force in N", () => {
+    const names = ["ship.z", "ship.roll"];
+    const channels = [channelOf("joint_position", ["coordinate"], [names], ["m", "rad"]), channelOf("joint_force", ["coordinate"], [names], ["N", "N m"])];
+    const { rates, angles } = kindsOf(model([{ ...SHIP, kind: "moved_by_waves" }]), channels);
+    expect(angles.slice(-2).map(({ units }) => units.deg)).toEqual(["m", "°"]);
+    expect(rates.slice(-2).map(({ units }) => units.deg)).toEqual(["N", "N m"]);
   });
 
   it("shows the first body where none floats", () => {

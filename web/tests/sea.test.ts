@@ -4,14 +4,14 @@ import { Columns } from "../src/engine/columns";
 import type { ModelInfo } from "../src/engine/engine";
 import { readModel } from "../src/engine/engine";
 import { LINES, SurfaceGrid } from "../src/engine/surface";
-import { CHANNELS, FakeEngine } from "./fake";
+import { channelOf, CHANNELS, FakeEngine } from "./fake";
 
 /** The stand-in's box as a hull of 20 m whose data's origin is 1.5 m above its centre of mass. */
 function model(wave_components: number): ModelInfo {
   return {
     ...readModel(new FakeEngine().model_json()),
-    sea: { density_kg_m3: 1025, depth_m: null, wave_components },
-    hulls: [{ name: "water", body: "ship", origin_m: [0, 0, 1.5], draught_m: 2, length_m: 20, beam_m: 10, mesh: null }],
+    sea: { density_kg_m3: 1025, depth_m: null, wave_components, cut_spectra: [] },
+    hulls: [{ name: "water", body: "ship", origin_m: [0, 0, 1.5], draught_m: 2, length_m: 20, beam_m: 10, is_linear: true, mesh: null }],
   };
 }
 
@@ -55,7 +55,7 @@ describe("the sea around the ship", () => {
 });
 
 describe("how a hull floats", () => {
-  const wave = { variable: "wave_elevation", long_name: "", unit: "m", frame: "none", dims: ["hull"], labels: [["water"]], offset: 13, len: 1 };
+  const wave = channelOf("wave_elevation", ["hull"], [["water"]], ["m"], 13);
   const columns = new Columns([...CHANNELS, wave]);
   const row = Float64Array.of(0, 0, 0, 0, 0.02, -0.01, 0, 0, 0, 0, 0, 0, 0, 0.7);
 

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, it } from "vitest";
-import { scenarioTypes, TYPES } from "../scripts/types.mjs";
+import { TYPES, typesOf } from "../scripts/types.mjs";
 
-it("has the scenario's types as its schema gives them (else: npm run types)", async () => {
-  expect(readFileSync(TYPES, "utf8")).toBe(await scenarioTypes());
+it.each(Object.entries(TYPES))("has the types that its schema gives (else: npm run types): %s", async (name, file) => {
+  expect(readFileSync(file, "utf8")).toBe(await typesOf(name));
 });

@@ -1,6 +1,8 @@
-import { readFileSync, readdirSync, existsSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
+import { pathToFileURL } from "node:url";
 import type { Plugin } from "vite";
+import { ScenarioFiles, gathered, textsOf } from "../src/engine/files";
 
 export interface GalleryEntry {
   name: string;
@@ -8,22 +10,39 @@ export interface GalleryEntry {
   file: string;
 }
 
-/** The list of the gallery, `paper` first: it is the page that opens. */
-export function galleryIndex(folder: string): GalleryEntry[] {
-  if (!existsSync(folder)) return [];
-  const entries = readdirSync(folder)
-    .filter((file) => /\.ya?ml$/.test(file))
-    .map((file) => ({ name: file.replace(/\.ya?ml$/, ""), title: titleOf(join(folder, file)), file }));
+/** Of the engine for the browser, what reads a scenario. */
+type Reader = Pick<typeof import("../src/engine/pkg/kingpost_wasm.js"), "file_names" | "resolved">;
+
+/** The list of the gallery with what the engine reads in it, `paper` first: it is the page that opens. */
+export async function galleryIndex(folder: string, engine: string): Promise<GalleryEntry[]> {
+  const reader = await loaded(engine);
+  const textAt = async (url: string) => (existsSync(new URL(url)) ? readFileSync(new URL(url), "utf8") : null);
+  const ofFolder = new ScenarioFiles(pathToFileURL(`${folder}/`).href, textAt);
+  const entry = async (file: string): Promise<GalleryEntry> => {
+    const text = readFileSync(join(folder, file), "utf8");
+    const files = await gathered(
+      (texts) => JSON.parse(reader.file_names(text, file, "{}", JSON.stringify(texts))) as string[],
+      (names) => textsOf(names, null, ofFolder),
+    );
+    const { title } = JSON.parse(reader.resolved(text, file, "{}", JSON.stringify(files))) as GalleryEntry;
+    return { name: file.replace(/\.ya?ml$/, ""), title, file };
+  };
+  const entries = await Promise.all(scenarios(folder).map(entry));
   return entries.sort((a, b) => rank(a) - rank(b) || a.name.localeCompare(b.name));
+}
+
+async function loaded(engine: string): Promise<Reader> {
+  const { default: init, ...reader } = await import(pathToFileURL(join(engine, "kingpost_wasm.js")).href);
+  await init({ module_or_path: readFileSync(join(engine, "kingpost_wasm_bg.wasm")) });
+  return reader;
+}
+
+function scenarios(folder: string): string[] {
+  return existsSync(folder) ? readdirSync(folder).filter((file) => /\.ya?ml$/.test(file)) : [];
 }
 
 function rank(entry: GalleryEntry): number {
   return entry.name === "paper" ? 0 : 1;
-}
-
-function titleOf(path: string): string {
-  const line = /^title:\s*(.+?)\s*$/m.exec(readFileSync(path, "utf8"));
-  return line ? line[1].replace(/^(["'])(.*)\1$/, "$2") : "";
 }
 
 /** The hydrodynamic databases that scenarios name, as they name them. */
@@ -41,18 +60,18 @@ export function parts(folder: string): string[] {
 }
 
 function served(folder: string): string[] {
-  return [...galleryIndex(folder).map(({ file }) => file), ...parts(folder), ...databases(folder)];
+  return [...scenarios(folder), ...parts(folder), ...databases(folder)];
 }
 
-/** Serves the gallery under `scenarios/` while developing and copies it into the built folder. */
-export function gallery(folder: string): Plugin {
+/** Serves the gallery under `scenarios/` while developing and copies it into the built folder; `engine` is the folder of the engine for the browser. */
+export function gallery(folder: string, engine: string): Plugin {
   return {
     name: "kingpost-gallery",
     configureServer(server) {
-      server.middlewares.use((request, response, next) => {
+      server.middlewares.use(async (request, response, next) => {
         const asked = /\/scenarios\/([\w./-]+)$/.exec((request.url ?? "").split("?")[0])?.[1];
         if (!asked) return next();
-        if (asked === "index.json") return void response.end(JSON.stringify(galleryIndex(folder)));
+        if (asked === "index.json") return void response.end(JSON.stringify(await galleryIndex(folder, engine)));
         if (!served(folder).includes(asked)) {
           response.statusCode = 404;
           return void response.end();
@@ -60,8 +79,8 @@ export function gallery(folder: string): Plugin {
         response.end(readFileSync(join(folder, asked)));
       });
     },
-    generateBundle() {
-      const entries = galleryIndex(folder);
+    async generateBundle() {
+      const entries = await galleryIndex(folder, engine);
       if (entries.length === 0) this.error(`no scenarios in ${folder}`);
       this.emitFile({ type: "asset", fileName: "scenarios/index.json", source: JSON.stringify(entries, null, 1) });
       for (const file of served(folder)) {

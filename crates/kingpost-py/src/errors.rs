@@ -25,18 +25,8 @@ pub fn variant(message: &dyn ToString, error: EngineScenarioError) -> PyErr {
 
 pub fn run(error: EngineRunError) -> PyErr {
     let (message, time_s) = (error.to_string(), error.time_s());
-    match error {
-        EngineRunError::Diverged { body, coordinate, value, limit, .. } => {
-            RunError::new_err((message, time_s, body, coordinate, value, limit))
-        }
-        EngineRunError::SingularLoop { name, constraint, pivot, allowed, .. } => {
-            RunError::new_err((message, time_s, name, constraint, pivot, allowed))
-        }
-        EngineRunError::OpenLoop { name, constraint, gap, allowed, .. } => {
-            RunError::new_err((message, time_s, name, constraint, gap, allowed))
-        }
-        EngineRunError::Step(_) | EngineRunError::TooManyEvents { .. } | EngineRunError::EventNotAlone { .. } => {
-            RunError::new_err((message, time_s))
-        }
+    match error.place() {
+        Some((name, part, value, limit)) => RunError::new_err((message, time_s, name, part, value, limit)),
+        None => RunError::new_err((message, time_s)),
     }
 }

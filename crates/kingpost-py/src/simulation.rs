@@ -116,10 +116,7 @@ impl Simulation {
     }
 
     fn inputs(&self) -> Vec<Input> {
-        let tuple = |input: kingpost::simulation::Input| {
-            (input.name, input.unit.to_owned(), input.lower, input.upper, input.value)
-        };
-        self.inner.inputs().into_iter().map(tuple).collect()
+        self.inner.inputs().into_iter().map(|i| (i.name, i.unit.to_owned(), i.lower, i.upper, i.value)).collect()
     }
 
     fn set_input(&mut self, name: &str, value: f64) -> PyResult<()> {
@@ -141,16 +138,27 @@ impl Simulation {
     }
 
     fn poses<'py>(&mut self, py: Python<'py>) -> PyResult<Matrix<'py>> {
-        let poses = self.inner.poses();
-        let bodies = poses.len() / 7;
-        matrix(py, poses, bodies, 7)
+        let bodies = self.inner.model().bodies.len();
+        matrix(py, self.inner.poses(), bodies, 7)
+    }
+
+    /// What has happened so far: time, element, what.
+    fn events(&self) -> Vec<(f64, String, &'static str)> {
+        self.inner.events().iter().map(|event| (event.time_s, event.element.clone(), event.what)).collect()
+    }
+
+    fn lines_json(&self) -> PyResult<String> {
+        serde_json::to_string(&self.inner.lines()).map_err(errors::input)
+    }
+
+    fn line_points<'py>(&mut self, py: Python<'py>) -> Vector<'py> {
+        self.inner.line_points().into_pyarray(py)
     }
 
     #[pyo3(signature = (tau=None))]
     fn acceleration<'py>(&mut self, py: Python<'py>, tau: Option<PyReadonlyArray1<'_, f64>>) -> PyResult<Vector<'py>> {
         let tau = tau.as_ref().map(|tau| tau.as_slice()).transpose()?;
-        let acceleration = self.inner.acceleration(tau).map_err(errors::input)?;
-        Ok(acceleration.into_pyarray(py))
+        Ok(self.inner.acceleration(tau).map_err(errors::input)?.into_pyarray(py))
     }
 
     fn mass_matrix<'py>(&mut self, py: Python<'py>) -> PyResult<Matrix<'py>> {
@@ -188,24 +196,26 @@ impl Simulation {
         let (n, m) = (linear.states.len(), linear.inputs.len());
         let a = matrix(py, linear.a.transpose().as_slice().to_vec(), n, n)?;
         let b = matrix(py, linear.b.transpose().as_slice().to_vec(), n, m)?;
-        let warning = linear.warning();
-        Ok((a, b, linear.rates.into_pyarray(py), linear.states, linear.inputs, warning))
+        Ok((
+            a,
+            b,
+            linear.rates.clone().into_pyarray(py),
+            linear.states.clone(),
+            linear.inputs.clone(),
+            linear.warning(),
+        ))
     }
 
     /// Moves to an equilibrium: Newton's iterations, and the largest acceleration that is left.
     fn settle(&mut self, py: Python<'_>) -> PyResult<(usize, f64)> {
-        let found = py.detach(|| self.inner.settle());
-        match found {
-            Ok(found) => Ok((found.iterations, found.residual)),
-            Err(error) => Err(errors::input(error)),
-        }
+        let found = py.detach(|| self.inner.settle()).map_err(errors::input)?;
+        Ok((found.iterations, found.residual))
     }
 
     /// The matrices as formulas, as JSON; bodies by number or by name.
     fn symbols_json(&self, names: bool) -> PyResult<String> {
         let naming = if names { Naming::Names } else { Naming::Numbers };
-        let matrices = Symbols::new(self.inner.model(), naming).matrices();
-        serde_json::to_string(&matrices).map_err(errors::input)
+        serde_json::to_string(&Symbols::new(self.inner.model(), naming).matrices()).map_err(errors::input)
     }
 
     /// The response to regular waves about rest, as JSON; of directions and frequencies as JSON.
@@ -226,8 +236,7 @@ impl Simulation {
     }
 
     fn model_json(&self) -> PyResult<String> {
-        let description = self.scenario.describe().map_err(errors::scenario)?;
-        serde_json::to_string(&description).map_err(errors::input)
+        serde_json::to_string(&self.scenario.describe().map_err(errors::scenario)?).map_err(errors::input)
     }
 }
 

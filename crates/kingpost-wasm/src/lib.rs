@@ -50,7 +50,7 @@ impl Simulation {
         self.inner.settings().step_s
     }
 
-    /// What a row holds: a list of channels, each with variable, unit, labels, offset and len.
+    /// What a row holds: a list of channels, each with its columns, their units, labels, offset and len.
     pub fn channels_json(&self) -> Result<JsString, JsValue> {
         json(self.inner.channels())
     }
@@ -71,6 +71,16 @@ impl Simulation {
     /// first x first.
     pub fn surface(&self, x: &[f64], y: &[f64]) -> Box<[f64]> {
         self.inner.surface(x, y).into()
+    }
+
+    /// The lines to draw beside the bodies: name, style, radius and number of points of each.
+    pub fn lines_json(&self) -> Result<JsString, JsValue> {
+        json(&self.inner.lines())
+    }
+
+    /// The points of those lines now, one after another: x, y, z, m, world.
+    pub fn line_points(&mut self) -> Box<[f64]> {
+        self.inner.line_points().into()
     }
 
     /// The complete state as bytes.
@@ -116,6 +126,14 @@ pub fn file_names(text: &str, file: &str, overrides_json: &str, files_json: &str
     let files: HashMap<String, String> = serde_json::from_str(files_json).map_err(thrown::input)?;
     let names = scenario::file_names(text, file, &overrides(overrides_json)?, &Files::new(files));
     json(&names.map_err(thrown::scenario)?)
+}
+
+/// A scenario that is only read: resolved, as [`Simulation::resolved_json`], with its title and its description.
+#[wasm_bindgen]
+pub fn resolved(text: &str, file: &str, overrides_json: &str, files_json: &str) -> Result<JsString, JsValue> {
+    let files: HashMap<String, String> = serde_json::from_str(files_json).map_err(thrown::input)?;
+    let read = scenario::read_with(text, file, &overrides(overrides_json)?, &Files::new(files));
+    Ok(read.map_err(thrown::scenario)?.to_json().into())
 }
 
 fn overrides(json: &str) -> Result<Vec<(String, Value)>, JsValue> {

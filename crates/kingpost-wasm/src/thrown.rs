@@ -31,15 +31,14 @@ pub fn hydrostatics(error: HydrostaticsError) -> JsValue {
 /// A run that cannot go on.
 pub fn run(error: RunError) -> JsValue {
     let (message, time_s) = (error.to_string(), error.time_s());
-    let (kind, body, coordinate, value, limit) = match error {
-        RunError::Diverged { body, coordinate, value, limit, .. } => ("diverged", body, coordinate, value, limit),
-        RunError::SingularLoop { name, constraint, pivot, allowed, .. } => {
-            ("singular_loop", name, constraint, pivot, allowed)
-        }
-        RunError::OpenLoop { name, constraint, gap, allowed, .. } => ("open_loop", name, constraint, gap, allowed),
-        RunError::Step(_) | RunError::TooManyEvents { .. } | RunError::EventNotAlone { .. } => {
-            return object(&json!({ "kind": "step", "message": message, "time_s": time_s }));
-        }
+    let kind = match error {
+        RunError::Diverged { .. } => "diverged",
+        RunError::SingularLoop { .. } => "singular_loop",
+        RunError::OpenLoop { .. } => "open_loop",
+        RunError::Step(_) | RunError::TooManyEvents { .. } | RunError::EventNotAlone { .. } => "step",
+    };
+    let Some((body, coordinate, value, limit)) = error.place() else {
+        return object(&json!({ "kind": kind, "message": message, "time_s": time_s }));
     };
     object(&json!({
         "kind": kind,

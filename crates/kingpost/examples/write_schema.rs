@@ -1,13 +1,19 @@
-//! Writes `schema/scenario.schema.json` from the types of the scenario.
+//! Writes `schema/scenario.schema.json` from the types of the scenario, and `schema/model.schema.json` from those of what
+//! the engine says of it.
 
+use kingpost::scenario::json_schema::{json_schema, published_schema};
+use serde_json::Value;
 use std::path::Path;
 
 fn main() -> std::io::Result<()> {
-    let mut text = serde_json::to_string_pretty(&kingpost::scenario::json_schema::json_schema())?;
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schema");
+    std::fs::create_dir_all(&folder)?;
+    write(&folder.join("scenario.schema.json"), &json_schema())?;
+    write(&folder.join("model.schema.json"), &published_schema())
+}
+
+fn write(file: &Path, schema: &Value) -> std::io::Result<()> {
+    let mut text = serde_json::to_string_pretty(schema)?;
     text.push('\n');
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schema/scenario.schema.json");
-    if let Some(folder) = file.parent() {
-        std::fs::create_dir_all(folder)?;
-    }
     std::fs::write(file, text)
 }

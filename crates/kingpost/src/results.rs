@@ -6,7 +6,7 @@ mod channels;
 mod loops;
 
 pub use channels::{Channel, Channels};
-use channels::{common, short_name};
+use channels::{column_by, common, short_name};
 
 use crate::elements::{Components, Frame as ComponentFrame, WRENCH};
 use crate::ledger;
@@ -116,8 +116,8 @@ impl<S: Scalar> Table<S> {
     const OF_LEDGER: &[Entry<S>] = &[
         Entry { variable: "kinetic_energy", description: "kinetic energy, the water's part included", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.kinetic_energy) },
         Entry { variable: "potential_energy", description: "potential energy", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.potential_energy) },
-        Entry { variable: "work_done", description: "work by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(work_done(x)) },
-        Entry { variable: "work_by_drives", description: "work by motors, servos and prescribed motions", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
+        Entry { variable: "work_done", description: "work done by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(work_done(x)) },
+        Entry { variable: "work_by_drives", description: "work by drives", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
         Entry { variable: "work_by_outside", description: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
         Entry { variable: "energy_dissipated", description: "energy turned into heat", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
         Entry { variable: "linear_momentum", description: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], write: |x, out| out.extend(x.observed.totals.linear_momentum.0) },
@@ -127,6 +127,10 @@ impl<S: Scalar> Table<S> {
         Entry { variable: "momentum_error", description: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Number, dims: &[], write: |x, out| out.push(momentum_error(x)) },
         Entry { variable: "linear_momentum_error", description: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Number, dims: &[],
             write: |x, out| out.push((x.observed.totals.linear_momentum - Vector3::from_slice(&x.s[ledger::LINEAR_MOMENTUM..])).norm()) },
+        Entry { variable: "energy_scale", description: "energy in play, beside whose largest value so far the energy error counts: the root of the squares of kinetic energy and work done", unit: Plain("J"), frame: Number,
+            dims: &[], write: |x, out| out.push(energy_scale(x)) },
+        Entry { variable: "momentum_scale", description: "angular momentum in play, beside whose largest value so far the momentum error counts: the root of the squares of that of all and of each body's about its own centre",
+            unit: Plain("N m s"), frame: Number, dims: &[], write: |x, out| out.push(momentum_scale(x)) },
     ];
 }
 
@@ -135,6 +139,7 @@ impl<S: Scalar> Entry<S> {
         let labels: Vec<Vec<String>> = self.dims.iter().map(|dimension| dimension.labels(model)).collect();
         let columns = self.columns(&labels);
         let units = self.unit.of_columns(model, columns.len());
+        let dims: Vec<&'static str> = self.dims.iter().map(|dimension| dimension.name()).collect();
         Channel {
             variable: self.variable,
             long_name: short_name(self.description),
@@ -142,7 +147,8 @@ impl<S: Scalar> Entry<S> {
             unit: common(&units),
             units,
             frame: self.frame,
-            dims: self.dims.iter().map(|dimension| dimension.name()).collect(),
+            column: column_by(self.variable, &dims, self.thing_leads()),
+            dims,
             labels,
             len: columns.len(),
             columns,
@@ -150,9 +156,13 @@ impl<S: Scalar> Entry<S> {
         }
     }
 
+    fn thing_leads(&self) -> bool {
+        self.dims.first().is_some_and(|dimension| dimension.names_things())
+    }
+
     /// What names a thing stands before the variable, what names a component behind it.
     fn columns(&self, labels: &[Vec<String>]) -> Vec<String> {
-        let leads = self.dims.first().is_some_and(|dimension| dimension.names_things());
+        let leads = self.thing_leads();
         let mut columns = vec![if leads { String::new() } else { self.variable.to_owned() }];
         for (k, along) in labels.iter().enumerate() {
             let with = |head: &String, label: &String| match k {
@@ -321,4 +331,20 @@ fn energy_error<S: Scalar>(x: &Sample<'_, S>) -> S {
 
 fn momentum_error<S: Scalar>(x: &Sample<'_, S>) -> S {
     (x.observed.totals.angular_momentum - Vector3::from_slice(&x.s[ledger::ANGULAR_MOMENTUM..])).norm()
+}
+
+/// Smooth, so that it has derivatives: the root of both squares.
+fn energy_scale<S: Scalar>(x: &Sample<'_, S>) -> S {
+    Vector3::new(x.observed.totals.kinetic_energy, work_done(x), S::ZERO).norm()
+}
+
+/// The same, of all angular momentum and of what each body has about its own centre.
+fn momentum_scale<S: Scalar>(x: &Sample<'_, S>) -> S {
+    let Observation { model, bodies, .. } = &x.observed;
+    let spin = |(node, twist): (&Node<S>, &Twist<S>)| {
+        let turning = Twist { angular: twist.angular, linear: Vector3::zero() };
+        node.inertia.times(&turning).moment.norm()
+    };
+    let spins = model.tree.nodes.iter().zip(&bodies.twist).map(spin);
+    spins.fold(x.observed.totals.angular_momentum.norm(), |sum, spin| Vector3::new(sum, spin, S::ZERO).norm())
 }

@@ -1,8 +1,7 @@
 import { Columns } from "../engine/columns";
 import type { EngineClient } from "../engine/client";
-import type { Channel, Fault, Hydrostatics, InputInfo, ModelInfo, Value, Values } from "../engine/engine";
+import type { Channel, DrawnLine, Fault, Hydrostatics, InputInfo, ModelInfo, Value, Values } from "../engine/engine";
 import type { Frame, Opened } from "../engine/messages";
-import type { Ropes } from "../engine/ropes";
 import { Accuracy } from "./accuracy";
 import { faultOfControl } from "./faults";
 
@@ -12,7 +11,7 @@ export type Status = "loading" | "idle" | "running" | "paused" | "stopped";
 /** A scenario opened, with all that follows from its channels. */
 export interface Run {
   model: ModelInfo;
-  ropes: Ropes;
+  lines: DrawnLine[];
   channels: Channel[];
   columns: Columns;
   inputs: InputInfo[];
@@ -177,8 +176,8 @@ export class Session {
 
   private accept(opened: Opened, overrides: Values, source: Source | null): void {
     const columns = new Columns(opened.channels);
-    const { model, ropes, channels } = opened;
-    const run = { model, ropes, channels, columns, inputs: opened.inputs, accuracy: new Accuracy(opened.model, columns) };
+    const { model, lines, channels } = opened;
+    const run = { model, lines, channels, columns, inputs: opened.inputs, accuracy: new Accuracy(columns) };
     this.run = run;
     this.lastFrame = opened.frame;
     this.applied = { ...valuesOf(opened), ...overrides };

@@ -1,58 +1,13 @@
 import type { Channel } from "./engine";
 
-/** Dimensions that name a thing of the model; its name leads, as in `ship.angular_velocity.x`. */
-const THINGS = new Set([
-  "body",
-  "coordinate",
-  "joint",
-  "loop",
-  "constraint",
-  "cylinder",
-  "hull",
-  "line",
-  "flow",
-  "station",
-  "thruster",
-  "point",
-  "drive",
-]);
-
-/** Flat column names, in the order of a row: the names of the CSV files. */
-export function columnNames(channels: Channel[]): string[] {
-  const names: string[] = [];
-  for (const channel of channels) {
-    const combined = combinations(channel.labels);
-    combined.forEach((labels, index) => {
-      names[channel.offset + index] = flatName(channel, labels);
-    });
-  }
-  return names;
-}
-
-function flatName(channel: Channel, labels: string[]): string {
-  const leads = channel.dims.length > 0 && THINGS.has(channel.dims[0]);
-  const parts = leads
-    ? [labels[0], channel.variable, ...labels.slice(1)]
-    : [channel.variable, ...labels];
-  return parts.join(".");
-}
-
-/** Every combination of one label per dimension, the last dimension running fastest. */
-function combinations(labels: string[][]): string[][] {
-  return labels.reduce<string[][]>(
-    (heads, tail) =>
-      heads.flatMap((head) => tail.map((label) => [...head, label])),
-    [[]],
-  );
-}
-
 /** Where named columns stand in a row. */
 export class Columns {
+  /** Flat names in the order of a row: the names of the CSV files. */
   readonly names: string[];
   private readonly index: Map<string, number>;
 
   constructor(channels: Channel[]) {
-    this.names = columnNames(channels);
+    this.names = channels.flatMap(({ columns }) => columns);
     this.index = new Map(this.names.map((name, at) => [name, at]));
   }
 

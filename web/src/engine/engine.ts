@@ -1,121 +1,55 @@
 /** What the app knows of the engine: the class that the WASM package exports, and its JSON. */
 
-import type { BoxShape, CylinderShape, Shape as TaggedShape, SimulationSettings, SphereShape } from "../generated/scenario";
+import type {
+  BodyDescription,
+  BoxShape,
+  Channel,
+  CylinderShape,
+  Description,
+  DrawnLine,
+  HullDescription,
+  Input,
+  LoopDescription,
+  MeshDescription,
+  ParameterDescription,
+  PointDescription,
+  SphereShape,
+} from "../generated/model";
+import type { SimulationSettings } from "../generated/scenario";
+
+export type { Channel, DrawnLine };
+export type InputInfo = Input;
+export type HullInfo = HullDescription;
+export type LoopInfo = LoopDescription;
+export type MeshInfo = MeshDescription;
+export type PointInfo = PointDescription;
 
 export type Value = boolean | number | string;
 export type Values = Record<string, Value>;
 
 export type Shape =
   | ({ kind: "box" } & BoxShape)
-  | ({ kind: "cylinder" } & Required<CylinderShape>)
+  | ({ kind: "cylinder" } & CylinderShape)
   | ({ kind: "sphere" } & SphereShape)
   | { kind: "point" };
 
-export interface BodyInfo {
-  name: string;
-  parent: string;
-  shape: Shape | null;
-  colour: string | null;
-  mass_kg: number;
-}
+export type BodyInfo = Omit<BodyDescription, "shape"> & { shape: Shape | null };
 
-export interface ParameterInfo {
-  name: string;
-  label: string;
-  unit: string | null;
-  kind: "boolean" | "number" | "choice";
-  value: Value;
-  range: [number, number] | null;
-  choices: string[] | null;
-  live: boolean;
-}
+export type ParameterInfo = ParameterDescription;
 
-export interface JointInfo {
-  name: string;
-  /** The child. */
-  body: string;
-  kind: "floating" | "revolute" | "prismatic" | "cylindrical" | "universal" | "planar" | "spherical" | "elastic" | "fixed";
-}
-
-/** A point on a body, seen from its centre of mass in body axes; or on the world. */
-export interface PointInfo {
-  body: string;
-  position_m: [number, number, number];
-}
-
-export interface LoopInfo {
-  name: string;
-  first: PointInfo;
-  second: PointInfo;
-  constraints: string[];
-}
-
-/** A hydraulic cylinder: the barrel is pinned to the first body, the rod to the second. */
-export interface CylinderInfo {
-  name: string;
-  first: PointInfo;
-  second: PointInfo;
-  shortest_m: number;
-  longest_m: number;
-}
-
-/** The sea; its depth is null where it is infinite. */
-export interface SeaInfo {
-  density_kg_m3: number;
-  depth_m: number | null;
-  /** 0 for water that is level. */
-  wave_components: number;
-}
-
-/** A hull in the water. Its vertices and its origin are seen from its body's centre of mass, body axes. */
-export interface HullInfo {
-  name: string;
-  body: string;
-  /** The origin of its data, on their water plane. */
-  origin_m: [number, number, number];
-  draught_m: number;
-  length_m: number;
-  beam_m: number;
-  mesh: MeshInfo | null;
-}
-
-export interface MeshInfo {
-  vertices_m: [number, number, number][];
-  triangles: [number, number, number][];
-}
-
-export interface ModelInfo {
-  title: string;
-  description: string;
-  duration_s: number;
-  step_s: number;
-  record_every_s: number;
-  integrator: string;
-  bodies: BodyInfo[];
-  /** In the order of the bodies. */
-  joints: JointInfo[];
-  loops: LoopInfo[];
-  cylinders: CylinderInfo[];
-  sea: SeaInfo | null;
-  /** In the order of results. */
-  hulls: HullInfo[];
-  parameters: ParameterInfo[];
-}
+export type ModelInfo = Omit<Description, "bodies"> & { bodies: BodyInfo[] };
 
 /** As `model_json` has it: a shape stands under its kind, as in a scenario file. */
-type Described = Omit<ModelInfo, "bodies"> & {
-  bodies: (Omit<BodyInfo, "shape"> & { shape: TaggedShape | null })[];
-};
-
 export function readModel(json: string): ModelInfo {
-  const described = JSON.parse(json) as Described;
+  const described = JSON.parse(json) as Description;
   return { ...described, bodies: described.bodies.map((body) => ({ ...body, shape: readShape(body.shape) })) };
 }
 
-function readShape(tagged: TaggedShape | null): Shape | null {
+function readShape(tagged: BodyDescription["shape"]): Shape | null {
   if (!tagged) return null;
+  if (typeof tagged === "string") return { kind: "point" };
   if ("box" in tagged) return { kind: "box", ...tagged.box };
-  if ("cylinder" in tagged) return { kind: "cylinder", axis: "z", ...tagged.cylinder };
+  if ("cylinder" in tagged) return { kind: "cylinder", ...tagged.cylinder };
   if ("sphere" in tagged) return { kind: "sphere", ...tagged.sphere };
   return { kind: "point" };
 }
@@ -139,27 +73,6 @@ export type Settings = Required<SimulationSettings>;
 
 export function readSettings(resolvedJson: string): Settings {
   return (JSON.parse(resolvedJson) as { simulation: Settings }).simulation;
-}
-
-/** A named result; its values stand at `offset .. offset + len` of a row. */
-export interface Channel {
-  variable: string;
-  long_name: string;
-  unit: string;
-  frame: string;
-  dims: string[];
-  labels: string[][];
-  offset: number;
-  len: number;
-}
-
-/** A lever: a number that may be set at any time and is held between steps. */
-export interface InputInfo {
-  name: string;
-  unit: string;
-  lower: number;
-  upper: number;
-  value: number;
 }
 
 /** What the engine throws, or anything else that went wrong, in one shape. */
@@ -186,6 +99,10 @@ export interface Engine {
   poses(): Float64Array;
   /** Elevation of the sea at every crossing of the lines x and y, world, m, along the first x first. */
   surface(x: Float64Array, y: Float64Array): Float64Array;
+  /** What there is to draw beside the bodies. */
+  lines_json(): string;
+  /** The points of those lines, one line's after another's: x y z, metres, world frame. */
+  line_points(): Float64Array;
   model_json(): string;
   /** Throws where a hull cannot float. */
   hydrostatics_json(): string;

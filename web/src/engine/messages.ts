@@ -1,5 +1,4 @@
-import type { Channel, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Values } from "./engine";
-import type { Ropes } from "./ropes";
+import type { Channel, DrawnLine, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Values } from "./engine";
 import type { Surface } from "./surface";
 
 export interface OpenRequest {
@@ -28,6 +27,8 @@ export interface Frame {
   row: Float64Array;
   /** Per body x y z qw qx qy qz, world frame. */
   poses: Float64Array;
+  /** The points of the lines, one line's after another's: x y z, metres, world frame. */
+  line_points: Float64Array;
   /** The sea around, where a hull is in it. */
   surface: Surface | null;
   /** Why the run cannot go on. */
@@ -36,7 +37,7 @@ export interface Frame {
 
 export interface Opened {
   model: ModelInfo;
-  ropes: Ropes;
+  lines: DrawnLine[];
   settings: Settings;
   channels: Channel[];
   inputs: InputInfo[];

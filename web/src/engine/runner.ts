@@ -1,7 +1,6 @@
 import { asFault, readModel, readSettings } from "./engine";
 import type { Engine, Fault, Hydrostatics, OpenEngine, Values } from "./engine";
 import type { Frame, Opened } from "./messages";
-import { readRopes } from "./ropes";
 import { SurfaceGrid } from "./surface";
 
 /** Longest stretch of wall time that one frame may catch up with, s: a slow machine runs slowly. */
@@ -36,11 +35,10 @@ export class Runner {
     this.stepsPerRecord = Math.max(1, Math.round(model.record_every_s / engine.step_s()));
     this.owed_s = 0;
     this.fault = null;
-    const resolved = engine.resolved_json();
     return {
       model,
-      ropes: readRopes(resolved),
-      settings: readSettings(resolved),
+      lines: JSON.parse(engine.lines_json()),
+      settings: readSettings(engine.resolved_json()),
       channels: JSON.parse(engine.channels_json()),
       inputs: JSON.parse(engine.inputs_json()),
       frame: this.frame([engine.row()]),
@@ -113,6 +111,6 @@ export class Runner {
     rows.forEach((one, index) => flat.set(one, index * row.length));
     const poses = engine.poses();
     const surface = this.grid?.surface(engine, poses) ?? null;
-    return { rows: flat, row, poses, surface, fault: this.fault };
+    return { rows: flat, row, poses, line_points: engine.line_points(), surface, fault: this.fault };
   }
 }

@@ -2,35 +2,24 @@ import type { Channel, ModelInfo } from "../engine/engine";
 import type { PlotKind, Quantity } from "./quantities";
 
 const PER_THOUSAND = 1e-3;
+/** Shown by the thousand. */
+const BY_THE_THOUSAND = ["N", "N m", "J"];
+/** Dimensions of the model's own variables, which have figures of their own; of others the figures are made here. */
+const OF_THE_MODEL = ["body", "axis", "quaternion", "coordinate", "joint", "loop", "constraint", "point"];
+const COLOURS = ["roll", "pitch", "yaw"] as const;
+/** Columns that fit into one figure. */
+const MOST = COLOURS.length;
 
-/** What of the sea, the wind and the current acts on a hull, by its channel. */
-const ON_HULLS: Record<string, string> = {
-  excitation_force: "Wave",
-  drift_force: "Wave drift",
-  radiation_force: "Radiation",
-};
-
-/** The loads that a model has channels for: what joints, loops, cylinders and lines carry, what thrusters, water and wind do, kN and kN m. */
+/** What joints and loops carry, and whatever else the engine has for things of the model: a figure for each thing, variable and unit. */
 export function loadsOf(model: ModelInfo, channels: Channel[]): PlotKind[] {
   const labels = (variable: string) => channels.find((channel) => channel.variable === variable)?.labels[0] ?? [];
-  const floating = new Set(model.joints.filter((joint) => joint.kind === "floating").map((joint) => joint.name));
-  const bodyOf = (hull: string) => model.hulls.find(({ name }) => name === hull)?.body ?? hull;
+  const afloat = new Set(model.bodies.filter(({ floats }) => floats).map(({ name }) => name));
+  const floating = new Set(model.joints.filter(({ body }) => afloat.has(body)).map(({ name }) => name));
+  const others = channels.filter(({ dims }) => dims.length > 0 && !OF_THE_MODEL.includes(dims[0]));
   return [
     ...labels("joint_reaction").filter((name) => !floating.has(name)).map((name) => carried(name, "joint_reaction")),
     ...labels("loop_reaction").map((name) => carried(name, "loop_reaction")),
-    ...labels("cylinder_force").map((name) => load(`${name}: force`, "kN", [{ key: "plain", label: "Push", column: `${name}.cylinder_force` }])),
-    ...labels("line_tension").map(tension),
-    ...Object.entries(ON_HULLS).flatMap(([variable, what]) =>
-      labels(variable).flatMap((name) => wrench((part) => `${what} ${part} on ${bodyOf(name)}`, `${name}.${variable}`)),
-    ),
-    ...labels("station_force").map((name) =>
-      load(`${name}: force of the thrusters`, "kN", [
-        { key: "roll", label: "Surge", column: `${name}.station_force.surge` },
-        { key: "pitch", label: "Sway", column: `${name}.station_force.sway` },
-      ]),
-    ),
-    ...labels("thruster_thrust").map((name) => load(`${name}: thrust`, "kN", [{ key: "plain", label: "Thrust", column: `${name}.thruster_thrust` }])),
-    ...labels("flow_force").flatMap((name) => wrench((part) => `${name}: ${part}`, `${name}.flow_force`)),
+    ...others.flatMap(ofThings),
   ];
 }
 
@@ -38,22 +27,34 @@ export function loadsOf(model: ModelInfo, channels: Channel[]): PlotKind[] {
 function carried(name: string, variable: string): PlotKind {
   const column = `${name}.${variable}.force`;
   const lengthOf = ["x", "y", "z"].map((axis) => `${column}_${axis}`);
-  return load(`${name}: force carried`, "kN", [{ key: "plain", label: "Force", column, lengthOf }]);
+  return figure(`${name}: force carried`, "N", [{ key: "plain", label: "Force", column, lengthOf }]);
 }
 
-function tension(name: string): PlotKind {
-  return load(`${name}: tension`, "kN", [
-    { key: "pitch", label: "First end", column: `${name}.line_tension` },
-    { key: "yaw", label: "Second end", column: `${name}.line_end_tension` },
-  ]);
+/** Of a variable a figure for each thing, and of forces and moments one for each unit. */
+function ofThings(channel: Channel): PlotKind[] {
+  const [things, components = [""]] = channel.labels;
+  return things.flatMap((thing, at) => {
+    const own = components.map((component, k) => ({ component, place: at * components.length + k }));
+    const units = [...new Set(own.map(({ place }) => channel.units[place]))];
+    return units.flatMap((unit) => {
+      const columns = own.filter(({ place }) => channel.units[place] === unit).slice(0, MOST);
+      const what = `${thing}: ${channel.long_name}`;
+      const quantities = columns.map(({ component, place }, i): Quantity => ({
+        key: columns.length === 1 ? "plain" : COLOURS[i],
+        label: component === "" ? channel.long_name : component.replaceAll("_", " "),
+        column: channel.columns[place],
+      }));
+      return [figure(units.length > 1 ? `${what} (${shown(unit)})` : what, unit, quantities)];
+    });
+  });
 }
 
-function wrench(title: (part: string) => string, column: string): PlotKind[] {
-  return [["force", "kN"], ["moment", "kN m"]].map(([part, unit]) =>
-    load(title(part), unit, (["roll", "pitch", "yaw"] as const).map((key, i) => ({ key, label: "xyz"[i], column: `${column}.${part}_${"xyz"[i]}` }))),
-  );
+function shown(unit: string): string {
+  return BY_THE_THOUSAND.includes(unit) ? `k${unit}` : unit;
 }
 
-function load(title: string, unit: string, quantities: Quantity[]): PlotKind {
-  return { title, quantities, units: { deg: unit, rad: unit }, turns: false, scale: PER_THOUSAND, wraps: false };
+function figure(title: string, unit: string, quantities: Quantity[]): PlotKind {
+  if (unit === "rad") return { title, quantities, units: { deg: "°", rad: "rad" }, turns: true, wraps: false };
+  const scale = BY_THE_THOUSAND.includes(unit) ? PER_THOUSAND : undefined;
+  return { title, quantities, units: { deg: shown(unit), rad: shown(unit) }, turns: false, scale, wraps: false };
 }

@@ -48,10 +48,10 @@ export function decimalsOf(kind: PlotKind, unit: Unit): number {
 /** What each figure can show of a model, the first by default. */
 export function kindsOf(model: ModelInfo, channels: Channel[]): Record<FigureKey, PlotKind[]> {
   const labels = (variable: string) => channels.find((channel) => channel.variable === variable)?.labels[0] ?? [];
-  const floating = model.joints.filter((joint) => joint.kind === "floating").map((joint) => joint.body);
+  const floating = model.bodies.filter(({ floats }) => floats).map(({ name }) => name);
   const bodies = floating.length > 0 ? floating : model.bodies.slice(0, 1).map((body) => body.name);
   const coordinates = labels("joint_position");
-  const unitOf = coordinateUnits(model, channels);
+  const unitOf = coordinateUnits(channels);
   const [turning, heaving] = [bodies.map(bodyAngles), model.hulls.map(heave)];
   return {
     rates: [
@@ -70,14 +70,10 @@ export function kindsOf(model: ModelInfo, channels: Channel[]): Record<FigureKey
   };
 }
 
-/** Whether a coordinate is an angle or a length: its joint says, or the channel where all are alike. */
-function coordinateUnits(model: ModelInfo, channels: Channel[]): (name: string) => "rad" | "m" {
-  const unit = channels.find((channel) => channel.variable === "joint_position")?.unit ?? "rad";
-  const slides = new Set(model.joints.filter((joint) => joint.kind === "prismatic").map((joint) => joint.name));
-  return (name) => {
-    if (unit === "rad" || unit === "m") return unit;
-    return slides.has(name) || /\.(x|y|translation|shear_[yz])$/.test(name) ? "m" : "rad";
-  };
+/** Whether a coordinate is an angle or a length, by the unit of its column. */
+function coordinateUnits(channels: Channel[]): (name: string) => "rad" | "m" {
+  const channel = channels.find(({ variable }) => variable === "joint_position");
+  return (name) => (channel?.units[channel.labels[0].indexOf(name)] === "m" ? "m" : "rad");
 }
 
 function bodyRates(body: string): PlotKind {

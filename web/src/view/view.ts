@@ -7,9 +7,9 @@ import type { Surface } from "../engine/surface";
 import { Eye } from "./camera";
 import { Ground } from "./ground";
 import { Linkages } from "./linkages";
+import { DrawnLines } from "./lines";
 import { readPalette } from "./palette";
 import type { Palette } from "./palette";
-import { DrawnRopes } from "./ropes";
 import { Sea } from "./sea";
 import { boxOf, edgesOf, solidOf, withFrame } from "./solids";
 import type { ShapedHull } from "./solids";
@@ -23,9 +23,9 @@ const LABEL_PX = 58;
 const FRAME_LENGTH = 0.14;
 
 /** What of a run is drawn. */
-type Shown = Pick<Run, "model" | "ropes" | "columns">;
+type Shown = Pick<Run, "model" | "lines">;
 /** What of a moment is drawn. */
-type Moment = { [part in keyof Pick<Frame, "poses" | "row">]: ArrayLike<number> };
+type Moment = { [part in keyof Pick<Frame, "poses" | "line_points">]: ArrayLike<number> };
 
 /** The 3D picture: world z up, a body's object at the pose that the engine gives. Drawn on demand. */
 export class View {
@@ -40,9 +40,9 @@ export class View {
   private bodies: Group[] = [];
   private linkages: Linkages | null = null;
   private palette: Palette = readPalette();
-  private ropes: DrawnRopes | null = null;
+  private lines: DrawnLines | null = null;
   private run: Shown | null = null;
-  private frame: Moment = { poses: [], row: [] };
+  private frame: Moment = { poses: [], line_points: [] };
   private surface: Surface | null = null;
   private framesShown = false;
   private stale = true;
@@ -72,15 +72,14 @@ export class View {
     const hulls = model.bodies.map(({ name }) => shapedHull(model, name));
     this.bodies = model.bodies.map((body, i) => {
       const group = new Group();
-      const isShip = model.joints[i]?.kind === "floating";
-      group.add(solidOf(body, this.palette, isShip, hulls[i]));
+      group.add(solidOf(body, this.palette, body.floats, hulls[i]));
       return group;
     });
     this.world.add(...this.bodies);
     const boxes = model.bodies.map((body, i) => boxOf(body, hulls[i]));
     const thickness = boxes.map((box) => Math.min(...edgesOf(box)));
     this.linkages = new Linkages(model, this.bodies, thickness, this.world, this.palette);
-    this.ropes = new DrawnRopes(run.ropes, run.columns, model.bodies.map(({ name }) => name), this.bodies, this.world, this.palette.rope);
+    this.lines = new DrawnLines(run.lines, this.world, this.palette);
     const size = Math.max(...boxes.map((box) => Math.hypot(...edgesOf(box))));
     const axes = this.framesShown ? FRAME_LENGTH * size : 0;
     this.eye.watch(boxes.map((box) => withFrame(box, 1.3 * axes)), frame.poses);
@@ -127,14 +126,14 @@ export class View {
     this.renderer.render(this.scene, this.eye.camera);
   }
 
-  private place({ poses, row }: Moment): void {
+  private place({ poses, line_points }: Moment): void {
     this.bodies.forEach((body, i) => {
       const at = 7 * i;
       body.position.set(poses[at], poses[at + 1], poses[at + 2]);
       body.quaternion.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 3]);
     });
     this.linkages?.place();
-    this.ropes?.place(row);
+    this.lines?.place(line_points);
     this.lightFrom(poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0);
     this.stale = true;
   }

@@ -1,5 +1,6 @@
 //! What an element says of itself, once.
 
+use super::DrawnLine;
 use serde::Serialize;
 
 /// What an element keeps, takes, gives and watches.
@@ -15,6 +16,8 @@ pub struct Declaration {
     pub inputs: Vec<Input>,
     /// What it shows, in the order in which it writes them.
     pub outputs: Vec<Output>,
+    /// The lines that a picture has of it, in the order in which it draws them.
+    pub lines: Vec<DrawnLine>,
     /// What it watches.
     pub events: Vec<Event>,
     /// Its sampling period, s, where it samples: ticks are at whole multiples of it, the first where a run begins.
@@ -27,6 +30,7 @@ pub struct Declaration {
 
 /// A value that a hand or a controller sets from outside, held over each step.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Input {
     /// Name in the table of all inputs.
     pub name: String,
@@ -164,6 +168,7 @@ impl Components {
 /// The frame of a vector's components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Frame {
     /// World axes.
     World,

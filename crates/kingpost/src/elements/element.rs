@@ -19,6 +19,7 @@ use core::fmt::Debug;
 /// | after every step | [`witness`](Self::witness); where one changes sign, [`respond`](Self::respond) at that time |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
+/// | a picture | [`draw`](Self::draw) |
 /// | an equilibrium is sought | [`loads`](Self::loads) in another [`Situation`](super::Situation), [`settling`](Self::settling) |
 pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// Its name in the scenario; empty where it declares nothing that needs one.
@@ -52,6 +53,9 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// Appends its outputs, in the order that it declared them in.
     fn outputs(&mut self, _at: &Moment<'_, S>, _out: &mut Vec<S>) {}
 
+    /// Appends the points of its lines in the world, x, y and z (m) of each, in the order that it declared the lines in.
+    fn draw(&mut self, _at: &Moment<'_, S>, _points: &mut Vec<S>) {}
+
     /// The next time after `after_s` at which its law changes its form, s: steps end there. Infinite where there is none.
     fn next_edge_s(&self, _after_s: f64, _modes: &[i64]) -> f64 {
         f64::INFINITY
@@ -77,6 +81,11 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// The same, to let it take over a load.
     fn settling_mut(&mut self) -> Option<&mut dyn Settling<S>> {
         None
+    }
+
+    /// The pairs of bodies of which it may hold one up by the other; `None` is the world.
+    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+        Vec::new()
     }
 
     /// The floating body that it keeps afloat: one that lies on its side at rest has capsized.

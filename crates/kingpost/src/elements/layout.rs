@@ -1,6 +1,6 @@
 //! Where everything that the elements declare stands: offsets, names, columns, all from here.
 
-use super::{AnyElement, Crossing, Declaration, Input, Output, Own};
+use super::{AnyElement, Crossing, Declaration, DrawnLine, Input, Output, Own};
 use crate::scalar::Scalar;
 use core::ops::Range;
 use thiserror::Error;
@@ -80,6 +80,8 @@ pub struct Layout {
     pub modes: Vec<String>,
     /// The outputs with the element that writes each, in the order of writing.
     pub outputs: Vec<(usize, Output)>,
+    /// The lines to draw, in the order of drawing.
+    pub lines: Vec<DrawnLine>,
     /// The witnesses of all elements.
     pub watched: Vec<Watched>,
     /// The elements that prescribe motions.
@@ -112,6 +114,7 @@ impl Layout {
             layout.numbers.extend(declared.numbers.iter().map(full));
             layout.modes.extend(declared.modes.iter().map(full));
             layout.outputs.extend(declared.outputs.into_iter().map(|output| (element, output)));
+            layout.lines.extend(declared.lines);
             let watched =
                 |(event, of): (usize, &super::Event)| Watched { element, event, what: of.what, crossing: of.crossing };
             layout.watched.extend(declared.events.iter().enumerate().map(watched));

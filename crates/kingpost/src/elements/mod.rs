@@ -7,6 +7,7 @@
 mod coulomb_friction;
 mod declaration;
 mod delay;
+mod drawing;
 pub mod drives;
 pub mod dynamic_positioning;
 mod element;
@@ -26,6 +27,7 @@ mod viscous_damping;
 pub use coulomb_friction::CoulombFriction;
 pub use declaration::{Components, Crossing, Declaration, Event, Frame, Input, Output, WRENCH};
 pub use delay::Delay;
+pub use drawing::{DrawnLine, LineStyle};
 pub use dynamic_positioning::DynamicPositioning;
 pub use element::{AnyElement, Boxed, Element, Own, Settling, of_kind, of_kind_mut};
 pub use flow::FlowLoad;

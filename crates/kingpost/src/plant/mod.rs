@@ -175,6 +175,16 @@ impl<S: Scalar> Plant<S> {
         Observation { model, bodies, inverse, loops, outputs, totals }
     }
 
+    /// Appends the points of the elements' lines at a stage, x, y and z (m, world) of each.
+    pub fn draw(&mut self, at: Stage<'_, S>, points: &mut Vec<S>) {
+        self.links.update(&self.model, at.q, at.v);
+        let Self { model, world, links, elements, layout, situation, .. } = self;
+        let scene = Scene::new(layout, world, model, links, *situation, at);
+        for (i, element) in elements.iter_mut().enumerate() {
+            element.draw(&scene.of(i), points);
+        }
+    }
+
     /// Frames and twists of the bodies at a state.
     pub fn body_kinematics(&mut self, q: &[S], v: &[S]) -> &Kinematics<S> {
         self.bodies.update(&self.model.tree, q, v);

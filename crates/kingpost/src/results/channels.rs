@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// One result variable of a model, with its place in a row.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Channel {
     /// Name in a data set.
     pub variable: &'static str,
@@ -26,6 +27,8 @@ pub struct Channel {
     pub dims: Vec<&'static str>,
     /// Labels along each dimension.
     pub labels: Vec<Vec<String>>,
+    /// How a column is named by its labels: `{body}.angular_velocity.{axis}`.
+    pub column: String,
     /// Names of its columns in a flat table: `ship.angular_velocity.x`.
     pub columns: Vec<String>,
     /// First entry in a row.
@@ -87,6 +90,7 @@ impl Channels {
             self.push(channel_of(&outputs));
         }
     }
+
     /// Appends one row.
     pub fn write_row<S: Scalar>(&self, sample: &Sample<'_, S>, out: &mut Vec<S>) {
         let first = out.len();
@@ -107,6 +111,7 @@ fn channel_of(outputs: &[&Output]) -> Channel {
     let components = one.components.labels().map(|labels| labels.iter().map(|label| (*label).to_owned()).collect());
     let columns: Vec<String> = outputs.iter().flat_map(|output| output.columns()).collect();
     let units: Vec<&'static str> = one.units.iter().copied().cycle().take(columns.len()).collect();
+    let dims: Vec<&'static str> = [Some(one.dimension), one.components.dimension()].into_iter().flatten().collect();
     Channel {
         variable: one.variable,
         long_name: short_name(one.description),
@@ -115,11 +120,19 @@ fn channel_of(outputs: &[&Output]) -> Channel {
         len: units.len(),
         units,
         frame: one.frame,
-        dims: [Some(one.dimension), one.components.dimension()].into_iter().flatten().collect(),
+        column: column_by(one.variable, &dims, true),
+        dims,
         labels: [Some(things), components].into_iter().flatten().collect(),
         columns,
         offset: 0,
     }
+}
+
+/// How a column is named by its labels: that of a thing leads the variable.
+pub(super) fn column_by(variable: &str, dims: &[&str], thing_leads: bool) -> String {
+    let mut parts: Vec<String> = dims.iter().map(|dim| format!("{{{dim}}}")).collect();
+    parts.insert(usize::from(thing_leads && !dims.is_empty()), variable.to_owned());
+    parts.join(".")
 }
 
 /// The unit that all columns have.

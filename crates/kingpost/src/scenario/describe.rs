@@ -1,20 +1,22 @@
 //! What a view needs to draw a scenario and to offer its parameters.
 
 mod afloat;
+mod warnings;
 
 pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
 
 use super::build::flexible::{owner, shape};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
-use crate::elements::drives::Cylinder;
-use crate::elements::of_kind;
-use crate::model::{Attachment, Loop, Model};
+use crate::elements::{Gravity, of_kind};
+use crate::model::{Attachment, Loop, Model, Node};
 use crate::simulation::Setup;
+use crate::spatial::{Twist, Vector3};
 use serde::Serialize;
 use serde_json::Value;
 
 /// A scenario as a view shows it.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Description {
     /// One line.
     pub title: String,
@@ -36,18 +38,21 @@ pub struct Description {
     pub joints: Vec<JointDescription>,
     /// The closed loops, in the order of results.
     pub loops: Vec<LoopDescription>,
-    /// The hydraulic cylinders that act, in the order of results.
-    pub cylinders: Vec<CylinderDescription>,
+    /// Acceleration of gravity, m/s^2; 0 where it is off.
+    pub gravity_m_s2: f64,
     /// The sea, where there is one.
     pub sea: Option<SeaDescription>,
     /// The hulls in it, in the order of results.
     pub hulls: Vec<HullDescription>,
     /// The knobs with their values.
     pub parameters: Vec<ParameterDescription>,
+    /// What a person should know of the model before it runs.
+    pub warnings: Vec<String>,
 }
 
 /// A part and where it stands.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PartDescription {
     /// Name of its mounting.
     pub name: String,
@@ -63,13 +68,19 @@ pub struct PartDescription {
 
 /// A body to draw.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BodyDescription {
     /// Name.
     pub name: String,
     /// Parent, or `world`.
     pub parent: String,
+    /// Whether it is a ship or floats as one: nothing but its floating joint, or the motion that waves give it, joins it
+    /// to the world.
+    pub floats: bool,
     /// Mass, kg.
     pub mass_kg: f64,
+    /// Inertia about its centre of mass, body axes, kg m^2, without the water's share.
+    pub inertia_kg_m2: [[f64; 3]; 3],
     /// As in the scenario; absent where only an inertia is given.
     pub shape: Option<schema::Shape>,
     /// As `#rrggbb`.
@@ -78,6 +89,7 @@ pub struct BodyDescription {
 
 /// A joint to name.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct JointDescription {
     /// Name.
     pub name: String,
@@ -91,6 +103,7 @@ pub struct JointDescription {
 
 /// A point on a body, or on the world.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PointDescription {
     /// The body that carries it, a segment where that is flexible; or `world`.
     pub body: String,
@@ -100,6 +113,7 @@ pub struct PointDescription {
 
 /// A closed loop to draw.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LoopDescription {
     /// Name.
     pub name: String,
@@ -111,23 +125,9 @@ pub struct LoopDescription {
     pub constraints: Vec<String>,
 }
 
-/// A hydraulic cylinder to draw.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct CylinderDescription {
-    /// Name of the drive.
-    pub name: String,
-    /// The barrel's pin.
-    pub first: PointDescription,
-    /// The rod's pin.
-    pub second: PointDescription,
-    /// Length between the pins where the cylinder is drawn in, m.
-    pub shortest_m: f64,
-    /// Length between the pins where it is all the way out, m.
-    pub longest_m: f64,
-}
-
 /// A knob.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ParameterDescription {
     /// Name, as `--set` takes it.
     pub name: String,
@@ -138,6 +138,7 @@ pub struct ParameterDescription {
     /// What kind of control fits.
     pub kind: ParameterKind,
     /// The value in this scenario.
+    #[cfg_attr(feature = "schema", schemars(with = "ParameterValue"))]
     pub value: Value,
     /// Smallest and largest number.
     pub range: Option<[f64; 2]>,
@@ -156,14 +157,16 @@ impl Scenario {
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
             modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
-        let body = |(body, node): (&crate::model::Body, &crate::model::Node)| {
+        let body = |(index, (body, node)): (usize, (&crate::model::Body, &Node))| {
             let (owner, segment) = owner(&body.name);
             let given = &self.bodies[owner];
             let parent = node.parent.map_or(schema::WORLD, |parent| model.bodies[parent].name.as_str());
             BodyDescription {
                 name: body.name.clone(),
                 parent: parent.to_owned(),
+                floats: segment == 0 && afloat::floats(&given.joint),
                 mass_kg: body.mass,
+                inertia_kg_m2: dry_inertia(&model, index, node),
                 shape: shape(given, segment),
                 colour: given.colour.clone(),
             }
@@ -185,13 +188,14 @@ impl Scenario {
             record_every_s: self.simulation.record_every_s.get(),
             integrator: self.simulation.integrator,
             parts: self.parts.iter().map(|(name, mounting)| describe_part(name, mounting)).collect(),
-            bodies: model.bodies.iter().zip(&model.tree.nodes).map(body).collect(),
+            bodies: model.bodies.iter().zip(&model.tree.nodes).enumerate().map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
             loops: model.loops.iter().map(|closed| describe_loop(&model, closed)).collect(),
-            cylinders: of_kind(&elements).map(|c| describe_cylinder(&model, c)).collect(),
+            gravity_m_s2: of_kind(&elements).map(|gravity: &Gravity| gravity.acceleration).sum(),
             sea,
             hulls,
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
+            warnings: warnings::of(&model, &elements),
         })
     }
 }
@@ -210,15 +214,17 @@ fn describe_loop(model: &Model, closed: &Loop) -> LoopDescription {
     }
 }
 
-fn describe_cylinder(model: &Model, cylinder: &Cylinder) -> CylinderDescription {
-    let [shortest_m, longest_m] = cylinder.stroke;
-    CylinderDescription {
-        name: cylinder.name.clone(),
-        first: describe_point(model, &cylinder.first),
-        second: describe_point(model, &cylinder.second),
-        shortest_m,
-        longest_m,
-    }
+/// Of a body, without what the water adds.
+fn dry_inertia(model: &Model, body: usize, node: &Node) -> [[f64; 3]; 3] {
+    let water = || model.added_inertias.iter().filter(|(of, _)| *of == body).map(|(_, added)| added);
+    let along = |column: usize| {
+        let axis = core::array::from_fn(|row| if row == column { 1.0 } else { 0.0 });
+        let turning = Twist { angular: Vector3(axis), linear: Vector3::zero() };
+        let dry = water().fold(node.inertia.times(&turning).moment, |sum, added| sum - added.times(&turning).moment);
+        dry.0
+    };
+    let columns: [[f64; 3]; 3] = core::array::from_fn(along);
+    core::array::from_fn(|row| core::array::from_fn(|column| columns[column][row]))
 }
 
 fn describe_point(model: &Model, place: &Attachment) -> PointDescription {

@@ -1,17 +1,37 @@
 //! JSON Schema of the scenario, for editors and for the generated types of other languages.
 
+use schemars::generate::SchemaSettings;
 use schemars::transform::{Transform, transform_subschemas};
 use schemars::{Schema, schema_for};
 use serde_json::{Map, Value, json};
 
+use super::describe::Description;
 use super::schema::Scenario;
 use super::units::UNIT_ALIASES;
+use crate::elements::{DrawnLine, Input};
+use crate::results::Channel;
 
 /// The JSON Schema of a scenario, unit aliases included: each is a property beside its SI name, marked `x-alias-of`.
 pub fn json_schema() -> Value {
     let mut schema = schema_for!(Scenario);
     UnitAliases.transform(&mut schema);
     schema.to_value()
+}
+
+/// What the engine says of a scenario and of its results to other languages.
+#[derive(schemars::JsonSchema)]
+#[expect(dead_code, reason = "its schema alone is wanted")]
+struct Published {
+    model: Description,
+    channels: Vec<Channel>,
+    lines: Vec<DrawnLine>,
+    inputs: Vec<Input>,
+}
+
+/// The JSON Schema of what the engine says of a scenario: its model, channels, lines to draw and inputs.
+pub fn published_schema() -> Value {
+    let settings = SchemaSettings::draft2020_12().for_serialize();
+    settings.into_generator().into_root_schema_for::<Published>().to_value()
 }
 
 struct UnitAliases;

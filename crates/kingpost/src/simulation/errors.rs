@@ -112,6 +112,18 @@ impl RunError {
         }
     }
 
+    /// Where it happened and by how much, where that is one number: the body or loop, its coordinate or constraint, the
+    /// number, and its limit.
+    pub fn place(&self) -> Option<(String, String, f64, f64)> {
+        let (name, part, value, limit) = match self {
+            Self::Diverged { body, coordinate, value, limit, .. } => (body, coordinate, value, limit),
+            Self::SingularLoop { name, constraint, pivot, allowed, .. } => (name, constraint, pivot, allowed),
+            Self::OpenLoop { name, constraint, gap, allowed, .. } => (name, constraint, gap, allowed),
+            Self::TooManyEvents { .. } | Self::EventNotAlone { .. } | Self::Step(_) => return None,
+        };
+        Some((name.clone(), part.clone(), *value, *limit))
+    }
+
     /// When, s.
     pub fn time_s(&self) -> f64 {
         match self {

@@ -1,5 +1,6 @@
 //! A run: the plant, an integrator and the state, stepped in time and recorded.
 
+mod drawing;
 mod errors;
 mod events;
 mod from_outside;

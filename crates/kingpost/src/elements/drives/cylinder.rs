@@ -2,7 +2,7 @@
 
 use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::elements::{Declaration, Element, Input, Moment, Output, Own, hunt_crossley};
+use crate::elements::{Declaration, DrawnLine, Element, Input, LineStyle, Moment, Output, Own, hunt_crossley};
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
 
@@ -83,6 +83,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
                 number("cylinder_rate", "rate of a cylinder's length", &["m/s"]),
                 number("cylinder_force", "force of a cylinder, positive where it pushes, stops included", &["N"]),
             ],
+            lines: self.lines(),
             keeps_states: true,
             ..Declaration::default()
         }
@@ -117,6 +118,24 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         out.extend([line.residual, line.rate, drive + stops]);
     }
 
+    /// Its barrel from the first pin, its rod from within the barrel to the second, and both pins.
+    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+        let place = |pin: &Attachment<S>| {
+            let point = pin.in_body.position;
+            pin.body.map_or(point, |body| at.links.body_frame(at.model, body).point(point))
+        };
+        let (first, second) = (place(&self.first), place(&self.second));
+        let barrel = S::constant(BARREL_LENGTH) * self.stroke[0] / self.length(at.model, at.links);
+        let along = |share: S| first + (second - first) * share;
+        for point in [first, along(barrel), along(barrel * S::constant(0.5)), second, first, second] {
+            points.extend(point.0);
+        }
+    }
+
+    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+        vec![[self.first.body, self.second.body]]
+    }
+
     fn next_edge_s(&self, after_s: f64, _modes: &[i64]) -> f64 {
         self.arrival_s.filter(|arrival| *arrival > after_s).unwrap_or(f64::INFINITY)
     }
@@ -129,7 +148,22 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
     }
 }
 
+/// The barrel's length and radius as shares of the shortest length between the pins; the rod's and the pins' radius as
+/// shares of the barrel's.
+const BARREL_LENGTH: f64 = 0.88;
+const BARREL_RADIUS: f64 = 0.036;
+const ROD_RADIUS: f64 = 0.6;
+const PIN_RADIUS: f64 = 1.15;
+
 impl<S: Scalar> Cylinder<S> {
+    fn lines(&self) -> Vec<DrawnLine> {
+        let radius = BARREL_RADIUS * self.stroke[0].value();
+        let line =
+            |style, share: f64, points| DrawnLine { name: self.name.clone(), style, radius_m: share * radius, points };
+        let pin = || line(LineStyle::Pin, PIN_RADIUS, 1);
+        vec![line(LineStyle::Barrel, 1.0, 2), line(LineStyle::Rod, ROD_RADIUS, 2), pin(), pin()]
+    }
+
     /// Takes the length here as that of the start. Where the length wanted arrives at one time in
     /// all lanes, steps end there.
     pub fn start_at(&mut self, model: &Model<S>, links: &LinkKinematics<S>) {

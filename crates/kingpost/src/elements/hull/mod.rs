@@ -183,6 +183,10 @@ impl<S: Scalar> Element<S> for Hull<S> {
         out.push(self.water_kinetic_energy(at));
     }
 
+    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+        vec![[Some(self.frame.body), None]]
+    }
+
     fn keeps_afloat(&self) -> Option<usize> {
         Some(self.frame.body)
     }
@@ -194,19 +198,19 @@ fn outputs(name: &str) -> Vec<Output> {
     vec![
         Output::number(
             "wave_elevation",
-            "elevation of the incident waves where the hull is on average",
+            "elevation of the incident waves, where the hull is on average",
             "hull",
             name,
             &["m"],
         ),
-        wrench("excitation_force", "force and moment of the incident waves, about the hull's reference point"),
+        wrench("excitation_force", "force of the waves, with the moment about the hull's reference point"),
         wrench(
             "drift_force",
-            "mean and slowly varying force and moment of the waves on a hull, about its reference point",
+            "drift force of the waves, mean and slowly varying, with the moment about the hull's reference point",
         ),
         wrench(
             "radiation_force",
-            "force and moment of the waves that the hull has made, added mass apart, about its reference point",
+            "radiation force, of the waves that the hull has made, added mass apart, with the moment about its reference point",
         ),
         Output::number(
             "water_kinetic_energy",

@@ -69,6 +69,8 @@ struct Hanging<S> {
     turn: S,
 }
 
+/// Least horizontal force of a line that is drawn, as a share of its weight.
+const LEAST_PULL: f64 = 1e-6;
 /// Iterations before a solution is given up; 6 are usual.
 const MOST_ITERATIONS: usize = 200;
 /// Error of the ends that counts as none, of all lengths.
@@ -136,6 +138,24 @@ impl<S: Scalar> Catenary<S> {
     pub fn tensions(&self, force: &EndForce<S>) -> [S; 3] {
         let hanging = self.hanging(force);
         [hanging.tension, hanging.lower_tension, hanging.grounded]
+    }
+
+    /// From the lower end to the point at this share of the unstretched length from it, under a force that holds the
+    /// upper end at `span`: what hangs below a point is itself a catenary, with the vertical force that is left there.
+    pub fn place(&self, force: &EndForce<S>, span: &Span<S>, share: S) -> Span<S> {
+        // Where nothing pulls along, a line that hangs straight down still has a shape.
+        let least = self.weight * self.unstretched_length * S::constant(LEAST_PULL);
+        let horizontal = force.horizontal.select_less(least, || least, || force.horizontal);
+        let below = |share: S| {
+            let part = Self { unstretched_length: self.unstretched_length * share, ..*self };
+            let vertical = force.vertical - self.weight * self.unstretched_length * (S::ONE - share);
+            let lies = if self.on_seabed { vertical.select_below(0.0, || S::ONE, || S::ZERO) } else { S::ZERO };
+            part.span(&EndForce { horizontal, vertical: lies.select_below(0.5, || vertical, || S::ZERO) })
+        };
+        let (point, top) = (below(share), below(S::ONE));
+        // The shape ends where the line does: what is off there is shared out along it.
+        let along = point.across / top.across;
+        Span { across: along * span.across, up: point.up + along * (span.up - top.up) }
     }
 
     fn hanging(&self, force: &EndForce<S>) -> Hanging<S> {

@@ -1,7 +1,7 @@
 //! A mooring line to an anchor, by the quasi-static catenary.
 
 use super::catenary::{Catenary, EndForce, Span};
-use super::{outputs, place, pull_at};
+use super::{declaration, place, pull_at, shares};
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::{Declaration, Element, Moment};
 use crate::model::{Attachment, Model};
@@ -32,7 +32,7 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
     }
 
     fn declare(&self) -> Declaration {
-        Declaration { outputs: outputs(&self.name), ..Declaration::default() }
+        declaration(&self.name)
     }
 
     /// Adds the pull at the fairlead.
@@ -47,6 +47,24 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
     fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let (_, span) = self.way(at.model, at.links);
         out.extend(self.line.tensions(&self.line.force(&span)));
+    }
+
+    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+        let (way, span) = self.way(at.model, at.links);
+        let force = self.line.force(&span);
+        for share in shares::<S>() {
+            let Span { across, up } = self.line.place(&force, &span, S::ONE - share);
+            let from_anchor = across / span.across;
+            points.extend([
+                self.anchor[0] - from_anchor * way[0],
+                self.anchor[1] - from_anchor * way[1],
+                self.anchor[2] + up,
+            ]);
+        }
+    }
+
+    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+        vec![[self.fairlead.body, None]]
     }
 
     /// Energy of its weight and stretch, J.

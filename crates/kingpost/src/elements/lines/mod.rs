@@ -8,17 +8,31 @@ pub use catenary::{Catenary, EndForce, Span};
 pub use catenary_line::CatenaryLine;
 pub use spring_line::SpringLine;
 
-use super::{Moment, Output};
+use super::{Declaration, DrawnLine, LineStyle, Moment, Output};
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
+/// Points that a line is drawn through.
+const POINTS: usize = 49;
+
+/// What every line declares: its tensions, and itself to draw.
+fn declaration(name: &str) -> Declaration {
+    let drawn = DrawnLine { name: name.to_owned(), style: LineStyle::Rope, radius_m: 0.0, points: POINTS };
+    Declaration { outputs: outputs(name), lines: vec![drawn], ..Declaration::default() }
+}
+
+/// Shares of a line's length at which its points stand, from its first end.
+fn shares<S: Scalar>() -> impl Iterator<Item = S> {
+    (0..POINTS).map(|i| S::constant(i as f64 / (POINTS - 1) as f64))
+}
+
 /// What every line shows: the tension at its first end, or its fairlead, and at its second, or its anchor, N; how much of
 /// its unstretched length lies on the seabed, m.
 fn outputs(name: &str) -> Vec<Output> {
-    let first = "tension of a line at its first end, or its fairlead";
-    let second = "tension of a line at its second end, or its anchor";
+    let first = "tension at the first end of a line, or its fairlead";
+    let second = "tension at the second end of a line, or its anchor";
     let grounded = "unstretched length of a line that lies on the seabed";
     vec![
         Output::number("line_tension", first, "line", name, &["N"]),

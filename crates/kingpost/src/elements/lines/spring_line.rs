@@ -1,6 +1,6 @@
 //! A rope without weight between two points: a mooring hawser, a towline, a tugger line.
 
-use super::{outputs, place, pull_at, velocity};
+use super::{declaration, place, pull_at, shares, velocity};
 use crate::dynamics::Loads;
 use crate::elements::{Declaration, Element, Moment, hunt_crossley};
 use crate::model::Attachment;
@@ -37,7 +37,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
     }
 
     fn declare(&self) -> Declaration {
-        Declaration { outputs: outputs(&self.name), ..Declaration::default() }
+        declaration(&self.name)
     }
 
     /// Adds the pull at both ends, and the heat that the line makes.
@@ -56,6 +56,26 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
         let (length, direction) = length_and_direction(way);
         let (tension, _) = self.tension(length, direction.dot(rate));
         out.extend([tension, tension, S::ZERO]);
+    }
+
+    /// Straight where it pulls; where it is slack with a sag: of a flat parabola that is longer than its chord d by e
+    /// the sag is sqrt(3/8 d e).
+    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+        let first = place(&self.first, at.model, at.links);
+        let way = place(&self.second, at.model, at.links) - first;
+        let (length, _) = length_and_direction(way);
+        let longer = self.unstretched_length - length;
+        let longer = longer.select_below(0.0, || S::ZERO, || longer);
+        let sag = (S::constant(0.375) * length * longer).sqrt();
+        for share in shares::<S>() {
+            let point = first + way * share;
+            let hangs = S::constant(4.0) * share * (S::ONE - share) * sag;
+            points.extend([point[0], point[1], point[2] - hangs]);
+        }
+    }
+
+    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+        vec![[self.first.body, self.second.body]]
     }
 
     /// Energy stored, J.

@@ -10,6 +10,7 @@ use serde::Serialize;
 
 /// The sea to draw.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SeaDescription {
     /// Density of the water, kg/m^3.
     pub density_kg_m3: f64,
@@ -23,6 +24,7 @@ pub struct SeaDescription {
 
 /// A spectrum of which not all is in the sea.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CutSpectrum {
     /// Name of the wave system.
     pub name: String,
@@ -34,6 +36,7 @@ pub struct CutSpectrum {
 
 /// A hull in the water, to draw.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HullDescription {
     /// Name of the force.
     pub name: String,
@@ -47,12 +50,15 @@ pub struct HullDescription {
     pub length_m: f64,
     /// Beam of its water line, m.
     pub beam_m: f64,
+    /// Whether its buoyancy is that of small motions about the draught of its data.
+    pub is_linear: bool,
     /// Its shape, where the data have it.
     pub mesh: Option<MeshDescription>,
 }
 
 /// Triangles to draw.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MeshDescription {
     /// From the body's centre of mass, body axes, m.
     pub vertices_m: Vec<[f64; 3]>,
@@ -83,20 +89,26 @@ fn cut_spectra(scenario: &Scenario) -> Vec<CutSpectrum> {
 /// The hulls, in the order of results.
 pub fn hulls(scenario: &Scenario, setup: &Setup) -> Vec<HullDescription> {
     let described = of_kind(&setup.elements).filter_map(|hull: &Hull| {
-        let at_rest = at_rest(scenario, &hull.name)?;
-        Some(hull_description(hull, &setup.model.bodies[hull.frame.body].name, at_rest))
+        let water = water(scenario, &hull.name)?;
+        let at_rest = &scenario.files.database(&water.database)?.hull;
+        let is_linear = water.hydrostatics != schema::Hydrostatics::Mesh;
+        Some(hull_description(hull, &setup.model.bodies[hull.frame.body].name, at_rest, is_linear))
     });
     described.collect()
 }
 
-/// What the database of a force says of its hull.
-fn at_rest<'a>(scenario: &'a Scenario, force: &str) -> Option<&'a HullAtRest> {
+/// The water on the hull of a force.
+fn water<'a>(scenario: &'a Scenario, force: &str) -> Option<&'a schema::Hydrodynamics> {
     let (_, force) = scenario.forces.iter().find(|(name, _)| name.as_str() == force)?;
-    let schema::Force::Hydrodynamics(water) = force else { return None };
-    Some(&scenario.files.database(&water.database)?.hull)
+    if let schema::Force::Hydrodynamics(water) = force { Some(water) } else { None }
 }
 
-fn hull_description(hull: &Hull, body: &str, at_rest: &HullAtRest) -> HullDescription {
+/// Whether a body by this joint is a ship, or floats as one.
+pub fn floats(joint: &schema::Joint) -> bool {
+    matches!(joint, schema::Joint::Floating(_) | schema::Joint::MovedByWaves(_))
+}
+
+fn hull_description(hull: &Hull, body: &str, at_rest: &HullAtRest, is_linear: bool) -> HullDescription {
     let origin = hull.frame.origin.0;
     let from_centre = |vertex: &[f64; 3]| core::array::from_fn(|k| vertex[k] + origin[k]);
     HullDescription {
@@ -106,6 +118,7 @@ fn hull_description(hull: &Hull, body: &str, at_rest: &HullAtRest) -> HullDescri
         draught_m: at_rest.draught_m,
         length_m: at_rest.length_m,
         beam_m: at_rest.beam_m,
+        is_linear,
         mesh: at_rest.mesh.as_ref().map(|mesh| MeshDescription {
             vertices_m: mesh.vertices_m.iter().map(from_centre).collect(),
             triangles: mesh.triangles.clone(),

@@ -1,0 +1,43 @@
+//! The lines that a picture has beside the bodies.
+
+use super::{Simulation, stage};
+use crate::elements::{DrawnLine, LineStyle};
+use crate::model::{Joint, JointKind};
+
+impl Simulation {
+    /// The lines that there are to draw: the ropes that bodies hang on by their joints, and what the elements draw.
+    pub fn lines(&self) -> Vec<DrawnLine> {
+        let rope = |(_, joint): (usize, &Joint)| DrawnLine {
+            name: joint.name.clone(),
+            style: LineStyle::Rope,
+            radius_m: 0.0,
+            points: 2,
+        };
+        self.hanging().map(rope).chain(self.plant.layout().lines.iter().cloned()).collect()
+    }
+
+    /// The points of [`lines`](Self::lines) now, one after another: x, y and z of each, m, world.
+    pub fn line_points(&mut self) -> Vec<f64> {
+        let mut points = Vec::new();
+        let hanging: Vec<(usize, [f64; 3])> =
+            self.hanging().map(|(body, joint)| (body, joint.kind.to_child().0)).collect();
+        let bodies = self.plant.body_kinematics(&self.state.q, &self.state.v);
+        for (body, [x, y, z]) in hanging {
+            points.extend(bodies.world[body].point(crate::spatial::Vector3::new(-x, -y, -z)).0);
+            points.extend(bodies.world[body].position.0);
+        }
+        self.plant.draw(stage(self.interval(), &self.state), &mut points);
+        points
+    }
+
+    /// Bodies that turn about two axes or more of a joint away from their centre, which hang as on a rope without mass.
+    fn hanging(&self) -> impl Iterator<Item = (usize, &Joint)> {
+        let hangs = |joint: &Joint| {
+            let turns = |axis: usize| joint.kind.axis_motion(axis) == Some(crate::model::AxisMotion::Rotation);
+            let is_ball = matches!(joint.kind, JointKind::Spherical(_));
+            let is_pair = joint.kind.velocity_count() == 2 && turns(0) && turns(1);
+            (is_ball || is_pair) && joint.kind.to_child().norm() > 0.0
+        };
+        self.plant.model.joints.iter().enumerate().filter(move |(_, joint)| hangs(joint))
+    }
+}
