@@ -107,8 +107,10 @@ def _with_derivatives(
             of_variable = np.char.add(
                 variable.coords[results.unit_coordinate(name)].values.astype(str), PER_UNIT
             )
-            along = ("parameter", *variable.coords[results.unit_coordinate(name)].dims)
+            unit_dims = ("parameter", *variable.coords[results.unit_coordinate(name)].dims)
             per_unit = np.broadcast_to(of_variable, (len(names), *of_variable.shape))
-            found = found.assign_coords({results.unit_coordinate(f"{name}{DERIVATIVE}"): (along, per_unit)})
+            found = found.assign_coords(
+                {results.unit_coordinate(f"{name}{DERIVATIVE}"): (unit_dims, per_unit)}
+            )
         found[f"{name}{DERIVATIVE}"] = (("parameter", *variable.dims), values, about)
     return found

@@ -109,7 +109,14 @@ def table() -> list[str]:
         if language == "yaml" and "regular_wave" not in block:
             whole = merged(whole, outline(block))
     # Of the gallery, one with turning and sliding joints, loops and cylinders names units and labels.
-    channels = kingpost.Simulation("knuckle_boom_crane").channels
+    found: dict[str, dict] = {}
+    for name in ("knuckle_boom_crane", *kingpost.gallery.names()):
+        for channel in kingpost.Simulation(name).channels:
+            known = found.setdefault(channel["variable"], {**channel, "units": []})
+            known["units"] += [unit for unit in channel["units"] if unit not in known["units"]]
+    channels = sorted(
+        found.values(), key=lambda channel: not channel["dims"] and channel["variable"] != "time"
+    )
     labels = {"body": "hull", "axis": "z", "quaternion": "w", "coordinate": "pendant.first",
               "joint": "pendant",
               "component": "force_z", "point": "boom.tip", "hull": "water", "line": "line_port_bow",
