@@ -17,11 +17,12 @@ pub(super) const LARGEST: f64 = 1.6e6;
 /// (Cody and Waite 1980). Of sums and products alone, so that the bits are the same on every machine and in lanes.
 #[inline(always)]
 pub(super) fn sin_cos(angle: f64) -> (f64, f64) {
-    if !(angle.abs() < LARGEST) {
-        return libm::sincos(angle);
+    if angle.abs() < LARGEST {
+        let (quarters, left) = reduced(angle);
+        turned(sine(left), cosine(left), quarters)
+    } else {
+        libm::sincos(angle)
     }
-    let (quarters, left) = reduced(angle);
-    turned(sine(left), cosine(left), quarters)
 }
 
 /// The whole number of quarters, in the last bits, and what is left, rad.
