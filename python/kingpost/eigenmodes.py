@@ -25,7 +25,7 @@ SMALLEST_SQUARE = 1e-10
 """Squared frequencies below this count as zero, (rad/s)^2: a period of a week."""
 FIRST = 1e3
 """Weight of what a drive keeps, beside the largest of a coordinate, in naming zero modes."""
-MEMORY = ".radiation."
+MEMORY = (".radiation.", ".slow.")
 """In the names of the states that remember radiated waves."""
 LAST = 1e-6
 """Their weight in naming zero modes: they follow where a hull is."""
@@ -125,7 +125,7 @@ class Scaled:
             @ a
             @ block_diagonal(outward / frequency, outward, plain)
         )
-        further = balanced(energies, [MEMORY not in name for name in names[n:]])
+        further = balanced(energies, [not remembers(name) for name in names[n:]])
         to_scaled = block_diagonal(inward * frequency, inward, np.diag(1 / further))
         from_scaled = block_diagonal(outward / frequency, outward, np.diag(further))
         smallest = max(SMALLEST_SHARE * square, SMALLEST_SQUARE) / frequency
@@ -140,12 +140,17 @@ class Scaled:
     @property
     def memory(self) -> NDArray[np.bool_]:
         """Which of the names remember radiated waves."""
-        return np.array([MEMORY in name for name in self.names])
+        return np.array([remembers(name) for name in self.names])
 
     def share(self, shape: NDArray) -> NDArray[np.float64]:
         """Weights by name: of a coordinate its energy at that amplitude, of a state its scaled square."""
         weights = np.concatenate([np.diag(self.mass), self.further**-2.0])
         return weights[:, None] * np.abs(shape) ** 2 if shape.ndim > 1 else weights * np.abs(shape) ** 2
+
+
+def remembers(state: str) -> bool:
+    """Whether a state is of what the sea's loads remember: radiated waves, and where the hull is on average."""
+    return any(part in state for part in MEMORY)
 
 
 def balanced(a: NDArray, counts: Sequence[bool]) -> NDArray[np.float64]:

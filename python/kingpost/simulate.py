@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -84,6 +84,25 @@ class DrawnLine:
     points_m: NDArray[np.float64]
 
 
+@dataclass(frozen=True)
+class Event:
+    """Something that an element watched for and that happened inside a step.
+
+    Attributes
+    ----------
+    time_s
+        When, located to 1e-12 s.
+    element
+        The element that watched for it.
+    what
+        What happened.
+    """
+
+    time_s: float
+    element: str
+    what: str
+
+
 class Simulation:
     """One run of a scenario, stepped by hand.
 
@@ -122,8 +141,8 @@ class Simulation:
         self._engine.step(int(n))
 
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
-        """Run from here to the scenario's duration and return what was recorded. The attribute ``warning``
-        is there where a rod that stands for a rope did what no rope does.
+        """Run from here to the scenario's duration and return what was recorded. The attribute ``events`` tells what
+        happened, and ``warning`` is there where a rod that stands for a rope did what no rope does.
 
         `progress` is called now and then with the time in seconds.
 
@@ -140,12 +159,22 @@ class Simulation:
         rows, error = self._engine.run(progress)
         status = "finished" if error is None else str(error) or "interrupted"
         results = dataset(self.scenario, self.channels, rows, status)
+        results.attrs["events"] = json.dumps([asdict(event) for event in self.events])
         if found := warnings(results, self.scenario):
             results.attrs["warning"] = "; ".join(found)
         if error is not None:
             error.results = results
             raise error
         return results
+
+    @property
+    def events(self) -> list[Event]:
+        """What has happened so far, in order of time; a data set holds the same as JSON, in its attribute ``events``.
+
+        >>> Simulation("paper").events
+        []
+        """
+        return [Event(*event) for event in self._engine.events()]
 
     @property
     def time_s(self) -> float:

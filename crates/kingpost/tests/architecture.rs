@@ -128,6 +128,35 @@ fn every_folder_of_the_app_imports_only_those_before_it() {
     hold_to_order("## The app's folders", "web/src", ".ts", typescript_imports);
 }
 
+/// Names of the kinds of element: public types of `elements/` that implement the contract.
+fn kinds_of_element() -> BTreeSet<String> {
+    let mut kinds = BTreeSet::new();
+    for path in files_below(&root().join("crates/kingpost/src/elements"), ".rs") {
+        for line in read(&path).lines().filter(|line| line.starts_with("impl<S: Scalar> Element<S> for ")) {
+            kinds.insert(word(line.split(" for ").nth(1).expect("a type")));
+        }
+    }
+    kinds
+}
+
+#[test]
+fn no_kind_of_element_is_named_behind_the_builder() {
+    let kinds = kinds_of_element();
+    assert!(kinds.len() > 15 && kinds.contains("Motor") && kinds.contains("Hull"), "{kinds:?}");
+    let source = root().join("crates/kingpost/src");
+    for folder in ["plant", "results", "simulation", "batch", "ledger.rs", "results.rs", "state.rs"] {
+        let place = source.join(folder);
+        let files = if place.is_dir() { files_below(&place, ".rs") } else { vec![place] };
+        for path in files {
+            for line in read(&path).lines().filter(|line| !line.trim_start().starts_with("//")) {
+                let words: BTreeSet<&str> = line.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+                let named = kinds.iter().find(|kind| words.contains(kind.as_str()));
+                assert!(named.is_none(), "{} names {}", path.display(), named.map_or("", |kind| kind));
+            }
+        }
+    }
+}
+
 #[test]
 fn the_engine_has_no_clock_no_output_and_no_input() {
     let source = root().join("crates/kingpost/src");
