@@ -26,7 +26,7 @@ SMALLEST_SQUARE = 1e-10
 FIRST = 1e3
 """Weight of what a drive keeps, beside the largest of a coordinate, in naming zero modes."""
 MEMORY = (".radiation.", ".slow.")
-"""In the names of the states that remember radiated waves."""
+"""In the names of the states that remember radiated waves, and where the hull is on average."""
 LAST = 1e-6
 """Their weight in naming zero modes: they follow where a hull is."""
 BALANCINGS = 20

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .eigenmodes import DECAY, MEMORY, OSCILLATION, UNSTABLE
+from .eigenmodes import DECAY, OSCILLATION, UNSTABLE, remembers
 from .report import table
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def text(found: xarray.Dataset, all_modes: bool = False) -> str:
     shown_ones = (
         shown_ones
         if all_modes
-        else shown_ones.sel(coordinate=[name for name in found["coordinate"].values if MEMORY not in name])
+        else shown_ones.sel(coordinate=[name for name in found["coordinate"].values if not remembers(name)])
     )
     lines += _modes_along(shown_ones, sweep) if sweep else _modes(shown_ones)
     if not all_modes and waters.any():
