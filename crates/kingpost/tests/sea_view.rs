@@ -47,3 +47,20 @@ fn the_surface_is_the_wave_that_the_hull_feels() {
     let calm = Simulation::new(scenario(&[]).setup().expect("it builds"));
     assert_eq!(calm.surface(&[0.0, 1.0], &[2.0]), [0.0, 0.0]);
 }
+
+/// The place that the loads are taken at is a state like any other: halving the step of RK4 moves the end of a run in waves
+/// by its order. The ramp of the waves is smooth to its second derivative, and ends before.
+#[test]
+fn loads_of_the_sea_have_the_order_of_the_scheme() {
+    let end = |step_s: f64| {
+        let overrides = [(SWELL, json!(true)), ("simulation.step_s", json!(step_s)), ("sea.ramp_s", json!(0.0))];
+        let mut simulation = Simulation::new(scenario(&overrides).setup().expect("it builds"));
+        simulation.step((4.0 / step_s).round() as usize).expect("it runs");
+        simulation.state().q.clone()
+    };
+    let truth = end(0.003_125);
+    let [coarse, fine] = [0.1, 0.05]
+        .map(|step_s| end(step_s).iter().zip(&truth).map(|(found, truth)| (found - truth).abs()).fold(0.0, f64::max));
+    let order = (coarse / fine).log2();
+    assert!((order - 4.0).abs() < 0.5, "order {order}: {coarse:e}, {fine:e}");
+}
