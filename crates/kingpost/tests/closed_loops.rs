@@ -306,7 +306,8 @@ fn a_dead_centre_leaves_nothing_behind_in_a_simulation_that_is_put_back() {
         let snapshot = back.snapshot();
         assert!(back.step(100).is_err(), "{integrator}: there is a dead centre 0.02 s ahead");
         fresh.step(2).expect("two steps before it");
-        let ways: [(&str, fn(&mut kingpost::Simulation, &kingpost::state::State, &[u8])); 3] = [
+        type Back = fn(&mut kingpost::Simulation, &kingpost::state::State, &[u8]);
+        let ways: [(&str, Back); 3] = [
             ("reset", |simulation, _, _| simulation.reset()),
             ("restore", |simulation, _, snapshot| simulation.restore(snapshot).expect("its own")),
             ("set_state", |simulation, state, _| {

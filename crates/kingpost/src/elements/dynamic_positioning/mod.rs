@@ -129,22 +129,20 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         for planar in [deviation.error, demand, command, [force[0], force[1], moment[2]]] {
             out.extend(planar);
         }
-        let each = |number: &dyn Fn(&Thruster<S>, Thrust<S>, &mut Vec<S>), out: &mut Vec<S>| {
+        let of_thrusters = || {
             let mut first = 0;
-            for thruster in self.allocation.thrusters() {
-                number(thruster, thrust_at(thrusts, first), out);
+            self.allocation.thrusters().iter().map(move |thruster| {
+                let thrust = thrust_at(thrusts, first);
                 first += thruster.components();
-            }
+                (thruster, thrust)
+            })
         };
-        each(&|thruster, thrust, out| out.push(thruster.signed_thrust(thrust)), out);
-        each(
-            &|thruster, thrust, out| {
-                let [x, y] = thruster.force(thrust);
-                out.extend([x, y, S::ZERO]);
-            },
-            out,
-        );
-        each(&|thruster, thrust, out| out.push(thruster.utilisation(thrust)), out);
+        out.extend(of_thrusters().map(|(thruster, thrust)| thruster.signed_thrust(thrust)));
+        out.extend(of_thrusters().flat_map(|(thruster, thrust)| {
+            let [x, y] = thruster.force(thrust);
+            [x, y, S::ZERO]
+        }));
+        out.extend(of_thrusters().map(|(thruster, thrust)| thruster.utilisation(thrust)));
     }
 
     fn settling(&self) -> Option<&dyn Settling<S>> {
