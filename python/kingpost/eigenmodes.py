@@ -149,7 +149,7 @@ class Scaled:
 
 
 def remembers(state: str) -> bool:
-    """Whether a state is of what the sea's loads remember: radiated waves, and where the hull is on average."""
+    """Whether a state remembers radiated waves, or where the hull is on average."""
     return any(part in state for part in MEMORY)
 
 

@@ -141,8 +141,10 @@ class Simulation:
         self._engine.step(int(n))
 
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
-        """Run from here to the scenario's duration and return what was recorded. The attribute ``events`` tells what
-        happened, and ``warning`` is there where a rod that stands for a rope did what no rope does.
+        """Run from here to the scenario's duration and return what was recorded.
+
+        The attribute ``events`` says what happened; ``warning`` is there where a rod that stands for a rope
+        did what no rope does.
 
         `progress` is called now and then with the time in seconds.
 
@@ -169,7 +171,7 @@ class Simulation:
 
     @property
     def events(self) -> list[Event]:
-        """What has happened so far, in order of time; a data set holds the same as JSON, in its attribute ``events``.
+        """What has happened so far, in order of time; a data set holds it as JSON in ``attrs["events"]``.
 
         >>> Simulation("paper").events
         []
