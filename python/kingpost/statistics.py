@@ -73,7 +73,8 @@ def summary(
 
     kept = after(results, after_s)
     if isinstance(kept, xarray.Dataset):
-        named = {name: summary(v) if "time" in v.dims else v for name, v in kept.data_vars.items()}
+        own = {name: _with_own_unit(v) for name, v in kept.data_vars.items()}
+        named = {name: summary(v) if "time" in v.dims else v for name, v in own.items()}
         return xarray.Dataset(named, attrs=kept.attrs)
     deviation = kept.std("time")
     period = xarray.apply_ufunc(
@@ -85,6 +86,13 @@ def summary(
     about = {key: value for key, value in kept.attrs.items() if key != "units"}
     found = xarray.concat(values, names).assign_attrs(about).rename(kept.name)
     return found.assign_coords({unit_coordinate(kept.name): _units(kept, names)})
+
+
+def _with_own_unit(variable: xarray.DataArray) -> xarray.DataArray:
+    """A variable of a data set without the units of those beside it."""
+    ending = unit_coordinate("")
+    others = [c for c in variable.coords if str(c).endswith(ending) and c != unit_coordinate(variable.name)]
+    return variable.drop_vars(others)
 
 
 def _units(kept: xarray.DataArray, names: xarray.DataArray) -> xarray.DataArray:

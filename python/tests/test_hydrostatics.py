@@ -99,7 +99,9 @@ def test_the_righting_arms_of_a_crane_to_port_and_to_starboard_are_the_same(caps
         assert main(["check", "offshore_vessel", *(a for pair in overrides for a in ("--set", pair))]) == 0
         shown = capsys.readouterr().out
         (heel,) = re.findall(rf"^heel +([\d.]+) deg +to {side}$", shown, re.MULTILINE)
-        (top,) = re.findall(rf"^righting arms to {side}: .*largest GZ ([\d.]+) m", shown, re.MULTILINE)
+        (top,) = re.findall(
+            rf"^righting arms of the mesh to {side}: largest GZ ([\d.]+) m", shown, re.MULTILINE
+        )
         assert f"warning: hull: heel {float(heel):.2f} deg to {side}" in shown
         heels.append(float(heel))
         largest.append(float(top))

@@ -1,5 +1,7 @@
 """Statistics of records: Gaussian processes of a known spectrum, Gumbel samples, the engine's own sea."""
 
+import json
+
 import kingpost
 import numpy as np
 import pytest
@@ -165,6 +167,7 @@ def recorded(tmp_path, seed: int, duration_s: float = 1800.0, **parameters) -> s
         {"time": time, "body": ["ship"]},
         {
             "title": "a barge",
+            "floating_bodies": json.dumps(["ship"]),
             "scenario": kingpost.load("barge", {"simulation.seed": seed}, **parameters).json,
         },
     )
