@@ -233,7 +233,7 @@ fn rates_of_what_is_held_are_refused() {
             ""
         ),
         "bodies.body.joint.universal.second.mode.prescribed.history: found lever, \
-         allowed: constant or pulse, for a prescribed motion"
+         allowed: constant, pulse or list, for a prescribed motion"
     );
 }
 

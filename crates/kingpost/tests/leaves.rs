@@ -7,11 +7,12 @@ use kingpost::elements::{DynamicPositioning, FlowLoad, of_kind};
 use kingpost::plant::DIRECTIONS;
 use kingpost::results::Channel;
 use kingpost::scalar::Dual;
-use kingpost::scenario::{Files, Scenario, read_with};
+use kingpost::scenario::{Files, Host, Scenario, read_with};
 use kingpost::simulation::{Run, Simulation};
 use serde_json::{Value, json};
+use std::borrow::Cow;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A scenario and the files that it names.
 struct Case {
@@ -21,12 +22,29 @@ struct Case {
 }
 
 fn gallery(name: &'static str) -> (String, Files) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
-    let text = fs::read_to_string(folder.join(name)).expect("a file of the gallery");
-    let hulls = ["hydro/barge.hydro.json", "hydro/offshore_vessel.hydro.json", "hydro/sphere.hydro.json"];
-    let file = |name: &str| (name.to_owned(), fs::read_to_string(folder.join(name)).expect("a database"));
-    let named = hulls.into_iter().filter(|hull| text.contains(hull)).map(file).collect::<Vec<_>>();
-    (text, Files::new(named.into_iter().chain([("record.csv".to_owned(), record()), ("raos.csv".to_owned(), raos())])))
+    let text = fs::read_to_string(folder().join(name)).expect("a file of the gallery");
+    (text, Files::of(Tables))
+}
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios")
+}
+
+/// The gallery's files, a record of waves and a table of RAOs.
+#[derive(Debug)]
+struct Tables;
+
+impl Host for Tables {
+    fn text(&self, name: &str) -> Option<Cow<'_, str>> {
+        match name {
+            "record.csv" => Some(Cow::Owned(record())),
+            "raos.csv" => Some(Cow::Owned(raos())),
+            _ => {
+                let path = folder().join(name.strip_prefix("gallery:").unwrap_or(name));
+                fs::read_to_string(path).ok().map(Cow::Owned)
+            }
+        }
+    }
 }
 
 /// Eight seconds of two waves.
