@@ -84,7 +84,8 @@ def summary(
     values = (kept.mean("time"), deviation, 2 * deviation, 4 * deviation, period, most, least)
     names = xarray.DataArray(np.array(STATISTICS), dims="statistic", name="statistic")
     about = {key: value for key, value in kept.attrs.items() if key != "units"}
-    found = xarray.concat(values, names).assign_attrs(about).rename(kept.name)
+    found = xarray.concat(values, names).rename(kept.name)
+    found.attrs = about
     return found.assign_coords({unit_coordinate(kept.name): _units(kept, names)})
 
 

@@ -59,8 +59,8 @@ def test_a_pendant_that_goes_over_the_top_is_told_of(tmp_path, capsys, angle) ->
 
 @pytest.mark.parametrize("height", [6.5, 12.5])
 def test_a_massless_rod_that_holds_its_load_up_is_told_of(tmp_path, height) -> None:
-    """The eye of a load of 100 kg, 0.5 m over its centre, is 3 m above the rod's other end: the rod pushes with
-    the weight; or it is 3 m below: the rod pulls."""
+    """The eye of a load of 100 kg, 0.5 m over its centre, is 3 m above the rod's other end: the rod pushes
+    with the weight; or it is 3 m below: the rod pulls."""
     path = tmp_path / "rod.yaml"
     path.write_text(ROD.format(height=height))
     warning = kingpost.run(path).attrs.get("warning", "")

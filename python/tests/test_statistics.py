@@ -163,7 +163,13 @@ def recorded(tmp_path, seed: int, duration_s: float = 1800.0, **parameters) -> s
     time = 0.25 * np.arange(len(record))
     ramp = np.where(time < 20, 100.0, 1.0)
     results = xarray.Dataset(
-        {"roll": (("time", "body"), (0.02 * ramp * record)[:, None], {"units": "rad"})},
+        {
+            "roll": (
+                ("time", "body"),
+                (0.02 * ramp * record)[:, None],
+                {"units": "rad", "column": "{body}.roll"},
+            )
+        },
         {"time": time, "body": ["ship"]},
         {
             "title": "a barge",
