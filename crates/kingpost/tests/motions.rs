@@ -3,11 +3,11 @@
 //! what is left is rounding.
 
 mod common;
+mod gallery_common;
 
 use common::{simulation, values};
 use kingpost::Simulation;
-use kingpost::scenario::{Files, read, read_with};
-use std::collections::HashMap;
+use kingpost::scenario::read;
 use std::f64::consts::FRAC_PI_2;
 
 /// Rounding of some thousand steps.
@@ -184,11 +184,6 @@ fn ways_and_shares_have_derivatives_and_times_have_none() {
 /// area of their pulse.
 #[test]
 fn the_cranes_of_the_gallery_stop_where_their_texts_say() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/");
-    let text_of = |name: &str| std::fs::read_to_string(format!("{folder}{name}")).expect("a file of the gallery");
-    let names = ["hydro/barge.hydro.json", "hydro/offshore_vessel.hydro.json"];
-    let files: HashMap<String, String> = names.iter().map(|name| ((*name).to_owned(), text_of(name))).collect();
-    let files = Files::new(files);
     let cases = [
         ("barge.yaml", FRAC_PI_2, 32.0),
         ("offshore_vessel.yaml", FRAC_PI_2, 66.0),
@@ -197,7 +192,7 @@ fn the_cranes_of_the_gallery_stop_where_their_texts_say() {
         ("paper_true_draught.yaml", 0.05 * 24.0, 28.0),
     ];
     for (name, expected, end_s) in cases {
-        let scenario = read_with(&text_of(name), name, &[], &files).expect("the gallery reads");
+        let scenario = gallery_common::scenario(name.trim_end_matches(".yaml"), &[]);
         let mut simulation = scenario.simulation().expect("the gallery builds");
         let slew = simulation.model().coordinate("slew").expect("a slewing crane");
         let (_, position) = simulation.model().axis_coordinate(slew).expect("an axis");

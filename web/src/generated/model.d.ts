@@ -63,6 +63,10 @@ export interface Description {
     | "generalized_alpha"
     | "implicit_midpoint";
   /**
+   * The parts that it is made of, those in parts too.
+   */
+  parts: PartDescription[];
+  /**
    * The bodies in the order of results.
    */
   bodies: BodyDescription[];
@@ -94,6 +98,37 @@ export interface Description {
    * What a person should know of the model before it runs.
    */
   warnings: string[];
+}
+/**
+ * A part and where it stands.
+ */
+export interface PartDescription {
+  /**
+   * Name of its mounting.
+   */
+  name: string;
+  /**
+   * A part of the gallery, or a file.
+   */
+  part: string;
+  /**
+   * The body that it stands on, or `world`.
+   */
+  on: string;
+  /**
+   * In the drawing frame of that body, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+  /**
+   * Its axes in that body's: roll, pitch, yaw, rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad: [number, number, number];
 }
 /**
  * A body to draw.
