@@ -53,6 +53,7 @@ export async function setChecked(page, name, value) {
 export async function setFigures(page) {
   await setChecked(page, "load", false);
   await item(page, "torque_history").selectOption("constant");
+  await settle(page);
   await setNumber(page, "crane_x_m", 0);
   await setNumber(page, "crane_y_m", 0);
 }
