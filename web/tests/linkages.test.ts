@@ -15,6 +15,7 @@ const MODEL: ModelInfo = {
   step_s: 0.01,
   record_every_s: 0.1,
   integrator: "rk4",
+  parts: [],
   bodies: [
     { ...BODY, name: "post" },
     { ...BODY, name: "boom" },
