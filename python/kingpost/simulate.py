@@ -253,11 +253,11 @@ class Simulation:
         []
         """
         lines = json.loads(self._engine.lines_json())
-        ends = np.cumsum([line["points"] for line in lines])[:-1]
-        points = np.split(self._engine.line_points().reshape(-1, 3), ends)
+        points = self._engine.line_points().reshape(-1, 3)
+        ends = np.cumsum([line["points"] for line in lines], dtype=int)
         return [
-            DrawnLine(line["name"], line["style"], line["radius_m"], of)
-            for line, of in zip(lines, points, strict=True)
+            DrawnLine(line["name"], line["style"], line["radius_m"], points[end - line["points"] : end])
+            for line, end in zip(lines, ends, strict=True)
         ]
 
     def acceleration(self, tau: ArrayLike | None = None) -> NDArray[np.float64]:

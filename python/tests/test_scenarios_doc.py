@@ -11,7 +11,7 @@ import pytest
 from kingpost import cli
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "scenarios.md").read_text(encoding="utf-8")
-BLOCKS = re.findall(r"```(\w*)\n(.*?)```", PAGE, re.DOTALL)
+BLOCKS = re.findall(r"```([\w ]*)\n(.*?)```", PAGE, re.DOTALL)
 FILE = "barge_crane.yaml"
 RECORD = "time_s,elevation_m\n" + "\n".join(f"{i},{(-1) ** i * 0.2}" for i in range(64)) + "\n"
 
@@ -82,6 +82,10 @@ def test_the_page_is_a_scenario_that_grows_and_runs(folder, monkeypatch, capsys)
                 kingpost.Simulation(kingpost.load(FILE)).step(3)
             whole = whole if "regular_wave" in block else merged(whole, piece)
             Path(FILE).write_text(written(whole))
+        elif language == "yaml mode":
+            for mode in block.splitlines():
+                Path("moved.yaml").write_text(slewing(Path(FILE).read_text(), mode))
+                kingpost.Simulation(kingpost.load("moved.yaml")).step(3)
         elif language == "python":
             exec(compile(block, "scenarios.md", "exec"), {})
         else:
@@ -94,6 +98,16 @@ def test_the_page_is_a_scenario_that_grows_and_runs(folder, monkeypatch, capsys)
     assert "pendant.joint_reaction.force_z" in shown
     # Light crane on a wide barge: upright but for a few degrees.
     assert max(abs(kingpost.run(FILE, {"simulation.duration_s": 30})["roll"].sel(body="hull").values)) < 0.1
+
+
+def slewing(scenario: str, mode: str) -> str:
+    """The scenario with a line of the page as the mode of its slewing joint, or of a slide in its place."""
+    (joint,) = re.findall(r"revolute: {name: slew, .*}", scenario)
+    moved = joint.replace("mode: held", mode.partition("#")[0].strip())
+    assert moved != joint
+    if "_m" in mode:
+        moved = moved.replace("revolute", "prismatic").replace("initial_angle_deg: 90, ", "")
+    return scenario.replace(joint, moved)
 
 
 def each_sea(piece: Outline) -> list[Outline]:

@@ -307,8 +307,8 @@ fn derivatives_by_differences_agree_with_dual_numbers() {
     let largest = exact.rows(k, k).abs().max();
     for (row, &i) in free.iter().enumerate() {
         for (column, &j) in free.iter().enumerate() {
-            let by_xi = found.by_xi[j * n + i] - exact[(k + row, column)];
-            let by_v = found.by_v[j * n + i] - exact[(k + row, k + column)];
+            let by_xi = found.by_xi[j * found.rows + i] - exact[(k + row, column)];
+            let by_v = found.by_v[j * found.rows + i] - exact[(k + row, k + column)];
             assert!(by_xi.abs().max(by_v.abs()) < 1e-6 * largest, "{i} by {j}: {by_xi:e} {by_v:e}");
         }
     }

@@ -79,9 +79,13 @@ impl<S: Scalar> GeneralizedAlpha<S> {
         self.begin(system, interval, state);
         let Self { rates, a0, a1, newton, .. } = self;
         newton.v_dot.copy_from_slice(&rates[..n]);
+        newton.s_dot.copy_from_slice(&rates[n..]);
         newton.v_start.copy_from_slice(&state.v);
         accumulate(&mut newton.v_start, h * (1.0 - rule.gamma), &a0[..n]);
         accumulate(&mut newton.v_start, h * rule.gamma, &a1[..n]);
+        newton.s_start.copy_from_slice(&state.s);
+        accumulate(&mut newton.s_start, h * (1.0 - rule.gamma), &a0[n..]);
+        accumulate(&mut newton.s_start, h * rule.gamma, &a1[n..]);
         newton.xi_start.fill(S::ZERO);
         accumulate(&mut newton.xi_start, h, &state.v);
         accumulate(&mut newton.xi_start, h * h * (0.5 - rule.beta), &a0[..n]);
@@ -90,7 +94,7 @@ impl<S: Scalar> GeneralizedAlpha<S> {
             time_s: interval.end_s,
             interval,
             xi_slope: h * h * rule.beta * rule.slope(),
-            v_slope: h * rule.gamma * rule.slope(),
+            slope: h * rule.gamma * rule.slope(),
             rotation: RotationBy::Exponential,
         };
         newton.recall(&state.memory[rates.len()..]);

@@ -5,11 +5,11 @@ use super::{Interval, Sizes, StepError, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
 
-/// With `vm = (v0 + v1) / 2` and the position half way,
+/// With `vm = (v0 + v1) / 2`, `sm = (s0 + s1) / 2` and the position half way,
 ///
 /// ```text
 /// qm = q0 retracted by 1/2 xi,   q1 = q0 retracted by xi
-/// v1 = v0 + h v'(t0 + h/2, qm, vm),   s1 = s0 + h s'(t0 + h/2, qm, vm)
+/// v1 = v0 + h v'(t0 + h/2, qm, vm, sm),   s1 = s0 + h s'(t0 + h/2, qm, vm, sm)
 /// ```
 ///
 /// `xi` is `h vm`, on rotations the vector of the Cayley transform of `h vm`: about `vm` by
@@ -44,14 +44,16 @@ impl<S: Scalar> ImplicitMidpoint<S> {
         let newton = &mut self.newton;
         let h = interval.end_s - interval.start_s;
         newton.v_dot.fill(S::ZERO);
+        newton.s_dot.fill(S::ZERO);
         newton.v_start.copy_from_slice(&state.v);
+        newton.s_start.copy_from_slice(&state.s);
         newton.xi_start.fill(S::ZERO);
         accumulate(&mut newton.xi_start, 0.5 * h, &state.v);
         let place = Place {
             time_s: interval.start_s + 0.5 * h,
             interval,
             xi_slope: 0.25 * h * h,
-            v_slope: 0.5 * h,
+            slope: 0.5 * h,
             rotation: RotationBy::HalfCayley,
         };
         newton.recall(&state.memory);

@@ -1,4 +1,4 @@
-//! How the accelerations depend on positions and velocities.
+//! How the rates depend on positions, velocities and extra states.
 
 use super::{Sizes, Stage, System, largest};
 use crate::scalar::Scalar;
@@ -8,52 +8,100 @@ use crate::scalar::Scalar;
 /// (Nocedal & Wright, *Numerical Optimization*, 2nd ed., 2006, section 8.1).
 const DIFFERENCE: f64 = 1.5e-8;
 
-/// d(v')/d(xi) and d(v')/d(v), with the working memory to take differences.
+/// Derivatives of the rates r: v', and behind it the active s'. Each matrix by columns, entry (i, j) at
+/// `j * rows + i`; with the working memory to take differences.
 #[derive(Clone, Debug)]
 pub struct Jacobian<S = f64> {
-    /// d(v')/d(xi) by columns: entry (i, j) at `j * velocities + i`, 1/s^2.
+    /// Rows of each matrix: entries of v, and active entries of s.
+    pub rows: usize,
+    /// Entries of s that come before the active ones.
+    pub passive: usize,
+    /// dr/d(xi).
     pub by_xi: Vec<S>,
-    /// d(v')/d(v) by columns, 1/s.
+    /// dr/d(v).
     pub by_v: Vec<S>,
+    /// dr/d(s), of the active s.
+    pub by_s: Vec<S>,
     xi: Vec<S>,
     q: Vec<S>,
     v: Vec<S>,
-    here: Vec<S>,
-    moved: Vec<S>,
+    s: Vec<S>,
+    here: Rates<S>,
+    moved: Rates<S>,
+}
+
+#[derive(Clone, Debug)]
+struct Rates<S> {
+    v_dot: Vec<S>,
     s_dot: Vec<S>,
+}
+
+impl<S: Scalar> Rates<S> {
+    fn new(sizes: Sizes) -> Self {
+        Self { v_dot: vec![S::ZERO; sizes.velocities], s_dot: vec![S::ZERO; sizes.extras] }
+    }
+
+    /// Those that a Jacobian has rows of.
+    fn rows(&self, passive: usize) -> impl Iterator<Item = S> {
+        self.v_dot.iter().chain(&self.s_dot[passive..]).copied()
+    }
 }
 
 impl<S: Scalar> Jacobian<S> {
     /// Room for a system of these sizes.
     pub fn new(sizes: Sizes) -> Self {
-        let n = sizes.velocities;
-        let [xi, v, here, moved] = core::array::from_fn(|_| vec![S::ZERO; n]);
-        let (by_xi, by_v) = (vec![S::ZERO; n * n], vec![S::ZERO; n * n]);
-        Self { by_xi, by_v, xi, q: vec![S::ZERO; sizes.positions], v, here, moved, s_dot: vec![S::ZERO; sizes.extras] }
+        let (n, active) = (sizes.velocities, sizes.active());
+        let rows = n + active;
+        let [xi, v] = core::array::from_fn(|_| vec![S::ZERO; n]);
+        let [by_xi, by_v] = core::array::from_fn(|_| vec![S::ZERO; rows * n]);
+        let (by_s, q, s) = (vec![S::ZERO; rows * active], vec![S::ZERO; sizes.positions], vec![S::ZERO; sizes.extras]);
+        let [here, moved] = core::array::from_fn(|_| Rates::new(sizes));
+        Self { rows, passive: sizes.passive, by_xi, by_v, by_s, xi, q, v, s, here, moved }
     }
 
-    /// Both matrices by forward differences, to about eight digits; see [`System::jacobian`].
+    /// The same by xi and v alone, of v' alone.
+    pub fn of_motion(sizes: Sizes) -> Self {
+        Self::new(Sizes { passive: sizes.extras, ..sizes })
+    }
+
+    /// All of it, one after another.
+    pub(super) fn parts(&self) -> [&[S]; 3] {
+        [&self.by_xi, &self.by_v, &self.by_s]
+    }
+
+    /// The same, to be written.
+    pub(super) fn parts_mut(&mut self) -> [&mut [S]; 3] {
+        [&mut self.by_xi, &mut self.by_v, &mut self.by_s]
+    }
+
+    /// All three by forward differences, to about eight digits; see [`System::jacobian`].
     pub fn by_differences<Y: System<S>>(&mut self, system: &mut Y, base: &[S], xi: &[S], at: Stage<'_, S>) {
-        let Self { by_xi, by_v, xi: moved_xi, q, v, here, moved, s_dot } = self;
-        let n = xi.len();
-        system.rates(at, here, s_dot);
-        moved_xi.copy_from_slice(xi);
-        v.copy_from_slice(at.v);
-        for j in 0..n {
+        system.rates(at, &mut self.here.v_dot, &mut self.here.s_dot);
+        self.xi.copy_from_slice(xi);
+        self.v.copy_from_slice(at.v);
+        self.s.copy_from_slice(at.s);
+        for j in 0..xi.len() {
             if !system.is_free(j) {
                 continue;
             }
             let step = step_from(xi[j]);
-            moved_xi[j] += step;
-            system.retract(base, moved_xi, q);
-            moved_xi[j] = xi[j];
-            system.rates(Stage { q, ..at }, moved, s_dot);
-            difference(moved, here, step, &mut by_xi[j * n..][..n]);
+            self.xi[j] += step;
+            system.retract(base, &self.xi, &mut self.q);
+            self.xi[j] = xi[j];
+            system.rates(Stage { q: &self.q, ..at }, &mut self.moved.v_dot, &mut self.moved.s_dot);
+            difference(&self.moved, &self.here, self.passive, step, &mut self.by_xi[j * self.rows..]);
             let step = step_from(at.v[j]);
-            v[j] += step;
-            system.rates(Stage { v, ..at }, moved, s_dot);
-            v[j] = at.v[j];
-            difference(moved, here, step, &mut by_v[j * n..][..n]);
+            self.v[j] += step;
+            system.rates(Stage { v: &self.v, ..at }, &mut self.moved.v_dot, &mut self.moved.s_dot);
+            self.v[j] = at.v[j];
+            difference(&self.moved, &self.here, self.passive, step, &mut self.by_v[j * self.rows..]);
+        }
+        for (j, k) in (self.passive..at.s.len()).enumerate() {
+            let step = step_from(at.s[k]);
+            self.s[k] += step;
+            system.rates(Stage { s: &self.s, ..at }, &mut self.moved.v_dot, &mut self.moved.s_dot);
+            self.s[k] = at.s[k];
+            difference(&self.moved, &self.here, self.passive, step, &mut self.by_s[j * self.rows..]);
         }
     }
 }
@@ -64,8 +112,8 @@ fn step_from<S: Scalar>(x: S) -> S {
     (x + step) - x
 }
 
-fn difference<S: Scalar>(moved: &[S], here: &[S], step: S, column: &mut [S]) {
-    for ((out, moved), here) in column.iter_mut().zip(moved).zip(here) {
-        *out = (*moved - *here) / step;
+fn difference<S: Scalar>(moved: &Rates<S>, here: &Rates<S>, passive: usize, step: S, column: &mut [S]) {
+    for ((out, moved), here) in column.iter_mut().zip(moved.rows(passive)).zip(here.rows(passive)) {
+        *out = (moved - here) / step;
     }
 }

@@ -61,6 +61,15 @@ pub struct Sizes {
     pub velocities: usize,
     /// Length of s.
     pub extras: usize,
+    /// Of s the first ones, which no rate depends on: integrals that are carried along.
+    pub passive: usize,
+}
+
+impl Sizes {
+    /// Of s the last ones, which rates depend on.
+    pub fn active(self) -> usize {
+        self.extras - self.passive
+    }
 }
 
 /// What a scheme integrates: `q' = v` on the group, `v' = f`, `s' = g`. Time is no scalar `S`: all
@@ -95,8 +104,8 @@ pub trait System<S: Scalar = f64> {
         true
     }
 
-    /// Writes d(v')/d(xi) and d(v')/d(v) at a stage that stands at `q = retract(base, xi)`, with
-    /// time, v, s and d held. The columns of coordinates that are not free may stay zero.
+    /// Writes the derivatives of v' and of the active s' by xi, v and the active s at a stage that stands at
+    /// `q = retract(base, xi)`, at its time and with its d. The columns of coordinates that are not free may stay zero.
     ///
     /// This default takes differences, which cost an evaluation a column; a system that can carry
     /// derivatives through its equations gives exact columns instead.

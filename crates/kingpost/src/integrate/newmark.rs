@@ -50,8 +50,11 @@ impl<S: Scalar> Newmark<S> {
         let State { q, v, s, d, m, .. } = &*state;
         system.rates(Stage { time_s: interval.start_s, interval, q, v, s, d, m }, a0, s_dot0);
         newton.v_dot.copy_from_slice(a0);
+        newton.s_dot.copy_from_slice(s_dot0);
         newton.v_start.copy_from_slice(v);
         accumulate(&mut newton.v_start, h * (1.0 - *gamma), a0);
+        newton.s_start.copy_from_slice(s);
+        accumulate(&mut newton.s_start, h * (1.0 - *gamma), s_dot0);
         newton.xi_start.fill(S::ZERO);
         accumulate(&mut newton.xi_start, h, v);
         accumulate(&mut newton.xi_start, h * h * (0.5 - *beta), a0);
@@ -59,7 +62,7 @@ impl<S: Scalar> Newmark<S> {
             time_s: interval.end_s,
             interval,
             xi_slope: h * h * *beta,
-            v_slope: h * *gamma,
+            slope: h * *gamma,
             rotation: RotationBy::Exponential,
         };
         newton.recall(&state.memory);
@@ -67,7 +70,7 @@ impl<S: Scalar> Newmark<S> {
         newton.keep(&mut state.memory);
         state.q.copy_from_slice(&newton.q);
         state.v.copy_from_slice(&newton.v);
-        accumulate(&mut state.s, h * (1.0 - *gamma), s_dot0);
+        state.s.copy_from_slice(&newton.s_start);
         accumulate(&mut state.s, h * *gamma, &newton.s_dot);
         Ok(())
     }

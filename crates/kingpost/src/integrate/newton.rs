@@ -1,9 +1,10 @@
-//! Newton's method for the accelerations at a stage that they lead to themselves.
+//! Newton's method for the rates at a stage that they lead to themselves.
 
 use super::linear::Factors;
 use super::{Interval, Jacobian, Sizes, Stage, StepError, System, accumulate, largest};
 use crate::scalar::Scalar;
 use crate::state::State;
+use core::ops::Range;
 
 /// Iterations until a step is given up.
 const MOST_ITERATIONS: usize = 50;
@@ -24,6 +25,9 @@ const SLOW: f64 = 0.25;
 /// system at rest, whose rates are rounding, converges as well.
 const REST: f64 = 1e-3;
 
+/// Added to the size of s, so that extra states at zero converge as well.
+const SMALLEST_EXTRA: f64 = 1e-9;
+
 /// Numbers of the memory before the derivatives: whether there are any, the iterations with new ones,
 /// and those beyond since.
 const HEAD: usize = 3;
@@ -38,7 +42,7 @@ pub(super) enum RotationBy {
     HalfCayley,
 }
 
-/// A stage by the accelerations there: `xi = xi_start + xi_slope v'`, `v = v_start + v_slope v'`.
+/// A stage by the rates there: `xi = xi_start + xi_slope v'`, `v = v_start + slope v'`, `s = s_start + slope s'`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub(super) time_s: f64,
@@ -46,27 +50,34 @@ pub(super) struct Place {
     /// s^2.
     pub(super) xi_slope: f64,
     /// s.
-    pub(super) v_slope: f64,
+    pub(super) slope: f64,
     pub(super) rotation: RotationBy,
 }
 
 /// The unknown stage, and the memory to find it.
 #[derive(Clone, Debug)]
 pub(super) struct Newton<S> {
-    /// Given: the constant parts of xi and v.
+    /// Given: the constant parts of xi, v and s.
     pub(super) xi_start: Vec<S>,
     pub(super) v_start: Vec<S>,
+    pub(super) s_start: Vec<S>,
     /// A guess, then the solution.
     pub(super) v_dot: Vec<S>,
-    /// Found: the rates of s, and the stage.
     pub(super) s_dot: Vec<S>,
+    /// Found: the stage.
     pub(super) xi: Vec<S>,
     pub(super) q: Vec<S>,
     pub(super) v: Vec<S>,
+    s: Vec<S>,
     /// `xi` before the Cayley transform.
     linear: Vec<S>,
+    /// Rates where the stage stands, and what they and the rates sought differ by: of s first, whose equations
+    /// are of order one whatever its unit.
+    v_dot_here: Vec<S>,
+    s_dot_here: Vec<S>,
     change: Vec<S>,
-    guess: Vec<S>,
+    v_guess: Vec<S>,
+    s_guess: Vec<S>,
     jacobian: Jacobian<S>,
     factors: Factors<S>,
     kept: Kept,
@@ -84,42 +95,63 @@ struct Kept {
 
 impl<S: Scalar> Newton<S> {
     pub(super) fn new(sizes: Sizes) -> Self {
-        let n = sizes.velocities;
-        let [xi_start, v_start, v_dot, xi, v, linear, change, guess] = core::array::from_fn(|_| vec![S::ZERO; n]);
-        let (s_dot, q) = (vec![S::ZERO; sizes.extras], vec![S::ZERO; sizes.positions]);
-        let (jacobian, factors) = (Jacobian::new(sizes), Factors::new(n));
-        let kept = Kept::default();
-        Self { xi_start, v_start, v_dot, s_dot, xi, q, v, linear, change, guess, jacobian, factors, kept }
+        let of_v = || vec![S::ZERO; sizes.velocities];
+        let of_s = || vec![S::ZERO; sizes.extras];
+        let unknowns = sizes.velocities + sizes.active();
+        Self {
+            xi_start: of_v(),
+            v_start: of_v(),
+            s_start: of_s(),
+            v_dot: of_v(),
+            s_dot: of_s(),
+            xi: of_v(),
+            q: vec![S::ZERO; sizes.positions],
+            v: of_v(),
+            s: of_s(),
+            linear: of_v(),
+            v_dot_here: of_v(),
+            s_dot_here: of_s(),
+            change: vec![S::ZERO; unknowns],
+            v_guess: of_v(),
+            s_guess: of_s(),
+            jacobian: Jacobian::new(sizes),
+            factors: Factors::new(unknowns),
+            kept: Kept::default(),
+        }
     }
 
     /// Numbers that the state's memory holds.
     pub(super) fn memory_len(&self) -> usize {
-        HEAD + self.jacobian.by_xi.len() + self.jacobian.by_v.len()
+        HEAD + self.jacobian.parts().iter().map(|part| part.len()).sum::<usize>()
     }
 
     /// Takes up the derivatives that the state's memory holds.
     pub(super) fn recall(&mut self, memory: &[S]) {
-        let (head, derivatives) = memory.split_at(HEAD);
+        let (head, mut derivatives) = memory.split_at(HEAD);
         let [known, least, beyond] = [0, 1, 2].map(|i| head[i].value());
         self.kept = Kept { known: known != 0.0, least: least as usize, beyond: beyond as usize };
-        let (by_xi, by_v) = derivatives.split_at(self.jacobian.by_xi.len());
-        self.jacobian.by_xi.copy_from_slice(by_xi);
-        self.jacobian.by_v.copy_from_slice(by_v);
+        for part in self.jacobian.parts_mut() {
+            let (own, rest) = derivatives.split_at(part.len());
+            part.copy_from_slice(own);
+            derivatives = rest;
+        }
     }
 
     /// Leaves them in the state's memory.
     pub(super) fn keep(&self, memory: &mut [S]) {
         let Kept { known, least, beyond } = self.kept;
-        let (head, derivatives) = memory.split_at_mut(HEAD);
+        let (head, mut derivatives) = memory.split_at_mut(HEAD);
         head.copy_from_slice(&[f64::from(known), least as f64, beyond as f64].map(S::constant));
-        let (by_xi, by_v) = derivatives.split_at_mut(self.jacobian.by_xi.len());
-        by_xi.copy_from_slice(&self.jacobian.by_xi);
-        by_v.copy_from_slice(&self.jacobian.by_v);
+        for part in self.jacobian.parts() {
+            let (own, rest) = derivatives.split_at_mut(part.len());
+            own.copy_from_slice(part);
+            derivatives = rest;
+        }
     }
 
-    /// Solves `v' = f(retract(q0, xi(v')), v(v'))` from the guess in `v_dot`: the change `d` of an
-    /// iteration solves `(1 - xi_slope df/dxi - v_slope df/dv) d = f - v'`, and it ends where the next
-    /// change would be rounding.
+    /// Solves `r = f(retract(q0, xi(r)), v(r), s(r))` for the rates `r = (v', s')` from the guess in `v_dot` and
+    /// `s_dot`: the change `d` of an iteration solves `(1 - xi_slope df/dxi - slope df/d(v, s)) d = f - r`, and it
+    /// ends where the next change would be rounding.
     ///
     /// Derivatives are kept from step to step. New ones cost an evaluation a column: they are taken once
     /// the iterations beyond those of a step with new ones add up to that, or where an iteration with the
@@ -131,14 +163,17 @@ impl<S: Scalar> Newton<S> {
         place: Place,
     ) -> Result<(), StepError> {
         system.accept();
-        let columns = 2 * (0..self.v_dot.len()).filter(|&i| system.is_free(i)).count();
+        let free = (0..self.v_dot.len()).filter(|&i| system.is_free(i)).count();
+        let columns = 2 * free + self.active().len();
         if self.kept.known && self.kept.beyond < columns {
-            self.guess.copy_from_slice(&self.v_dot);
+            self.v_guess.copy_from_slice(&self.v_dot);
+            self.s_guess.copy_from_slice(&self.s_dot);
             if let Ok(iterations) = self.iterate(system, state, place, false) {
                 self.kept.beyond += iterations.saturating_sub(self.kept.least);
                 return Ok(());
             }
-            self.v_dot.copy_from_slice(&self.guess);
+            self.v_dot.copy_from_slice(&self.v_guess);
+            self.s_dot.copy_from_slice(&self.s_guess);
         }
         let least = self.iterate(system, state, place, true)?;
         self.kept = Kept { known: true, least, beyond: 0 };
@@ -167,9 +202,7 @@ impl<S: Scalar> Newton<S> {
             }
             self.evaluate(system, state, place);
             self.factors.solve(&mut self.change);
-            accumulate(&mut self.v_dot, 1.0, &self.change);
-            accumulate(&mut self.v, place.v_slope, &self.change);
-            accumulate(&mut self.linear, place.xi_slope, &self.change);
+            self.move_by_change(place);
             let before = core::mem::replace(&mut residual, self.residual(place));
             if residual.is_nan() {
                 return Err(not_converged(place, residual, iteration));
@@ -179,6 +212,8 @@ impl<S: Scalar> Newton<S> {
             let stalls = iteration > 1 && contraction > 0.5 && residual <= stalled;
             if residual == 0.0 || next_is_rounding || stalls {
                 self.put(system, state, place);
+                let carried = self.jacobian.passive;
+                self.s_dot[..carried].copy_from_slice(&self.s_dot_here[..carried]);
                 return Ok(iteration);
             }
             stale = iteration > 1 && contraction > SLOW;
@@ -194,9 +229,27 @@ impl<S: Scalar> Newton<S> {
     /// is far more than its own.
     fn begin(&mut self, place: Place) {
         self.v.copy_from_slice(&self.v_start);
-        accumulate(&mut self.v, place.v_slope, &self.v_dot);
+        accumulate(&mut self.v, place.slope, &self.v_dot);
+        self.s.copy_from_slice(&self.s_start);
+        accumulate(&mut self.s, place.slope, &self.s_dot);
         self.linear.copy_from_slice(&self.xi_start);
         accumulate(&mut self.linear, place.xi_slope, &self.v_dot);
+    }
+
+    /// Moves the rates, and the stage with them, by the change that was found.
+    fn move_by_change(&mut self, place: Place) {
+        let active = self.active();
+        let (of_s, of_v) = self.change.split_at(active.len());
+        accumulate(&mut self.s_dot[active.clone()], 1.0, of_s);
+        accumulate(&mut self.s[active], place.slope, of_s);
+        accumulate(&mut self.v_dot, 1.0, of_v);
+        accumulate(&mut self.v, place.slope, of_v);
+        accumulate(&mut self.linear, place.xi_slope, of_v);
+    }
+
+    /// The entries of s whose rates are sought.
+    fn active(&self) -> Range<usize> {
+        self.jacobian.passive..self.s.len()
     }
 
     /// The positions of the stage.
@@ -209,8 +262,8 @@ impl<S: Scalar> Newton<S> {
     }
 
     fn differentiate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
-        let Self { xi, q, v, jacobian, .. } = self;
-        let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s: &state.s, d: &state.d, m: &state.m };
+        let Self { xi, q, v, s, jacobian, .. } = self;
+        let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s, d: &state.d, m: &state.m };
         system.jacobian(&state.q, xi, at, jacobian);
     }
 
@@ -218,30 +271,50 @@ impl<S: Scalar> Newton<S> {
     /// square of the angle of a step, and derivatives set the speed of the iteration, not its end.
     fn factor(&mut self, place: Place) {
         let Self { jacobian, factors, v_dot, .. } = self;
-        let (xi_slope, v_slope) = (S::constant(place.xi_slope), S::constant(place.v_slope));
-        for (k, entry) in factors.entries.iter_mut().enumerate() {
-            *entry = -(xi_slope * jacobian.by_xi[k] + v_slope * jacobian.by_v[k]);
+        let (xi_slope, slope) = (S::constant(place.xi_slope), S::constant(place.slope));
+        let (rows, n) = (jacobian.rows, v_dot.len());
+        let active = rows - n;
+        // Where a row of the derivatives, v' first, stands among the unknowns, s' first.
+        let unknown = |row: usize| if row < n { row + active } else { row - n };
+        for column in 0..rows {
+            let to = &mut factors.entries[unknown(column) * rows..][..rows];
+            for row in 0..rows {
+                let derivative = match column.checked_sub(n) {
+                    None => xi_slope * jacobian.by_xi[column * rows + row] + slope * jacobian.by_v[column * rows + row],
+                    Some(extra) => slope * jacobian.by_s[extra * rows + row],
+                };
+                to[unknown(row)] = -derivative;
+            }
+            to[unknown(column)] += S::ONE;
         }
-        let n = v_dot.len();
-        (0..n).for_each(|i| factors.entries[i * n + i] += S::ONE);
         factors.factor();
     }
 
-    /// `change = f - v'`.
+    /// `change = f - r`.
     fn evaluate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
         system.reject();
-        let Self { v_dot, s_dot, q, v, change, .. } = self;
-        let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s: &state.s, d: &state.d, m: &state.m };
-        system.rates(at, change, s_dot);
-        change.iter_mut().zip(v_dot).for_each(|(change, v_dot)| *change -= *v_dot);
+        let active = self.active();
+        let Self { v_dot, s_dot, q, v, s, v_dot_here, s_dot_here, change, .. } = self;
+        let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s, d: &state.d, m: &state.m };
+        system.rates(at, v_dot_here, s_dot_here);
+        let here = s_dot_here[active.clone()].iter().chain(&*v_dot_here);
+        let sought = s_dot[active].iter().chain(&*v_dot);
+        for ((change, here), sought) in change.iter_mut().zip(here).zip(sought) {
+            *change = *here - *sought;
+        }
     }
 
-    /// The last change of the rates over their size.
+    /// The last change of the rates over their size: of v', or of s' where that is more.
     fn residual(&self, place: Place) -> f64 {
         let step_s = place.interval.end_s - place.interval.start_s;
+        let (of_s, of_v) = self.change.split_at(self.active().len());
         let rest = REST * (1.0 + largest(&self.q)) / step_s;
-        let rates = largest(&self.v) + place.v_slope * largest(&self.v_dot) + rest;
-        place.v_slope * largest(&self.change) / rates
+        let velocities = largest(&self.v) + place.slope * largest(&self.v_dot) + rest;
+        let motion = place.slope * largest(of_v) / velocities;
+        let (s, s_dot) = (&self.s[self.active()], &self.s_dot[self.active()]);
+        let extras = largest(s) + place.slope * largest(s_dot) + SMALLEST_EXTRA;
+        let memory = place.slope * largest(of_s) / extras;
+        if motion >= memory || motion.is_nan() { motion } else { memory }
     }
 }
 

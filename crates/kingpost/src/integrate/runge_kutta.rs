@@ -44,7 +44,7 @@ pub(super) struct Stages<S> {
 
 impl<S: Scalar> Stages<S> {
     pub(super) fn new(tableau: &'static Tableau, sizes: Sizes) -> Self {
-        let Sizes { positions, velocities, extras } = sizes;
+        let Sizes { positions, velocities, extras, .. } = sizes;
         let zeros = |n| vec![S::ZERO; n];
         let rates = || Rates { xi: zeros(velocities), v: zeros(velocities), s: zeros(extras) };
         Self {

@@ -323,6 +323,7 @@ impl<S: Scalar> System<S> for Plant<S> {
             positions: self.model.position_count,
             velocities: self.model.velocity_count,
             extras: self.layout.extras(),
+            passive: self.layout.ledger,
         }
     }
 

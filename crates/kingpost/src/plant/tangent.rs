@@ -46,7 +46,7 @@ pub struct Tangent {
 impl Tangent {
     /// Takes over a plant.
     pub fn new(plant: Plant<Number>) -> Self {
-        let Sizes { positions, velocities, extras } = plant.sizes();
+        let Sizes { positions, velocities, extras, .. } = plant.sizes();
         let zeros = |n| vec![Number::ZERO; n];
         Self {
             base: zeros(positions),
@@ -115,17 +115,23 @@ impl Tangent {
         self.plant.rates(stage, &mut self.v_dot, &mut self.s_dot);
     }
 
-    /// Writes d(v')/d(xi) and d(v')/d(v) at `q = retract(base, xi)`; see [`System::jacobian`].
+    /// Writes the derivatives of the rates at `q = retract(base, xi)`; see [`System::jacobian`].
     /// Returns how many plain evaluations it is worth: one, and one a direction, each time.
     pub(super) fn jacobian(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, out: &mut Jacobian) -> u64 {
         let n = xi.len();
+        let (rows, first) = (out.rows, out.passive);
         let (mut column, mut worth) = (0, 0);
         loop {
-            let mut along = [Along::Extra(0); DIRECTIONS];
+            let mut along = [Along::Input(0); DIRECTIONS];
             let mut count = 0;
-            while count < DIRECTIONS && column < 2 * n {
-                if self.plant.model.modes[column % n] == Mode::Free {
-                    along[count] = if column < n { Along::Position(column) } else { Along::Velocity(column - n) };
+            while count < DIRECTIONS && column < n + rows {
+                let direction = match column {
+                    i if i < n => Along::Position(i),
+                    i if i < 2 * n => Along::Velocity(i - n),
+                    i => Along::Extra(first + i - 2 * n),
+                };
+                if column >= 2 * n || self.plant.model.modes[column % n] == Mode::Free {
+                    along[count] = direction;
                     count += 1;
                 }
                 column += 1;
@@ -137,11 +143,13 @@ impl Tangent {
             self.evaluate(base, xi, at, &along[..count]);
             for (k, along) in along[..count].iter().enumerate() {
                 let column = match *along {
-                    Along::Position(i) => &mut out.by_xi[i * n..][..n],
-                    Along::Velocity(i) => &mut out.by_v[i * n..][..n],
-                    Along::Extra(_) | Along::Input(_) => continue,
+                    Along::Position(i) => &mut out.by_xi[i * rows..][..rows],
+                    Along::Velocity(i) => &mut out.by_v[i * rows..][..rows],
+                    Along::Extra(i) => &mut out.by_s[(i - first) * rows..][..rows],
+                    Along::Input(_) => continue,
                 };
-                column.iter_mut().zip(&self.v_dot).for_each(|(entry, rate)| *entry = rate.derivative[k]);
+                let rates = self.v_dot.iter().chain(&self.s_dot[first..]);
+                column.iter_mut().zip(rates).for_each(|(entry, rate)| *entry = rate.derivative[k]);
             }
         }
     }

@@ -222,11 +222,11 @@ impl Simulation {
         let interval = self.interval();
         let Self { plant, state, v_dot, .. } = self;
         let (at, evaluations) = (stage(interval, state), plant.evaluations);
-        let (mut jacobian, still) = (Jacobian::new(plant.sizes()), vec![0.0; at.v.len()]);
+        let (mut jacobian, still) = (Jacobian::of_motion(plant.sizes()), vec![0.0; at.v.len()]);
         plant.jacobian(at.q, &still, at, &mut jacobian);
         plant.rates(at, v_dot, &mut vec![0.0; at.s.len()]);
         plant.evaluations = evaluations;
-        let entry = |i: usize, j: usize| jacobian.by_xi[free[j] * at.v.len() + free[i]];
+        let entry = |i: usize, j: usize| jacobian.by_xi[free[j] * jacobian.rows + free[i]];
         Linear {
             acceleration: DVector::from_iterator(free.len(), free.iter().map(|i| v_dot[*i])),
             stiffness: DMatrix::from_fn(free.len(), free.len(), entry),
