@@ -27,6 +27,8 @@ pub struct Workspace<S = f64> {
     links: Vec<Articulated<S>>,
     /// Acceleration of free fall in root axes, by root, m/s^2.
     fall: Vec<Vector3<S>>,
+    /// Whether there is any.
+    has_fall: bool,
     /// The root of each link's branch.
     roots: Vec<usize>,
 }
@@ -35,7 +37,8 @@ impl<S: Scalar> Workspace<S> {
     /// Room for a model.
     pub fn new(model: &Model<S>) -> Self {
         let n = model.plan.len();
-        Self { links: vec![Articulated::default(); n], fall: vec![Vector3::zero(); n], roots: model.roots.clone() }
+        let (links, fall) = (vec![Articulated::default(); n], vec![Vector3::zero(); n]);
+        Self { links, fall, has_fall: false, roots: model.roots.clone() }
     }
 
     /// Inertia of a link with all that hangs on it and gives way, root axes.
@@ -109,10 +112,11 @@ fn fall_freely<S: Scalar>(
     gravity: Option<Vector3<S>>,
     work: &mut Workspace<S>,
 ) {
-    let Some(gravity) = gravity else {
+    if gravity.is_none() && work.has_fall {
         work.fall.fill(Vector3::zero());
-        return;
-    };
+    }
+    work.has_fall = gravity.is_some();
+    let Some(gravity) = gravity else { return };
     for (i, (plan, moving)) in model.plan.iter().zip(links.moving()).enumerate() {
         if plan.carrier == Carrier::World {
             work.fall[i] = links.root_in_world(i).rotation.transpose_times(gravity);
@@ -170,22 +174,24 @@ fn respond<S: Scalar>(
     for (i, (plan, moving)) in model.plan.iter().zip(links.moving()).enumerate() {
         let (before, rest) = work.links.split_at_mut(i);
         let link = &mut rest[0];
-        let carried = match plan.parent() {
+        let fall = &work.fall;
+        let carried = || match plan.parent() {
             Some(p) => before[p].response,
-            None => Twist { angular: Vector3::zero(), linear: -work.fall[i] },
+            None => Twist { angular: Vector3::zero(), linear: -fall[i] },
         };
         match plan.joint {
             LinkJoint::Floating => {
                 let (at, rotation) = (plan.velocities, &links.root_in_world(i).rotation);
                 let net = root::force(&loads.force[at..], rotation) - link.bias;
-                link.response = root::accelerate(plan.floating, &link.inertia(moving), &net, work.fall[i]);
-                root::write(&link.response, work.fall[i], rotation, &mut v_dot[at..]);
+                link.response = root::accelerate(plan.floating, &link.inertia(moving), &net, fall[i]);
+                root::write(&link.response, fall[i], rotation, &mut v_dot[at..]);
             }
             LinkJoint::Ball => {
                 let ball = Ball::new(plan, &moving.in_root);
-                link.response = ball.accelerate(&link.inertia(moving), &link.bias, &carried, loads, v_dot);
+                link.response = ball.accelerate(&link.inertia(moving), &link.bias, &carried(), loads, v_dot);
             }
             LinkJoint::Hinge | LinkJoint::Slide => {
+                let carried = carried();
                 let rate = match plan.mode {
                     Mode::Free => (link.drive - link.gain.dot(&carried)) * link.compliance,
                     _ => given_acceleration(plan, loads),

@@ -39,7 +39,10 @@ impl<S: Scalar> LinkKinematics<S> {
             let (before, rest) = self.links.split_at_mut(i);
             let link = &mut rest[0];
             match plan.carrier {
-                Carrier::World => self.root_in_world[i] = link.stand(plan, &q[plan.positions..], &v[plan.velocities..]),
+                Carrier::World => {
+                    let (q, v) = (&q[plan.positions..], &v[plan.velocities..]);
+                    link.stand(plan, q, v, &mut self.root_in_world[i]);
+                }
                 Carrier::Root(p) => link.mount_on_root(plan, &before[p], q, v),
                 Carrier::Branch(p) => link.mount(plan, &before[p], q, v),
             }

@@ -83,18 +83,24 @@ impl<S: Scalar> MovingLink<S> {
         }
     }
 
-    /// On the world: its frame, which is returned, is what its branch is seen from.
+    /// On the world; its frame, `in_world`, is what its branch is seen from.
     #[inline]
-    pub fn stand(&mut self, plan: &Link<S>, q: &[S], v: &[S]) -> Frame<S> {
+    pub fn stand(&mut self, plan: &Link<S>, q: &[S], v: &[S], in_world: &mut Frame<S>) {
+        if plan.joint == LinkJoint::Floating {
+            *in_world = Floating::relative(q);
+            self.motion = Motion::floating(Floating::twist(in_world, v));
+        } else {
+            *in_world = self.stand_on_joint(plan, q, v);
+        }
+    }
+
+    #[inline(never)]
+    fn stand_on_joint(&mut self, plan: &Link<S>, q: &[S], v: &[S]) -> Frame<S> {
         let (world, z) = (Motion::default(), Vector3::new(S::ZERO, S::ZERO, S::ONE));
         let (arm, Frame { rotation, position }) = (plan.to_child, plan.placement);
         let turned = |rotation: Matrix3<S>| Frame { rotation, position: position + rotation * arm };
         match plan.joint {
-            LinkJoint::Floating => {
-                let frame = Floating::relative(q);
-                self.motion = Motion::floating(Floating::twist(&frame, v));
-                frame
-            }
+            LinkJoint::Floating => Frame::identity(),
             LinkJoint::Hinge => {
                 self.axis = Twist { angular: z, linear: z.cross(arm) };
                 self.motion = world.turned(&(self.axis * v[0]), Vector3::zero(), arm);

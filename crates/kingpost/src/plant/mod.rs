@@ -267,6 +267,47 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
+    /// Rates of the ledger and of the elements' states, once accelerations are known.
+    fn rates_beside(&mut self, at: Stage<'_, S>, v_dot: &[S], s_dot: &mut [S]) {
+        let (s_dot, of_elements) = s_dot.split_at_mut(self.layout.ledger);
+        if !of_elements.is_empty() {
+            let Self { model, world, elements, layout, situation, links, .. } = self;
+            let mut scene = Scene::new(layout, world, model, links, *situation, at);
+            for (i, element) in elements.iter_mut().enumerate() {
+                let own = layout.shares[i].states.clone();
+                if !own.is_empty() {
+                    element.rates(scene.of(i), &mut of_elements[own]);
+                }
+            }
+        }
+        if s_dot.is_empty() {
+            return;
+        }
+        let Self { model, links, bodies, loads, work, inverse, form, .. } = self;
+        loads.hand_over(|body| {
+            let rate = match form {
+                Form::Recursive => links.to_body(model, body, |link| work.acceleration(links, link)),
+                Form::MovingFrame(_) => inverse.acceleration[body],
+            };
+            (links.body_twist(model, body), rate)
+        });
+        let (has_fixed, centre) = (self.form != Form::Recursive, ledger::reference_point(model, at.q));
+        let tree = if has_fixed { &model.tree } else { &model.links };
+        let entries = Entries { model, tree, has_fixed, links, v: at.v, loads, centre };
+        match self.form {
+            Form::Recursive => entries.rates(
+                |i| JointLoad { frame: *links.root_in_world(model.roots[i]), wrench: work.joint_wrench(links, i) },
+                |i, at| work.joint_wrench(links, i).dot(links.axis(i)) + model.rotor_inertia[at] * v_dot[at],
+                s_dot,
+            ),
+            Form::MovingFrame(_) => entries.rates(
+                |i| JointLoad { frame: bodies.world[i], wrench: inverse.joint_wrench[i] },
+                |i, at| inverse.joint_wrench[i].dot(&bodies.columns[at]) + model.rotor_inertia[at] * v_dot[at],
+                s_dot,
+            ),
+        }
+    }
+
     fn tangent_mut(&mut self) -> Option<&mut Tangent> {
         self.exact.as_mut().map(|exact| &mut *exact.tangent)
     }
@@ -332,45 +373,8 @@ impl<S: Scalar> System<S> for Plant<S> {
         self.evaluations += 1;
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
-        if s_dot.is_empty() {
-            return;
-        }
-        let (s_dot, of_elements) = s_dot.split_at_mut(self.layout.ledger);
-        if !of_elements.is_empty() {
-            let Self { model, world, elements, layout, situation, links, .. } = self;
-            let mut scene = Scene::new(layout, world, model, links, *situation, at);
-            for (i, element) in elements.iter_mut().enumerate() {
-                let own = layout.shares[i].states.clone();
-                if !own.is_empty() {
-                    element.rates(scene.of(i), &mut of_elements[own]);
-                }
-            }
-        }
-        if s_dot.is_empty() {
-            return;
-        }
-        let Self { model, links, bodies, loads, work, inverse, form, .. } = self;
-        loads.hand_over(|body| {
-            let rate = match form {
-                Form::Recursive => links.to_body(model, body, |link| work.acceleration(links, link)),
-                Form::MovingFrame(_) => inverse.acceleration[body],
-            };
-            (links.body_twist(model, body), rate)
-        });
-        let (has_fixed, centre) = (self.form != Form::Recursive, ledger::reference_point(model, at.q));
-        let tree = if has_fixed { &model.tree } else { &model.links };
-        let entries = Entries { model, tree, has_fixed, links, v: at.v, loads, centre };
-        match self.form {
-            Form::Recursive => entries.rates(
-                |i| JointLoad { frame: *links.root_in_world(model.roots[i]), wrench: work.joint_wrench(links, i) },
-                |i, at| work.joint_wrench(links, i).dot(links.axis(i)) + model.rotor_inertia[at] * v_dot[at],
-                s_dot,
-            ),
-            Form::MovingFrame(_) => entries.rates(
-                |i| JointLoad { frame: bodies.world[i], wrench: inverse.joint_wrench[i] },
-                |i, at| inverse.joint_wrench[i].dot(&bodies.columns[at]) + model.rotor_inertia[at] * v_dot[at],
-                s_dot,
-            ),
+        if !s_dot.is_empty() {
+            self.rates_beside(at, v_dot, s_dot);
         }
     }
 
