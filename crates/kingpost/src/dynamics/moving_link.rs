@@ -6,7 +6,7 @@
 use super::ball::Ball;
 use super::drift::Motion;
 use crate::model::joint::Floating;
-use crate::model::{Carrier, Link, LinkInertia, LinkJoint, Moments};
+use crate::model::{Carrier, Link, LinkJoint, Moments};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, Quaternion, RigidInertia, SpatialInertia, Twist, Vector3, Wrench};
 
