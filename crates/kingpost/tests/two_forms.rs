@@ -76,14 +76,38 @@ fn weight_as_a_field_is_weight_on_every_body_in_both_forms_and_in_inverse_dynami
             links.update(&model, &q, &v);
             forward::forward_dynamics(&model, &links, loads, &mut work, &mut v_dot);
             let forces = inverse_dynamics(&model, &q, &v, &v_dot, loads);
-            (v_dot, matrices.f_star, forces)
+            let (mut of_links, mut of_joints) = (Vec::new(), Vec::new());
+            for i in 0..model.plan.len() {
+                let (twist, wrench) = (work.acceleration(&links, i), work.joint_wrench(&links, i));
+                of_links.extend([twist.angular.0, twist.linear.0].concat());
+                of_joints.extend([wrench.moment.0, wrench.force.0].concat());
+            }
+            (v_dot, matrices.f_star, forces, of_links, of_joints)
         };
         let [field, wrenches] = weighed_twice(&model, &q, &v, &loads);
-        let ((a, f, tau), (b, g, sigma)) = (of(&field), of(&wrenches));
+        let ((a, f, tau, x, p), (b, g, sigma, y, r)) = (of(&field), of(&wrenches));
         // The recursion's own difference from M*^-1, where the branches hang on little mass.
         prop_assert!(relative_difference(&a, &b) < 1e-9);
         prop_assert!(relative_difference(f.as_slice(), g.as_slice()) < 1e-12);
         prop_assert!(relative_difference(&tau, &sigma) < 1e-9);
+        prop_assert!(relative_difference(&x, &y) < 1e-9 && relative_difference(&p, &r) < 1e-9);
+        Ok(())
+    });
+}
+
+#[test]
+fn lists_of_coordinates_move_a_state_as_its_joints_do_one_by_one() {
+    for_all(200, |tree| {
+        let model = tree.model();
+        let (q, v) = tree.state(&model);
+        let xi: Vec<f64> = tree.numbers(3).vector(1.0).0.into_iter().cycle().take(v.len()).collect();
+        let (mut moved, mut at_once) = (vec![0.0; q.len()], vec![0.0; q.len()]);
+        let (mut rates, mut rates_at_once) = (vec![0.0; v.len()], vec![0.0; v.len()]);
+        model.tree.retract(&q, &xi, &mut moved);
+        model.tree.dexp_inverse(&xi, &v, &mut rates);
+        model.charts.retract(&q, &xi, &mut at_once);
+        model.charts.dexp_inverse(&xi, &v, &mut rates_at_once);
+        prop_assert_eq!((moved, rates), (at_once, rates_at_once));
         Ok(())
     });
 }

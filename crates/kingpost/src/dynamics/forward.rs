@@ -5,8 +5,8 @@
 //! solves M* q'' + N* q' = F* (eq. 61) without forming the matrices, and allocates nothing.
 //!
 //! The velocities' part of every link's acceleration, its drift, is known from the [`LinkKinematics`]; what the drift
-//! takes (N* q') joins the loads, and the recursion is over the rest: `a = drift + response`, with
-//! the response linear in q''.
+//! takes (N* q') joins the loads, and the recursion is over the rest: `a = drift + fall + response`, with
+//! the response linear in q''. A uniform field is the fall that all links would share: seen from there, no link weighs.
 
 mod articulated;
 mod response;
@@ -16,7 +16,7 @@ pub use response::Response;
 
 use super::ball::Ball;
 use super::{LinkKinematics, Loads};
-use crate::model::{Link, LinkJoint, Mode, Model};
+use crate::model::{Carrier, Link, LinkJoint, Mode, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
 use articulated::Articulated;
@@ -25,12 +25,20 @@ use articulated::Articulated;
 #[derive(Clone, Debug)]
 pub struct Workspace<S = f64> {
     links: Vec<Articulated<S>>,
+    /// Acceleration of free fall in root axes, by root, m/s^2.
+    fall: Vec<Vector3<S>>,
+    /// Whether there is any.
+    has_fall: bool,
+    /// The root of each link's branch.
+    roots: Vec<usize>,
 }
 
 impl<S: Scalar> Workspace<S> {
     /// Room for a model.
     pub fn new(model: &Model<S>) -> Self {
-        Self { links: vec![Articulated::default(); model.plan.len()] }
+        let n = model.plan.len();
+        let (links, fall) = (vec![Articulated::default(); n], vec![Vector3::zero(); n]);
+        Self { links, fall, has_fall: false, roots: model.roots.clone() }
     }
 
     /// Inertia of a link with all that hangs on it and gives way, root axes.
@@ -41,7 +49,8 @@ impl<S: Scalar> Workspace<S> {
     /// Spatial acceleration of a link, root axes.
     #[inline]
     pub fn acceleration(&self, links: &LinkKinematics<S>, link: usize) -> Twist<S> {
-        links.moving()[link].spatial_drift() + self.links[link].response
+        let fall = Twist { angular: Vector3::zero(), linear: self.fall[self.roots[link]] };
+        links.moving()[link].spatial_drift() + fall + self.links[link].response
     }
 
     /// The wrench that the joint of a link carries to it, about the root's origin, root axes.
@@ -74,17 +83,16 @@ fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<
     for (i, full) in links.full() {
         work.links[*i].carry(full);
     }
+    fall_freely(model, links, loads.gravity, work);
     for (body, added) in &loads.added_inertia {
         let body = &model.bodies[*body];
         if let Some(i) = body.link {
             let (link, moving) = (&mut work.links[i], &links.moving()[i]);
             let added = added.to_parent(&moving.in_root.times(&body.in_link));
             link.carry(&added);
-            link.bias += moving.kirchhoff(&added);
+            let fall = Twist { angular: Vector3::zero(), linear: work.fall[work.roots[i]] };
+            link.bias += moving.kirchhoff(&added) + added.times(&fall);
         }
-    }
-    if let Some(gravity) = loads.gravity {
-        weigh(model, links, gravity, work);
     }
     for (body, wrench) in &loads.wrenches {
         let body = &model.bodies[*body];
@@ -95,20 +103,30 @@ fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<
     }
 }
 
-/// Takes the weight of each link, `W = m g` at its centre, from the bias.
+/// Turns the field into each root's axes. What does not fall by itself is held by its bias: what falls takes `I a` from it,
+/// which is the weight of a rigid body and not that of other inertias.
 #[inline]
-fn weigh<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, gravity: Vector3<S>, work: &mut Workspace<S>) {
-    let (mut root, mut in_root) = (usize::MAX, gravity);
+fn fall_freely<S: Scalar>(
+    model: &Model<S>,
+    links: &LinkKinematics<S>,
+    gravity: Option<Vector3<S>>,
+    work: &mut Workspace<S>,
+) {
+    if gravity.is_none() && work.has_fall {
+        work.fall.fill(Vector3::zero());
+    }
+    work.has_fall = gravity.is_some();
+    let Some(gravity) = gravity else { return };
     for (i, (plan, moving)) in model.plan.iter().zip(links.moving()).enumerate() {
-        if model.roots[i] != root {
-            root = model.roots[i];
-            in_root = links.root_in_world(root).rotation.transpose_times(gravity);
+        if plan.carrier == Carrier::World {
+            work.fall[i] = links.root_in_world(i).rotation.transpose_times(gravity);
         }
-        let (force, link) = (in_root * plan.mass, &mut work.links[i]);
-        link.bias.force -= force;
-        link.bias.moment -= moving.in_root.position.cross(force);
-        if let Some(first_moment) = plan.first_moment {
-            link.bias.moment -= (moving.in_root.rotation * first_moment).cross(in_root);
+        if !plan.falls {
+            let fall = work.fall[work.roots[i]];
+            let taken = work.links[i].inertia(moving).times(&Twist { angular: Vector3::zero(), linear: fall });
+            let centred = moving.in_root.position * plan.mass + moving.in_root.rotation * plan.first_moment;
+            let weight = Wrench { moment: centred.cross(fall), force: fall * plan.mass };
+            work.links[i].bias += taken - weight;
         }
     }
 }
@@ -156,19 +174,24 @@ fn respond<S: Scalar>(
     for (i, (plan, moving)) in model.plan.iter().zip(links.moving()).enumerate() {
         let (before, rest) = work.links.split_at_mut(i);
         let link = &mut rest[0];
-        let carried = plan.parent().map_or(Twist::zero(), |p| before[p].response);
+        let fall = &work.fall;
+        let carried = || match plan.parent() {
+            Some(p) => before[p].response,
+            None => Twist { angular: Vector3::zero(), linear: -fall[i] },
+        };
         match plan.joint {
             LinkJoint::Floating => {
                 let (at, rotation) = (plan.velocities, &links.root_in_world(i).rotation);
                 let net = root::force(&loads.force[at..], rotation) - link.bias;
-                link.response = root::accelerate(plan.floating, &link.inertia(moving), &net);
-                root::write(&link.response, rotation, &mut v_dot[at..]);
+                link.response = root::accelerate(plan.floating, &link.inertia(moving), &net, fall[i]);
+                root::write(&link.response, fall[i], rotation, &mut v_dot[at..]);
             }
             LinkJoint::Ball => {
                 let ball = Ball::new(plan, &moving.in_root);
-                link.response = ball.accelerate(&link.inertia(moving), &link.bias, &carried, loads, v_dot);
+                link.response = ball.accelerate(&link.inertia(moving), &link.bias, &carried(), loads, v_dot);
             }
             LinkJoint::Hinge | LinkJoint::Slide => {
+                let carried = carried();
                 let rate = match plan.mode {
                     Mode::Free => (link.drive - link.gain.dot(&carried)) * link.compliance,
                     _ => given_acceleration(plan, loads),

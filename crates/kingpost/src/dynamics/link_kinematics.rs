@@ -5,7 +5,7 @@
 //! is from the world's origin.
 
 use super::moving_link::MovingLink;
-use crate::model::{Carrier, Model};
+use crate::model::{Carrier, LinkInertia, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Twist, Vector3};
 
@@ -26,7 +26,7 @@ impl<S: Scalar> LinkKinematics<S> {
     pub fn new(model: &Model<S>) -> Self {
         let n = model.plan.len();
         Self {
-            links: vec![MovingLink::still(); n],
+            links: model.plan.iter().map(MovingLink::still).collect(),
             root_in_world: vec![Frame::identity(); n],
             full: Vec::with_capacity(n),
         }
@@ -39,12 +39,17 @@ impl<S: Scalar> LinkKinematics<S> {
             let (before, rest) = self.links.split_at_mut(i);
             let link = &mut rest[0];
             match plan.carrier {
-                Carrier::World => self.root_in_world[i] = link.stand(plan, &q[plan.positions..], &v[plan.velocities..]),
+                Carrier::World => {
+                    let (q, v) = (&q[plan.positions..], &v[plan.velocities..]);
+                    link.stand(plan, q, v, &mut self.root_in_world[i]);
+                }
                 Carrier::Root(p) => link.mount_on_root(plan, &before[p], q, v),
                 Carrier::Branch(p) => link.mount(plan, &before[p], q, v),
             }
-            if let Some(full) = link.take_inertia(&plan.inertia) {
-                self.full.push((i, full));
+            match &plan.inertia {
+                LinkInertia::Central { mass, moments } => link.take_central(*mass, moments),
+                LinkInertia::Rigid(rigid) => link.take_rigid(rigid),
+                LinkInertia::Full(full) => self.full.push((i, link.take_full(full))),
             }
         }
     }

@@ -92,9 +92,15 @@ impl<S: Scalar> Loads<S> {
 
     /// Takes all loads off.
     pub fn clear(&mut self) {
+        self.clear_but_accelerations();
+        self.acceleration.fill(S::ZERO);
+    }
+
+    /// The same, for who writes every acceleration that is prescribed, or has none.
+    #[inline]
+    pub fn clear_but_accelerations(&mut self) {
         self.wrenches.clear();
         self.force.fill(S::ZERO);
-        self.acceleration.fill(S::ZERO);
         self.added_inertia.clear();
         self.gravity = None;
         self.power = Power::default();

@@ -6,7 +6,7 @@
 use super::ball::Ball;
 use super::drift::Motion;
 use crate::model::joint::Floating;
-use crate::model::{Link, LinkInertia, LinkJoint};
+use crate::model::{Carrier, Link, LinkJoint, Moments};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, Quaternion, RigidInertia, SpatialInertia, Twist, Vector3, Wrench};
 
@@ -50,32 +50,57 @@ impl<S: Scalar> Seat<S> {
         let way = *rotation * plan.placement.position;
         Self { rotation: *rotation * plan.placement.rotation, way, position: *position + way }
     }
+
+    /// Twist per unit rate about the link's z.
+    #[inline(always)]
+    fn hinge(&self) -> Twist<S> {
+        let z = self.rotation.column(2);
+        Twist { angular: z, linear: self.position.cross(z) }
+    }
+
+    /// The same along it.
+    #[inline(always)]
+    fn slide(&self) -> Twist<S> {
+        Twist { angular: Vector3::zero(), linear: self.rotation.column(2) }
+    }
 }
 
 impl<S: Scalar> MovingLink<S> {
     /// At the root's origin and at rest, without inertia: what a root's frame stays, and an inertia that is no rigid body's.
-    pub fn still() -> Self {
+    /// The axis of a joint on the root stays, too.
+    pub fn still(plan: &Link<S>) -> Self {
+        let axis = match (plan.carrier, plan.joint) {
+            (Carrier::Root(_), LinkJoint::Hinge) => Seat::on_root(plan).hinge(),
+            (Carrier::Root(_), LinkJoint::Slide) => Seat::on_root(plan).slide(),
+            _ => Twist::zero(),
+        };
         Self {
             in_root: Frame::identity(),
-            axis: Twist::zero(),
+            axis,
             motion: Motion::default(),
             inertia: RigidInertia::default(),
             bias: Wrench::zero(),
         }
     }
 
-    /// On the world: its frame, which is returned, is what its branch is seen from.
+    /// On the world; its frame, `in_world`, is what its branch is seen from.
     #[inline]
-    pub fn stand(&mut self, plan: &Link<S>, q: &[S], v: &[S]) -> Frame<S> {
+    pub fn stand(&mut self, plan: &Link<S>, q: &[S], v: &[S], in_world: &mut Frame<S>) {
+        if plan.joint == LinkJoint::Floating {
+            *in_world = Floating::relative(q);
+            self.motion = Motion::floating(Floating::twist(in_world, v));
+        } else {
+            *in_world = self.stand_on_joint(plan, q, v);
+        }
+    }
+
+    #[inline(never)]
+    fn stand_on_joint(&mut self, plan: &Link<S>, q: &[S], v: &[S]) -> Frame<S> {
         let (world, z) = (Motion::default(), Vector3::new(S::ZERO, S::ZERO, S::ONE));
         let (arm, Frame { rotation, position }) = (plan.to_child, plan.placement);
         let turned = |rotation: Matrix3<S>| Frame { rotation, position: position + rotation * arm };
         match plan.joint {
-            LinkJoint::Floating => {
-                let frame = Floating::relative(q);
-                self.motion = Motion::floating(Floating::twist(&frame, v));
-                frame
-            }
+            LinkJoint::Floating => Frame::identity(),
             LinkJoint::Hinge => {
                 self.axis = Twist { angular: z, linear: z.cross(arm) };
                 self.motion = world.turned(&(self.axis * v[0]), Vector3::zero(), arm);
@@ -110,8 +135,16 @@ impl<S: Scalar> MovingLink<S> {
     pub fn mount(&mut self, plan: &Link<S>, parent: &Self, q: &[S], v: &[S]) {
         match plan.joint {
             LinkJoint::Floating => {}
-            LinkJoint::Hinge => self.hinge(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
-            LinkJoint::Slide => self.slide(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
+            LinkJoint::Hinge => {
+                let seat = Seat::on_link(parent, plan);
+                self.axis = seat.hinge();
+                self.hinge(plan, &parent.motion, &seat, q, v);
+            }
+            LinkJoint::Slide => {
+                let seat = Seat::on_link(parent, plan);
+                self.axis = seat.slide();
+                self.slide(plan, &parent.motion, &seat, q, v);
+            }
             LinkJoint::Ball => self.ball(plan, &parent.motion, &Seat::on_link(parent, plan), q, v),
         }
     }
@@ -120,24 +153,22 @@ impl<S: Scalar> MovingLink<S> {
     #[inline(always)]
     fn hinge(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let rotation = seat.rotation.turned_about_z(q[plan.positions].sin_cos());
-        let (z, arm) = (seat.rotation.column(2), rotation * plan.to_child);
+        let arm = rotation * plan.to_child;
         self.in_root = Frame { rotation, position: seat.position + arm };
-        self.axis = Twist { angular: z, linear: seat.position.cross(z) };
         self.motion = parent.turned(&(self.axis * v[plan.velocities]), seat.way, arm);
     }
 
     /// `R = R_seat`.
     #[inline(always)]
     fn slide(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
-        let z = seat.rotation.column(2);
+        let z = self.axis.linear;
         let arm = seat.rotation * plan.to_child + z * q[plan.positions];
         self.in_root = Frame { rotation: seat.rotation, position: seat.position + arm };
-        self.axis = Twist { angular: Vector3::zero(), linear: z };
         self.motion = parent.slid(z * v[plan.velocities], seat.way + arm);
     }
 
     /// `R = R_seat R(q)`.
-    #[inline(always)]
+    #[inline(never)]
     fn ball(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let rotation = seat.rotation * Quaternion::from_slice(&q[plan.positions..]).to_matrix();
         let arm = rotation * plan.to_child;
@@ -146,33 +177,33 @@ impl<S: Scalar> MovingLink<S> {
         self.motion = parent.turned(&own, seat.way, arm);
     }
 
-    /// Inertia in root axes, and what the drift takes; an inertia that is no rigid body's is returned.
+    /// The inertia of a body about whose centre of mass the frame is, in root axes, and what the drift takes by Newton and
+    /// Euler: `f = m a, n = J alpha + omega x J omega`.
     #[inline]
-    pub fn take_inertia(&mut self, inertia: &LinkInertia<S>) -> Option<SpatialInertia<S>> {
+    pub fn take_central(&mut self, mass: S, moments: &Moments<S>) {
         let Motion { twist, drift } = &self.motion;
-        match inertia {
-            // Newton and Euler about the centre of mass: f = m a, n = J alpha + omega x J omega.
-            LinkInertia::Central { mass, moments } => {
-                let (centre, moments) = (self.in_root.position, moments.rotated(&self.in_root.rotation));
-                let force = drift.linear * *mass;
-                let about_centre = moments * drift.angular + twist.angular.cross(moments * twist.angular);
-                self.bias = Wrench { moment: about_centre + centre.cross(force), force };
-                self.inertia = RigidInertia::of_centre(*mass, centre, &moments);
-                None
-            }
-            // A floating body that turns at a steady rate about its frame's origin, which is let go.
-            LinkInertia::Rigid(rigid) => {
-                let moment = twist.angular.cross(rigid.moments * twist.angular);
-                self.bias = Wrench { moment, force: drift.gradient * rigid.first_moment };
-                self.inertia = *rigid;
-                None
-            }
-            LinkInertia::Full(full) => {
-                let full = full.to_parent(&self.in_root);
-                self.bias = self.kirchhoff(&full);
-                Some(full)
-            }
-        }
+        let (centre, moments) = (self.in_root.position, moments.rotated(&self.in_root.rotation));
+        let force = drift.linear * mass;
+        let about_centre = moments * drift.angular + twist.angular.cross(moments * twist.angular);
+        self.bias = Wrench { moment: about_centre + centre.cross(force), force };
+        self.inertia = RigidInertia::of_centre(mass, centre, &moments);
+    }
+
+    /// The same of a floating body, which turns at a steady rate about its frame's origin, which is let go.
+    #[inline]
+    pub fn take_rigid(&mut self, rigid: &RigidInertia<S>) {
+        let Motion { twist, drift } = &self.motion;
+        let moment = twist.angular.cross(rigid.moments * twist.angular);
+        self.bias = Wrench { moment, force: drift.gradient * rigid.first_moment };
+        self.inertia = *rigid;
+    }
+
+    /// The same of an inertia that is no rigid body's, which is returned.
+    #[inline(never)]
+    pub fn take_full(&mut self, full: &SpatialInertia<S>) -> SpatialInertia<S> {
+        let full = full.to_parent(&self.in_root);
+        self.bias = self.kirchhoff(&full);
+        full
     }
 
     /// What the drift takes of an inertia in root axes by Kirchhoff's equations, `I a + v x* I v`.

@@ -16,6 +16,8 @@ pub struct Share {
     pub numbers: Range<usize>,
     /// In m.
     pub modes: Range<usize>,
+    /// Whether any of these has entries.
+    pub has_own: bool,
     /// Its sampling period, s.
     pub period_s: Option<f64>,
     /// Whether its states stay while an equilibrium is sought.
@@ -100,7 +102,9 @@ impl Layout {
         for (element, declared) in declared.into_iter().enumerate() {
             let name = elements[element].name();
             let full = |own: &String| format!("{name}.{own}");
+            let own = [&declared.states, &declared.numbers, &declared.modes];
             layout.shares.push(Share {
+                has_own: !declared.inputs.is_empty() || own.iter().any(|names| !names.is_empty()),
                 states: range(layout.states.len(), declared.states.len()),
                 inputs: range(input, declared.inputs.len()),
                 numbers: range(number, declared.numbers.len()),

@@ -2,7 +2,7 @@
 
 mod control;
 
-use super::runge_kutta::{Stages, Tableau};
+use super::runge_kutta::{Stages, Tableau, Triple};
 use super::{Interval, Sizes, Stage, StepError, System};
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -120,9 +120,7 @@ impl<S: Scalar> DormandPrince<S> {
 
     fn hand_out<Y: System<S>>(&mut self, system: &Y, time_s: f64, state: &mut State<S>) {
         self.dense_output(system, time_s);
-        state.q.copy_from_slice(&self.stages.q);
-        state.v.copy_from_slice(&self.stages.v);
-        state.s.copy_from_slice(&self.stages.s);
+        self.stages.hand_out(&mut state.q, &mut state.v, &mut state.s);
     }
 
     /// Whether the state is where the last inner step has it. The rates of coordinates that are not free are given over time;
@@ -133,9 +131,9 @@ impl<S: Scalar> DormandPrince<S> {
             return false;
         }
         self.dense_output(system, time_s);
-        let Stages { q, v, s, .. } = &self.stages;
+        let [_, v, s] = self.stages.place.parts();
         let same_rates = (0..v.len()).all(|i| v[i] == state.v[i] || !system.is_free(i));
-        same_rates && (q, s) == (&state.q, &state.s)
+        same_rates && self.stages.q == state.q && s == state.s
     }
 
     /// Whether the discrete numbers and modes are those that the memory was written with.
@@ -166,6 +164,7 @@ impl<S: Scalar> DormandPrince<S> {
             let interval = controller.interval(start_s, edge_s);
             let h = interval.end_s - start_s;
             let base = Stage { time_s: start_s, interval, q, v, s, d: &state.d, m: &state.m };
+            stages.stand_on(base);
             stages.go_on(system, base);
             let error = error(stages, controller.tolerances, h, v);
             if controller.accepts(interval, error)? {
@@ -184,13 +183,10 @@ impl<S: Scalar> DormandPrince<S> {
         }
         self.dense_output(system, self.inner.end_s);
         let Self { q, v, s, stages, .. } = self;
-        q.copy_from_slice(&stages.q);
-        v.copy_from_slice(&stages.v);
-        s.copy_from_slice(&stages.s);
+        stages.hand_out(q, v, s);
         let (first, last) = stages.rates.split_at_mut(STAGES - 1);
-        first[0].xi.copy_from_slice(v);
-        first[0].v.copy_from_slice(&last[0].v);
-        first[0].s.copy_from_slice(&last[0].s);
+        first[0].clone_from(&last[0]);
+        first[0].parts_mut()[0].copy_from_slice(v);
     }
 
     /// q, v, s of the stages at a time within the inner step.
@@ -199,7 +195,8 @@ impl<S: Scalar> DormandPrince<S> {
         let h = inner.end_s - inner.start_s;
         let theta = if time_s == inner.end_s { 1.0 } else { (time_s - inner.start_s) / h };
         let base = Stage { time_s: inner.start_s, interval: *inner, q, v, s, d: &[], m: &[] };
-        stages.combine(&dense_weights(theta), h, system, base);
+        stages.stand_on(base);
+        stages.combine(&dense_weights(theta), h, system, base.q);
     }
 
     fn load(&mut self, state: &State<S>) {
@@ -234,9 +231,9 @@ impl<S: Scalar> DormandPrince<S> {
     }
 
     /// What the memory holds of the inner step: its base and the rates of its stages.
-    fn parts(&mut self) -> impl Iterator<Item = &mut Vec<S>> {
-        let rates = self.stages.rates.iter_mut().flat_map(|rates| [&mut rates.xi, &mut rates.v, &mut rates.s]);
-        [&mut self.q, &mut self.v, &mut self.s].into_iter().chain(rates)
+    fn parts(&mut self) -> impl Iterator<Item = &mut [S]> {
+        let rates = self.stages.rates.iter_mut().map(Triple::all_mut);
+        [&mut self.q, &mut self.v, &mut self.s].into_iter().map(Vec::as_mut_slice).chain(rates)
     }
 }
 

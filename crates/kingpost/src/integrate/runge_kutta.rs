@@ -22,110 +22,138 @@ pub static RUNGE_KUTTA_4: Tableau = Tableau {
     c: &[0.0, 0.5, 0.5, 1.0],
 };
 
-/// Rates of one stage.
-#[derive(Clone, Debug)]
-pub(super) struct Rates<S> {
-    pub(super) xi: Vec<S>,
-    pub(super) v: Vec<S>,
-    pub(super) s: Vec<S>,
-}
-
 /// The stages of a step: their rates, and the place that weighted rates lead to.
 #[derive(Clone, Debug)]
 pub(super) struct Stages<S> {
     pub(super) tableau: &'static Tableau,
-    pub(super) rates: Vec<Rates<S>>,
-    /// Local coordinates about the step's base, and q, v, s there.
-    pub(super) xi: Vec<S>,
+    /// By stage: the rates of the local coordinates, of v and of s.
+    pub(super) rates: Vec<Triple<S>>,
+    /// Local coordinates about the step's base, v and s at the place.
+    pub(super) place: Triple<S>,
+    /// q there.
     pub(super) q: Vec<S>,
-    pub(super) v: Vec<S>,
-    pub(super) s: Vec<S>,
+    /// Zero, v and s at the base.
+    base: Triple<S>,
+}
+
+/// Numbers that belong to the local coordinates, to v and to s, in one array of blocks of four, which are summed at once.
+#[derive(Clone, Debug)]
+pub(super) struct Triple<S> {
+    blocks: Vec<[S; 4]>,
+    velocities: usize,
+    extras: usize,
+}
+
+impl<S: Scalar> Triple<S> {
+    fn zero(Sizes { velocities, extras, .. }: Sizes) -> Self {
+        let blocks = vec![[S::ZERO; 4]; (2 * velocities + extras).div_ceil(4)];
+        Self { blocks, velocities, extras }
+    }
+
+    /// All numbers.
+    pub(super) fn all_mut(&mut self) -> &mut [S] {
+        &mut self.blocks.as_flattened_mut()[..2 * self.velocities + self.extras]
+    }
+
+    /// Of the local coordinates, of v and of s.
+    #[inline]
+    pub(super) fn parts(&self) -> [&[S]; 3] {
+        let (xi, rest) = self.blocks.as_flattened().split_at(self.velocities);
+        let (v, rest) = rest.split_at(self.velocities);
+        [xi, v, &rest[..self.extras]]
+    }
+
+    /// The same, to be changed.
+    #[inline]
+    pub(super) fn parts_mut(&mut self) -> [&mut [S]; 3] {
+        let (xi, rest) = self.blocks.as_flattened_mut().split_at_mut(self.velocities);
+        let (v, rest) = rest.split_at_mut(self.velocities);
+        [xi, v, &mut rest[..self.extras]]
+    }
 }
 
 impl<S: Scalar> Stages<S> {
     pub(super) fn new(tableau: &'static Tableau, sizes: Sizes) -> Self {
-        let Sizes { positions, velocities, extras, .. } = sizes;
-        let zeros = |n| vec![S::ZERO; n];
-        let rates = || Rates { xi: zeros(velocities), v: zeros(velocities), s: zeros(extras) };
-        Self {
-            tableau,
-            rates: tableau.b.iter().map(|_| rates()).collect(),
-            xi: zeros(velocities),
-            q: zeros(positions),
-            v: zeros(velocities),
-            s: zeros(extras),
-        }
+        let triple = || Triple::zero(sizes);
+        let rates = tableau.b.iter().map(|_| triple()).collect();
+        Self { tableau, rates, place: triple(), q: vec![S::ZERO; sizes.positions], base: triple() }
     }
 
     /// Rates of the first stage, which stands at the base of the step itself.
     pub(super) fn begin<Y: System<S>>(&mut self, system: &mut Y, base: Stage<'_, S>) {
-        let rates = &mut self.rates[0];
-        system.rates(base, &mut rates.v, &mut rates.s);
-        rates.xi.copy_from_slice(base.v);
+        let [xi, v, s] = self.rates[0].parts_mut();
+        system.rates(base, v, s);
+        xi.copy_from_slice(base.v);
     }
 
-    /// Rates of the later stages of a step from `base` over its interval.
+    /// Takes v and s of the step's base for what follows.
+    pub(super) fn stand_on(&mut self, base: Stage<'_, S>) {
+        let [_, v, s] = self.base.parts_mut();
+        v.copy_from_slice(base.v);
+        s.copy_from_slice(base.s);
+    }
+
+    /// Rates of the later stages of a step from `base`, on which they stand, over its interval.
     pub(super) fn go_on<Y: System<S>>(&mut self, system: &mut Y, base: Stage<'_, S>) {
         let Interval { start_s, end_s } = base.interval;
         for (stage, weights) in (1..).zip(self.tableau.a) {
-            self.combine(weights, end_s - start_s, system, base);
+            self.combine(weights, end_s - start_s, system, base.q);
             let time_s = match self.tableau.c[stage] {
                 1.0 => end_s,
                 c => start_s + c * (end_s - start_s),
             };
-            let Self { rates, xi, q, v, s, .. } = self;
-            let rates = &mut rates[stage];
-            system.rates(Stage { time_s, q, v, s, ..base }, &mut rates.v, &mut rates.s);
-            system.dexp_inverse(xi, v, &mut rates.xi);
+            let ([xi, v, s], rates) = (self.place.parts(), self.rates[stage].parts_mut());
+            let [xi_rate, v_rate, s_rate] = rates;
+            system.rates(Stage { time_s, q: &self.q, v, s, ..base }, v_rate, s_rate);
+            system.dexp_inverse(xi, v, xi_rate);
         }
     }
 
-    /// q, v, s at `base` plus h times the weighted rates.
-    pub(super) fn combine<Y: System<S>>(&mut self, weights: &[f64], h: f64, system: &Y, base: Stage<'_, S>) {
+    /// q, v, s at the base, whose q is given, plus h times the weighted rates.
+    pub(super) fn combine<Y: System<S>>(&mut self, weights: &[f64], h: f64, system: &Y, q: &[S]) {
         match *weights {
-            [a] => self.sum(h, [(a, 0)], base),
-            [0.0, a] => self.sum(h, [(a, 1)], base),
-            [0.0, 0.0, a] => self.sum(h, [(a, 2)], base),
-            [a, b, c, d] => self.sum(h, [(a, 0), (b, 1), (c, 2), (d, 3)], base),
-            _ => self.sum_of_many(weights, h, base),
+            [a] => self.sum(h, [(a, 0)]),
+            [0.0, a] => self.sum(h, [(a, 1)]),
+            [0.0, 0.0, a] => self.sum(h, [(a, 2)]),
+            [a, b, c, d] => self.sum(h, [(a, 0), (b, 1), (c, 2), (d, 3)]),
+            _ => self.sum_of_many(weights, h),
         }
-        system.retract(base.q, &self.xi, &mut self.q);
+        system.retract(q, self.place.parts()[0], &mut self.q);
     }
-}
 
-impl<S: Scalar> Stages<S> {
-    /// Local coordinates, v and s of a few weighted stages, in one pass over each array.
+    /// The place that a few weighted stages lead to.
     #[inline]
-    fn sum<const K: usize>(&mut self, h: f64, terms: [(f64, usize); K], base: Stage<'_, S>) {
-        let Self { rates, xi, v, s, .. } = self;
+    fn sum<const K: usize>(&mut self, h: f64, terms: [(f64, usize); K]) {
         let weights = terms.map(|(weight, _)| S::constant(h * weight));
-        let rates = terms.map(|(_, stage)| &rates[stage]);
-        weigh(xi, None, weights, rates.map(|rates| rates.xi.as_slice()));
-        weigh(v, Some(base.v), weights, rates.map(|rates| rates.v.as_slice()));
-        weigh(s, Some(base.s), weights, rates.map(|rates| rates.s.as_slice()));
+        let rates = terms.map(|(_, stage)| self.rates[stage].blocks.as_flattened());
+        weigh(self.place.blocks.as_flattened_mut(), self.base.blocks.as_flattened(), weights, rates);
     }
 
     /// The same of any number, stage by stage.
-    fn sum_of_many(&mut self, weights: &[f64], h: f64, base: Stage<'_, S>) {
-        self.xi.fill(S::ZERO);
-        self.v.copy_from_slice(base.v);
-        self.s.copy_from_slice(base.s);
+    fn sum_of_many(&mut self, weights: &[f64], h: f64) {
+        let place = self.place.blocks.as_flattened_mut();
+        place.copy_from_slice(self.base.blocks.as_flattened());
         for (weight, rates) in weights.iter().zip(&self.rates).filter(|(weight, _)| **weight != 0.0) {
-            accumulate(&mut self.xi, h * weight, &rates.xi);
-            accumulate(&mut self.v, h * weight, &rates.v);
-            accumulate(&mut self.s, h * weight, &rates.s);
+            accumulate(place, h * weight, rates.blocks.as_flattened());
         }
+    }
+
+    /// Puts q, v and s to the place.
+    pub(super) fn hand_out(&self, q: &mut [S], v: &mut [S], s: &mut [S]) {
+        let [_, v_here, s_here] = self.place.parts();
+        q.copy_from_slice(&self.q);
+        v.copy_from_slice(v_here);
+        s.copy_from_slice(s_here);
     }
 }
 
-/// `out = base + k1 r1 + k2 r2 + ...`, entry by entry, from left to right; without a base, from zero.
-#[inline]
-fn weigh<S: Scalar, const K: usize>(out: &mut [S], base: Option<&[S]>, weights: [S; K], rates: [&[S]; K]) {
+/// `out = base + k1 r1 + k2 r2 + ...`, entry by entry, from left to right.
+#[inline(never)]
+fn weigh<S: Scalar, const K: usize>(out: &mut [S], base: &[S], weights: [S; K], rates: [&[S]; K]) {
     let n = out.len();
-    let (rates, base) = (rates.map(|rates| &rates[..n]), base.map(|base| &base[..n]));
+    let (base, rates) = (&base[..n], rates.map(|rates| &rates[..n]));
     for i in 0..n {
-        let start = base.map_or(S::ZERO, |base| base[i]);
-        out[i] = (0..K).fold(start, |sum, k| sum + weights[k] * rates[k][i]);
+        out[i] = (0..K).fold(base[i], |sum, k| sum + weights[k] * rates[k][i]);
     }
 }
 
@@ -147,10 +175,9 @@ impl<S: Scalar> ExplicitRungeKutta<S> {
         let State { q, v, s, d, m, .. } = &*state;
         let base = Stage { time_s: interval.start_s, interval, q, v, s, d, m };
         stages.begin(system, base);
+        stages.stand_on(base);
         stages.go_on(system, base);
-        stages.combine(stages.tableau.b, interval.end_s - interval.start_s, system, base);
-        state.q.copy_from_slice(&stages.q);
-        state.v.copy_from_slice(&stages.v);
-        state.s.copy_from_slice(&stages.s);
+        stages.combine(stages.tableau.b, interval.end_s - interval.start_s, system, base.q);
+        stages.hand_out(&mut state.q, &mut state.v, &mut state.s);
     }
 }

@@ -28,8 +28,10 @@ pub struct Link<S = f64> {
     pub inertia: LinkInertia<S>,
     /// Mass of its bodies, which weighs, kg. Of an inertia that is no rigid body's, part is the water's.
     pub mass: S,
-    /// That mass times its centre in the link's axes, kg m; `None` where that is the frame's origin.
-    pub first_moment: Option<Vector3<S>>,
+    /// That mass times its centre in the link's axes, kg m.
+    pub first_moment: Vector3<S>,
+    /// Whether that is the mass of the inertia, so that under its weight alone the link falls freely.
+    pub falls: bool,
 }
 
 /// What carries a link. Links are numbered from the roots out.
@@ -79,9 +81,12 @@ impl<S: Scalar> Link<S> {
         let of_link = || bodies.iter().filter(|body| body.link == Some(link));
         let mass = of_link().fold(S::ZERO, |sum, body| sum + body.mass);
         let first_moment = of_link().fold(Vector3::zero(), |sum, body| sum + body.in_link.position * body.mass);
-        let central = matches!(self.inertia, LinkInertia::Central { mass: of_inertia, .. } if of_inertia == mass);
-        let at_origin = central || first_moment == Vector3::zero();
-        Self { mass, first_moment: (!at_origin).then_some(first_moment), ..self }
+        let falls = match self.inertia {
+            LinkInertia::Central { mass: of_inertia, .. } => of_inertia == mass,
+            LinkInertia::Rigid(rigid) => rigid.mass == mass && rigid.first_moment == first_moment,
+            LinkInertia::Full(_) => false,
+        };
+        Self { mass, first_moment, falls, ..self }
     }
 }
 
@@ -189,8 +194,21 @@ fn lower<S: Scalar>(node: &Node<S>, carrier: Carrier, rigid: Option<&RigidInerti
         _ => LinkInertia::Full(node.inertia),
     };
     let Node { mode, positions, velocities, .. } = *node;
-    let (to_child, mass, first_moment) = (node.kind.to_child(), S::ZERO, None);
-    Link { carrier, joint, floating, mode, positions, velocities, placement, to_child, inertia, mass, first_moment }
+    let (to_child, mass, first_moment, falls) = (node.kind.to_child(), S::ZERO, Vector3::zero(), false);
+    Link {
+        carrier,
+        joint,
+        floating,
+        mode,
+        positions,
+        velocities,
+        placement,
+        to_child,
+        inertia,
+        mass,
+        first_moment,
+        falls,
+    }
 }
 
 /// Puts a link's frame to `to`, seen from where it was; bodies and joints stay where they are.

@@ -4,6 +4,7 @@
 //! and velocities v are flat arrays; every joint owns a range of both.
 
 mod beam;
+mod charts;
 pub mod joint;
 mod links;
 mod loops;
@@ -12,6 +13,7 @@ mod shape;
 mod tree;
 
 pub use beam::Beam;
+pub use charts::Charts;
 pub use joint::{AxisMotion, Joint, JointKind, Mode};
 pub use links::{Carrier, Link, LinkInertia, LinkJoint, Moments};
 pub use loops::{Attachment, Constraint, Loop, Turn};
@@ -75,6 +77,8 @@ pub struct Model<S = f64> {
     pub roots: Vec<usize>,
     /// The same links as the recursion takes them, each lowered to one record.
     pub plan: Vec<Link<S>>,
+    /// Local coordinates of the links.
+    pub charts: Charts,
     /// Length of q.
     pub position_count: usize,
     /// Length of v.
@@ -130,6 +134,7 @@ impl<S: Scalar> Model<S> {
             roots.push(link.parent.map_or(i, |p| roots[p]));
         }
         let plan = links::lowered(&mut links, &mut bodies, rigid);
+        let charts = Charts::of(&links.nodes);
         let (position_count, velocity_count) = (positions, velocities);
         let (rotor_inertia, loops, added_inertias) = (vec![S::ZERO; velocity_count], Vec::new(), Vec::new());
         Self {
@@ -139,6 +144,7 @@ impl<S: Scalar> Model<S> {
             links,
             roots,
             plan,
+            charts,
             position_count,
             velocity_count,
             modes,
@@ -172,6 +178,7 @@ impl<S: Scalar> Model<S> {
         self.tree.nodes[body].inertia += added;
         self.links.nodes[link].inertia += added.to_parent(&self.bodies[body].in_link);
         self.plan[link].inertia = LinkInertia::Full(self.links.nodes[link].inertia);
+        self.plan[link].falls = false;
         self.added_inertias.push((body, added));
         self
     }

@@ -74,7 +74,7 @@ impl<S: Scalar> Plant<S> {
         let Self { model, world, links, layout, situation, elements, outputs, .. } = self;
         let at = instant(time_s, state);
         outputs.clear();
-        elements[element].outputs(&Scene::new(layout, world, model, links, *situation, at).of(element), outputs);
+        elements[element].outputs(Scene::new(layout, world, model, links, *situation, at).of(element), outputs);
         for wire in layout.wires.iter().filter(|wire| wire.element == element) {
             state.d[wire.input] = outputs[wire.output];
         }
@@ -84,9 +84,9 @@ impl<S: Scalar> Plant<S> {
     pub fn witnesses(&mut self, at: Stage<'_, S>, values: &mut [S]) {
         self.links.update(&self.model, at.q, at.v);
         let Self { model, world, links, layout, situation, elements, .. } = self;
-        let scene = Scene::new(layout, world, model, links, *situation, at);
+        let mut scene = Scene::new(layout, world, model, links, *situation, at);
         for (watched, value) in layout.watched.iter().zip(values) {
-            *value = elements[watched.element].witness(watched.event, &scene.of(watched.element));
+            *value = elements[watched.element].witness(watched.event, scene.of(watched.element));
         }
     }
 
@@ -129,8 +129,8 @@ impl<S: Scalar> Plant<S> {
         seen.copy_from(state);
         let at = instant(time_s, seen);
         let State { v, s, d, m, .. } = state;
-        let scene = Scene::new(layout, world, model, links, *situation, at);
-        change(&mut *elements[element], &scene.of(element), &mut layout.own(element, s, d, m), v);
+        let mut scene = Scene::new(layout, world, model, links, *situation, at);
+        change(&mut *elements[element], scene.of(element), &mut layout.own(element, s, d, m), v);
     }
 }
 

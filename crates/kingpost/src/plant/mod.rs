@@ -128,16 +128,18 @@ impl<S: Scalar> Plant<S> {
     fn evaluate_loads(&mut self, at: Stage<'_, S>) {
         self.links.update(&self.model, at.q, at.v);
         let Self { model, world, links, elements, layout, situation, loads, prescribed_rates, .. } = self;
-        loads.clear();
-        let scene = Scene::new(layout, world, model, links, *situation, at);
+        loads.clear_but_accelerations();
+        let mut scene = Scene::new(layout, world, model, links, *situation, at);
         for (i, element) in elements.iter_mut().enumerate() {
-            element.loads(&scene.of(i), loads);
+            element.loads(scene.of(i), loads);
         }
         // At rest what moves as prescribed is held.
         if *situation == Situation::Running {
             for &i in &layout.prescribing {
                 elements[i].prescribe(scene.shared.clock, prescribed_rates, &mut loads.acceleration);
             }
+        } else {
+            loads.acceleration.fill(S::ZERO);
         }
     }
 
@@ -167,10 +169,10 @@ impl<S: Scalar> Plant<S> {
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
         let totals = self.totals_here(at);
         let Self { model, world, links, bodies, inverse, loops, elements, layout, situation, outputs, .. } = self;
-        let scene = Scene::new(layout, world, model, links, *situation, at);
+        let mut scene = Scene::new(layout, world, model, links, *situation, at);
         outputs.clear();
         for (i, element) in elements.iter_mut().enumerate() {
-            element.outputs(&scene.of(i), outputs);
+            element.outputs(scene.of(i), outputs);
         }
         Observation { model, bodies, inverse, loops, outputs, totals }
     }
@@ -179,9 +181,9 @@ impl<S: Scalar> Plant<S> {
     pub fn draw(&mut self, at: Stage<'_, S>, points: &mut Vec<S>) {
         self.links.update(&self.model, at.q, at.v);
         let Self { model, world, links, elements, layout, situation, .. } = self;
-        let scene = Scene::new(layout, world, model, links, *situation, at);
+        let mut scene = Scene::new(layout, world, model, links, *situation, at);
         for (i, element) in elements.iter_mut().enumerate() {
-            element.draw(&scene.of(i), points);
+            element.draw(scene.of(i), points);
         }
     }
 
@@ -255,13 +257,54 @@ impl<S: Scalar> Plant<S> {
         let Self { model, world, elements, layout, situation, links, bodies, .. } = self;
         let centre = ledger::reference_point(model, at.q);
         let (linear_momentum, angular_momentum) = energy::momentum(&model.tree, bodies, centre);
-        let scene = Scene::new(layout, world, model, links, *situation, at);
-        let stored = elements.iter_mut().enumerate().map(|(i, element)| element.potential_energy(&scene.of(i)));
+        let mut scene = Scene::new(layout, world, model, links, *situation, at);
+        let stored = elements.iter_mut().enumerate().map(|(i, element)| element.potential_energy(scene.of(i)));
         Totals {
             kinetic_energy: energy::kinetic_energy(&model.tree, bodies) + energy::rotor_energy(model, at.v),
             potential_energy: stored.fold(S::ZERO, |sum, energy| sum + energy),
             linear_momentum,
             angular_momentum,
+        }
+    }
+
+    /// Rates of the ledger and of the elements' states, once accelerations are known.
+    fn rates_beside(&mut self, at: Stage<'_, S>, v_dot: &[S], s_dot: &mut [S]) {
+        let (s_dot, of_elements) = s_dot.split_at_mut(self.layout.ledger);
+        if !of_elements.is_empty() {
+            let Self { model, world, elements, layout, situation, links, .. } = self;
+            let mut scene = Scene::new(layout, world, model, links, *situation, at);
+            for (i, element) in elements.iter_mut().enumerate() {
+                let own = layout.shares[i].states.clone();
+                if !own.is_empty() {
+                    element.rates(scene.of(i), &mut of_elements[own]);
+                }
+            }
+        }
+        if s_dot.is_empty() {
+            return;
+        }
+        let Self { model, links, bodies, loads, work, inverse, form, .. } = self;
+        loads.hand_over(|body| {
+            let rate = match form {
+                Form::Recursive => links.to_body(model, body, |link| work.acceleration(links, link)),
+                Form::MovingFrame(_) => inverse.acceleration[body],
+            };
+            (links.body_twist(model, body), rate)
+        });
+        let (has_fixed, centre) = (self.form != Form::Recursive, ledger::reference_point(model, at.q));
+        let tree = if has_fixed { &model.tree } else { &model.links };
+        let entries = Entries { model, tree, has_fixed, links, v: at.v, loads, centre };
+        match self.form {
+            Form::Recursive => entries.rates(
+                |i| JointLoad { frame: *links.root_in_world(model.roots[i]), wrench: work.joint_wrench(links, i) },
+                |i, at| work.joint_wrench(links, i).dot(links.axis(i)) + model.rotor_inertia[at] * v_dot[at],
+                s_dot,
+            ),
+            Form::MovingFrame(_) => entries.rates(
+                |i| JointLoad { frame: bodies.world[i], wrench: inverse.joint_wrench[i] },
+                |i, at| inverse.joint_wrench[i].dot(&bodies.columns[at]) + model.rotor_inertia[at] * v_dot[at],
+                s_dot,
+            ),
         }
     }
 
@@ -331,42 +374,8 @@ impl<S: Scalar> System<S> for Plant<S> {
         self.evaluations += 1;
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
-        let (s_dot, of_elements) = s_dot.split_at_mut(self.layout.ledger);
-        if !of_elements.is_empty() {
-            let Self { model, world, elements, layout, situation, links, .. } = self;
-            let scene = Scene::new(layout, world, model, links, *situation, at);
-            for (i, element) in elements.iter_mut().enumerate() {
-                let own = layout.shares[i].states.clone();
-                if !own.is_empty() {
-                    element.rates(&scene.of(i), &mut of_elements[own]);
-                }
-            }
-        }
-        if s_dot.is_empty() {
-            return;
-        }
-        let Self { model, links, bodies, loads, work, inverse, form, .. } = self;
-        loads.hand_over(|body| {
-            let rate = match form {
-                Form::Recursive => links.to_body(model, body, |link| work.acceleration(links, link)),
-                Form::MovingFrame(_) => inverse.acceleration[body],
-            };
-            (links.body_twist(model, body), rate)
-        });
-        let (has_fixed, centre) = (self.form != Form::Recursive, ledger::reference_point(model, at.q));
-        let tree = if has_fixed { &model.tree } else { &model.links };
-        let entries = Entries { model, tree, has_fixed, links, v: at.v, loads, centre };
-        match self.form {
-            Form::Recursive => entries.rates(
-                |i| JointLoad { frame: *links.root_in_world(model.roots[i]), wrench: work.joint_wrench(links, i) },
-                |i, at| work.joint_wrench(links, i).dot(links.axis(i)) + model.rotor_inertia[at] * v_dot[at],
-                s_dot,
-            ),
-            Form::MovingFrame(_) => entries.rates(
-                |i| JointLoad { frame: bodies.world[i], wrench: inverse.joint_wrench[i] },
-                |i, at| inverse.joint_wrench[i].dot(&bodies.columns[at]) + model.rotor_inertia[at] * v_dot[at],
-                s_dot,
-            ),
+        if !s_dot.is_empty() {
+            self.rates_beside(at, v_dot, s_dot);
         }
     }
 
@@ -379,11 +388,11 @@ impl<S: Scalar> System<S> for Plant<S> {
     }
 
     fn retract(&self, q: &[S], xi: &[S], out: &mut [S]) {
-        self.model.links.retract(q, xi, out);
+        self.model.charts.retract(q, xi, out);
     }
 
     fn dexp_inverse(&self, xi: &[S], v: &[S], out: &mut [S]) {
-        self.model.links.dexp_inverse(xi, v, out);
+        self.model.charts.dexp_inverse(xi, v, out);
     }
 
     fn is_rotation_rate(&self, coordinate: usize) -> bool {

@@ -17,6 +17,8 @@ pub struct Scene<'a, S> {
     states: &'a [S],
     discrete: &'a [S],
     modes: &'a [i64],
+    /// The same with the entries of the element that was shown last, of those that have any.
+    own: Option<Moment<'a, S>>,
 }
 
 impl<'a, S: Copy> Scene<'a, S> {
@@ -34,18 +36,21 @@ impl<'a, S: Copy> Scene<'a, S> {
         let (q, v) = (at.q, at.v);
         let shared = Moment { clock, situation, world, model, links, q, v, states, inputs, numbers, modes };
         let states = at.s.get(layout.ledger..).unwrap_or_default();
-        Self { layout, shared, states, discrete: at.d, modes: at.m }
+        Self { layout, shared, states, discrete: at.d, modes: at.m, own: None }
     }
 
     /// What one element sees.
-    pub fn of(&self, element: usize) -> Moment<'a, S> {
-        let Share { states, inputs, numbers, modes, .. } = &self.layout.shares[element];
-        Moment {
-            states: self.states.get(states.clone()).unwrap_or_default(),
-            inputs: self.discrete.get(inputs.clone()).unwrap_or_default(),
-            numbers: self.discrete.get(numbers.clone()).unwrap_or_default(),
-            modes: self.modes.get(modes.clone()).unwrap_or_default(),
-            ..self.shared
+    #[inline]
+    pub fn of(&mut self, element: usize) -> &Moment<'a, S> {
+        let Share { states, inputs, numbers, modes, has_own, .. } = &self.layout.shares[element];
+        if !has_own {
+            return &self.shared;
         }
+        let own = self.own.get_or_insert(self.shared);
+        own.states = self.states.get(states.clone()).unwrap_or_default();
+        own.inputs = self.discrete.get(inputs.clone()).unwrap_or_default();
+        own.numbers = self.discrete.get(numbers.clone()).unwrap_or_default();
+        own.modes = self.modes.get(modes.clone()).unwrap_or_default();
+        own
     }
 }

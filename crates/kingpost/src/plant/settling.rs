@@ -31,11 +31,11 @@ impl<S: Scalar> Plant<S> {
     pub fn take_over(&mut self, q: &[S], v: &[S]) -> S {
         self.links.update(&self.model, q, v);
         let Self { model, world, links, layout, situation, elements, .. } = self;
-        let scene = Scene::new(layout, world, model, links, *situation, at_rest(q, v));
+        let mut scene = Scene::new(layout, world, model, links, *situation, at_rest(q, v));
         let off = elements
             .iter_mut()
             .enumerate()
-            .filter_map(|(i, element)| element.settling_mut().map(|settling| settling.take_over(&scene.of(i))));
+            .filter_map(|(i, element)| element.settling_mut().map(|settling| settling.take_over(scene.of(i))));
         let off = off.fold(S::ZERO, |most, off| most.select_less(off, || off, || most));
         let trims: Vec<Vec<f64>> =
             self.trims().iter().map(|trim| trim.iter().map(|entry| entry.value()).collect()).collect();
@@ -49,10 +49,11 @@ impl<S: Scalar> Plant<S> {
     /// would have to give.
     pub fn overloaded(&mut self, q: &[S], v: &[S]) -> Option<(String, S)> {
         self.links.update(&self.model, q, v);
-        let scene = Scene::new(&self.layout, &self.world, &self.model, &self.links, self.situation, at_rest(q, v));
-        let mut used = self.elements.iter().enumerate().filter_map(|(i, element)| {
-            Some((element.name().to_owned(), element.settling()?.utilisation(&scene.of(i))))
-        });
+        let mut scene = Scene::new(&self.layout, &self.world, &self.model, &self.links, self.situation, at_rest(q, v));
+        let mut used =
+            self.elements.iter().enumerate().filter_map(|(i, element)| {
+                Some((element.name().to_owned(), element.settling()?.utilisation(scene.of(i))))
+            });
         used.find(|(_, utilisation)| !utilisation.all(|utilisation| utilisation <= 1.0))
     }
 }

@@ -24,6 +24,7 @@ impl<S: Scalar> Quaternion<S> {
     }
 
     /// The quaternion of a rotation vector in radians, `exp(a / 2)`.
+    #[inline]
     pub fn exp(a: Vector3<S>) -> Self {
         let c = S::constant;
         let x = a.norm_squared() * c(0.25);

@@ -19,7 +19,7 @@ pub(super) struct Articulated<S> {
     pub compliance: S,
     /// Force along the joint's axis that is left to accelerate it.
     pub drive: S,
-    /// Acceleration beyond the drift.
+    /// Acceleration beyond the drift and free fall.
     pub response: Twist<S>,
 }
 

@@ -9,7 +9,7 @@ use crate::dynamics::LinkKinematics;
 use crate::dynamics::ball::Ball;
 use crate::model::{LinkJoint, Mode, Model};
 use crate::scalar::Scalar;
-use crate::spatial::{Twist, Wrench};
+use crate::spatial::{Twist, Vector3, Wrench};
 
 /// Wrenches and the accelerations that they make, root axes.
 #[derive(Clone, Debug)]
@@ -64,8 +64,8 @@ impl<S: Scalar> Response<S> {
             let (link, bias, at) = (&work.links[i], &self.bias[i], plan.velocities);
             self.acceleration[i] = match plan.joint {
                 LinkJoint::Floating => {
-                    let twist = root::accelerate(plan.floating, &link.inertia(moving), &-*bias);
-                    root::write(&twist, &links.root_in_world(i).rotation, &mut self.rates[at..]);
+                    let twist = root::accelerate(plan.floating, &link.inertia(moving), &-*bias, Vector3::zero());
+                    root::write(&twist, Vector3::zero(), &links.root_in_world(i).rotation, &mut self.rates[at..]);
                     twist
                 }
                 LinkJoint::Ball => {

@@ -7,24 +7,34 @@ use crate::spatial::{Matrix3, SpatialInertia, Twist, Vector3, Wrench};
 /// The force along its coordinates in root axes; `force` begins at its own.
 #[inline]
 pub(super) fn force<S: Scalar>(force: &[S], rotation: &Matrix3<S>) -> Wrench<S> {
+    let force = &force[..6];
     Wrench { moment: Vector3::from_slice(&force[3..]), force: rotation.transpose_times(Vector3::from_slice(force)) }
 }
 
-/// Its acceleration under a wrench: six equations, or the three that are not held.
+/// Its acceleration beyond that of free fall, `fall`, under a wrench: six equations, or the three that are not held.
 #[inline]
-pub(super) fn accelerate<S: Scalar>(floating: Floating, inertia: &SpatialInertia<S>, net: &Wrench<S>) -> Twist<S> {
+pub(super) fn accelerate<S: Scalar>(
+    floating: Floating,
+    inertia: &SpatialInertia<S>,
+    net: &Wrench<S>,
+    fall: Vector3<S>,
+) -> Twist<S> {
     let still = Vector3::zero();
     match (floating.hold_translation, floating.hold_rotation) {
         (false, false) => inertia.solve(net),
-        (true, false) => Twist { angular: inertia.angular.inverse() * net.moment, linear: still },
+        (true, false) => {
+            let angular = inertia.angular.inverse() * (net.moment + inertia.coupling * fall);
+            Twist { angular, linear: -fall }
+        }
         (false, true) => Twist { angular: still, linear: inertia.linear.inverse() * net.force },
-        (true, true) => Twist::zero(),
+        (true, true) => Twist { angular: still, linear: -fall },
     }
 }
 
 /// Writes the accelerations of its coordinates, of which those of the translation are in the world's axes.
 #[inline]
-pub(super) fn write<S: Scalar>(acceleration: &Twist<S>, rotation: &Matrix3<S>, out: &mut [S]) {
-    (*rotation * acceleration.linear).write_to(out);
+pub(super) fn write<S: Scalar>(acceleration: &Twist<S>, fall: Vector3<S>, rotation: &Matrix3<S>, out: &mut [S]) {
+    let out = &mut out[..6];
+    (*rotation * (acceleration.linear + fall)).write_to(out);
     acceleration.angular.write_to(&mut out[3..]);
 }

@@ -102,7 +102,11 @@ impl<S: Scalar> Profile<S> {
         }
     }
 
+    #[inline]
     fn piece(&self, clock: Clock) -> &Piece<S> {
+        if let [only] = self.pieces.as_slice() {
+            return only;
+        }
         let after = self.pieces.partition_point(|p| p.start_s <= clock.middle_s);
         &self.pieces[after.max(1) - 1]
     }

@@ -120,11 +120,13 @@ pub(super) fn error<S: Scalar>(stages: &Stages<S>, tolerances: Tolerances, h: f6
         let (mut xi_error, mut v_error) = (S::ZERO, S::ZERO);
         for (weight, rates) in ERROR.iter().zip(&stages.rates) {
             let weight = S::constant(h * weight);
-            xi_error += weight * rates.xi[i];
-            v_error += weight * rates.v[i];
+            let [xi, v, _] = rates.parts();
+            xi_error += weight * xi[i];
+            v_error += weight * v[i];
         }
-        let of_position = over(xi_error, size(stages.xi[i]));
-        let of_rate = over(v_error, larger(size(*v0), size(stages.v[i])));
+        let [xi, v, _] = stages.place.parts();
+        let of_position = over(xi_error, size(xi[i]));
+        let of_rate = over(v_error, larger(size(*v0), size(v[i])));
         if of_position.is_nan() || of_rate.is_nan() {
             return f64::NAN;
         }

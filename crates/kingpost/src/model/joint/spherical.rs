@@ -61,12 +61,14 @@ impl<S: Scalar> Spherical<S> {
     }
 
     /// The rotation is multiplied by the exponential of the local rotation vector.
+    #[inline]
     pub fn retract(q: &[S], xi: &[S], out: &mut [S]) {
         let turned = Quaternion::from_slice(q).times(Quaternion::exp(Vector3::from_slice(xi))).normalized();
         out[..4].copy_from_slice(&turned.0);
     }
 
     /// Rate of the local rotation vector.
+    #[inline]
     pub fn dexp_inverse(xi: &[S], v: &[S], out: &mut [S]) {
         dexp_inverse_body(Vector3::from_slice(xi), Vector3::from_slice(v)).write_to(out);
     }
