@@ -358,7 +358,8 @@ fn what_is_not_in_proportion_to_a_number_has_its_derivative_too() {
     let damping = gains.damping[0];
     assert!((damping.derivative[1] / (-damping.value / 200.0) - 1.0).abs() < 1e-14, "{damping:?}");
     // U ln(z / z0) / ln(10 / z0) along z.
-    let flow = of_kind::<_, FlowLoad<Dual<3>>>(&setup.elements).next().expect("a wind").flow[0];
+    let wind = of_kind::<_, FlowLoad<Dual<3>>>(&setup.elements).next().expect("a wind");
+    let flow = wind.flow.in_world(&setup.world).0[0];
     let expected = flow.value / (14.0 * libm::log(14.0 / 0.003));
     assert!((flow.derivative[2] / expected - 1.0).abs() < 1e-13, "{flow:?}");
 }

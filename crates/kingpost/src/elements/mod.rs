@@ -30,7 +30,7 @@ pub use delay::Delay;
 pub use drawing::{DrawnLine, LineStyle};
 pub use dynamic_positioning::DynamicPositioning;
 pub use element::{AnyElement, Boxed, Element, Own, Settling, of_kind, of_kind_mut};
-pub use flow::FlowLoad;
+pub use flow::{Flow, FlowLoad};
 pub use gravity::Gravity;
 pub use hull::Hull;
 pub use joint_damping::JointDamping;

@@ -136,7 +136,7 @@ impl<S: Scalar> Plant<S> {
         // At rest what moves as prescribed is held.
         if *situation == Situation::Running {
             for &i in &layout.prescribing {
-                elements[i].prescribe(scene.shared.clock, prescribed_rates, &mut loads.acceleration);
+                elements[i].prescribe(world, scene.shared.clock, prescribed_rates, &mut loads.acceleration);
             }
         }
     }
@@ -205,7 +205,7 @@ impl<S: Scalar> Plant<S> {
         let clock = Clock { time_s: interval.start_s, middle_s: interval.middle_s() };
         self.loads.acceleration.fill(S::ZERO);
         for &i in &self.layout.prescribing {
-            self.elements[i].prescribe(clock, v, &mut self.loads.acceleration);
+            self.elements[i].prescribe(&self.world, clock, v, &mut self.loads.acceleration);
         }
         &self.loads.acceleration
     }

@@ -10,11 +10,13 @@ use crate::elements::{AnyElement, CoulombFriction};
 use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
 use crate::scenario::leaf::Quantity;
+use crate::world::World;
 
 /// The drives that are on; gives prescribed joints their initial rate in `v`.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
+    world: &World<S>,
     v: &mut [S],
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut drives: Vec<AnyElement<S>> = Vec::new();
@@ -53,8 +55,8 @@ pub fn build<S: Quantity>(
         v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
         drives.push(Box::new(motion));
     }
-    for motion in wave_motion::build(scenario, model)? {
-        v[motion.coordinates()].copy_from_slice(&motion.at(0.0).rates);
+    for motion in wave_motion::build(scenario, model, world)? {
+        v[motion.coordinates()].copy_from_slice(&motion.at(world, 0.0).rates);
         drives.push(Box::new(motion));
     }
     Ok(drives)
