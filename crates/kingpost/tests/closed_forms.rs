@@ -36,7 +36,16 @@ fn simulation(
     };
     elements.extend(drives);
     let world = World::calm().with_gravity(GRAVITY);
-    Simulation::new(Setup { model: Model::new(bodies), world, elements, settings, q, v, fingerprint: 0 })
+    Simulation::new(Setup {
+        model: Model::new(bodies),
+        world,
+        elements,
+        wires: Vec::new(),
+        settings,
+        q,
+        v,
+        fingerprint: 0,
+    })
 }
 
 fn hinge(axis: [f64; 3], to_child: [f64; 3]) -> JointKind {
@@ -140,7 +149,7 @@ fn a_servo_holds_an_arm_up_with_the_droop_of_its_stiffness() {
     // Horizontal arm: k (target - q) = m g l cos(q) at rest; positive about y lowers an arm along x.
     let (mass, length, stiffness) = (10.0, 2.0, 5e4);
     let servo = |limit: f64| -> AnyElement {
-        Box::new(Servo { position: 0, coordinate: 0, target: 0.0, stiffness, damping: 4e3, limit })
+        Box::new(Servo { position: 0, coordinate: 0, target: 0.0, stiffness, damping: 4e3, limit, offset: None })
     };
     let arm = || vec![body("arm", None, hinge([0.0, 1.0, 0.0], [length, 0.0, 0.0]), mass, [1.0; 3])];
     let gravity = || -> Vec<AnyElement> { vec![Box::new(Gravity)] };

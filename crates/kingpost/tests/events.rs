@@ -45,6 +45,7 @@ fn setup<S: Scalar>(
         settings,
         q: vec![q],
         v: vec![v],
+        wires: Vec::new(),
         fingerprint: 0,
     }
 }

@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 23] = [
+const STRUCTURE: [&str; 25] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -212,6 +212,8 @@ const STRUCTURE: [&str; 23] = [
     ".jonswap.direction_rad",
     ".pierson_moskowitz.direction_rad",
     ".acceleration_m_s2",
+    ".motion_reference_unit.period_s",
+    ".delay_samples",
 ];
 
 /// Gradients along leaves, those of a chunk in one run; a leaf without one is told by its name.

@@ -114,6 +114,11 @@ impl<S: Scalar> Plant<S> {
         self.layout.ledger = if keeps { ledger::COUNT } else { 0 };
     }
 
+    /// Wires inputs to sampled outputs, each pair by their names.
+    pub fn connect(&mut self, wires: &[(String, String)]) {
+        self.layout.connect(wires);
+    }
+
     /// What acts on the model.
     pub fn elements(&self) -> &[AnyElement<S>] {
         &self.elements

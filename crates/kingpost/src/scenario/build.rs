@@ -13,6 +13,7 @@ mod lines;
 mod loops;
 mod positioning;
 mod positioning_loop;
+mod sensors;
 mod tanks;
 mod water;
 mod wave_motion;
@@ -84,10 +85,12 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     elements.extend(in_joints);
     elements.extend(in_water);
     elements.extend(drives::build(scenario, &model, &world, &mut v)?);
+    elements.extend(sensors::build(scenario, &model)?);
+    let wires = sensors::wires(scenario, &elements)?;
     for motion in of_kind::<S, WaveMotion<S>>(&elements) {
         q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(&world, 0.0).positions);
     }
-    let setup = Setup { model, world, elements, settings, q, v, fingerprint: 0 };
+    let setup = Setup { model, world, elements, wires, settings, q, v, fingerprint: 0 };
     lines::check_start(&setup)?;
     Ok(setup)
 }

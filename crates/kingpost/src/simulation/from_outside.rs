@@ -123,6 +123,9 @@ impl Simulation {
             return Err(InputError::Unknown { found: name.to_owned(), allowed });
         };
         let Input { lower, upper, .. } = inputs[i];
+        if let Some(signal) = &inputs[i].signal {
+            return Err(InputError::Wired { name: name.to_owned(), signal: signal.clone() });
+        }
         if !(lower..=upper).contains(&value) {
             return Err(InputError::Range { name: name.to_owned(), found: value, lower, upper });
         }
