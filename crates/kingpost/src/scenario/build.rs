@@ -73,10 +73,6 @@ pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result
 /// The same as it is written, its closed loops not yet closed.
 fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let settings = settings(&scenario.simulation)?;
-    if let Some(i) = scenario.parameters.iter().position(|parameter| parameter.live) {
-        let allowed = "false: in this version every parameter takes effect at reset";
-        return Err(FieldError::new(format!("parameters.{i}.live"), true, allowed));
-    }
     let world = world::build(scenario)?;
     let bodies::Bodies { model, mut q, mut v, forces: in_joints } = bodies::build(scenario)?;
     let model = loops::build(scenario, model)?;

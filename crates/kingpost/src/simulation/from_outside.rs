@@ -10,7 +10,7 @@ use crate::state::{SnapshotError, State};
 
 /// Closed loops of a state from outside may be open by less than this, m or rad: the next step
 /// closes them.
-const LARGEST_GAP_GIVEN: f64 = 1e-6;
+pub(super) const LARGEST_GAP_GIVEN: f64 = 1e-6;
 
 impl Simulation {
     /// Gives an implicit scheme exact derivatives, from the same setup over dual numbers; without,

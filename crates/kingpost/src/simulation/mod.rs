@@ -4,6 +4,7 @@ mod drawing;
 mod errors;
 mod events;
 mod from_outside;
+mod live;
 mod recording;
 mod settle;
 mod setup;
