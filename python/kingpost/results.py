@@ -145,6 +145,29 @@ def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
     return ".".join([pattern.format_map(labels), *left_out])
 
 
+def events(results: xarray.Dataset) -> xarray.Dataset:
+    """What happened in a run, in order of time: ``event_time`` (s), ``event_element`` and ``event_what``.
+
+    It reads the attribute ``events``, so that a data set that comes back from a NetCDF file has the same.
+
+    >>> from kingpost import run
+    >>> events(run("paper", {"simulation.duration_s": 0.001})).sizes["event"]
+    0
+    """
+    import xarray
+
+    rows = json.loads(results.attrs.get("events", "[]"))
+    texts = {name: np.array([row[name] for row in rows], dtype=str) for name in ("element", "what")}
+    about = {
+        "event_time": {"units": "s", "long_name": "time", "description": "when it happened"},
+        "event_element": {"long_name": "element", "description": "what watched for it, or the parameter"},
+        "event_what": {"long_name": "event", "description": "what happened"},
+    }
+    values = [np.array([row["time_s"] for row in rows], dtype=float), texts["element"], texts["what"]]
+    columns = {name: ("event", value, about[name]) for name, value in zip(about, values, strict=True)}
+    return xarray.Dataset(columns, attrs={"title": results.attrs.get("title", "")})
+
+
 def check_output(path: str | Path, endings: Sequence[str] = ENDINGS) -> Path:
     """Make sure, before a run, that results can be written to `path`."""
     path = Path(path)
@@ -165,7 +188,8 @@ def write(results: xarray.Dataset, path: str | Path) -> Path:
     """Write results by the file's ending: ``.nc`` (NetCDF), ``.csv`` or ``.parquet``.
 
     A CSV holds the numbers alone; units and attributes are in the other two: in Parquet the unit of a
-    column is in the metadata of its field.
+    column is in the metadata of its field. Where anything happened, its table (`events`) stands beside a
+    CSV, as ``<name>.events.csv``; one of an earlier run that is there is written anew in any case.
     """
     path = check_output(path)
     ending = path.suffix.lower()
@@ -173,6 +197,9 @@ def write(results: xarray.Dataset, path: str | Path) -> Path:
         results.to_netcdf(path, engine="h5netcdf")
     elif ending == ".csv":
         frame(results).to_csv(path, index=False)
+        happened, beside = events(results), path.with_suffix(".events.csv")
+        if happened.sizes["event"] or beside.exists():
+            happened.to_dataframe().to_csv(beside, index=False)
     else:
         _write_parquet(results, path)
     return path

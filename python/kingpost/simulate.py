@@ -196,8 +196,7 @@ class Simulation:
     @property
     def state(self) -> State:
         """A copy of the motion now."""
-        engine = self._engine
-        return State(engine.time_s(), engine.q(), engine.v(), engine.s())
+        return State(self._engine.time_s(), *self._engine.motion())
 
     def set_state(self, q: ArrayLike, v: ArrayLike, s: ArrayLike | None = None) -> None:
         """Replace the motion; arrays as in `State`, with unit quaternions.
@@ -227,6 +226,22 @@ class Simulation:
     def set_input(self, name: str, value: float) -> None:
         """Set an input; it holds until it is set again."""
         self._engine.set_input(name, value)
+
+    def set_parameter(self, name: str, value: bool | float | str) -> None:
+        """Set a parameter that is `live` in the scenario while the run goes on, from the next step on.
+
+        Time, motion and inputs stay; what the change does to energy is booked in the ledger. `reset` leads to
+        the start of the scenario with the new value.
+
+        Raises
+        ------
+        KingpostError
+            When there is no such live parameter, when it may not have the value, and when the value changes
+            what the run is made of; the error names the parameter.
+        """
+        scenario = self.scenario.with_overrides({name: value})
+        self._engine.set_parameter(name, json.dumps(scenario.overrides[-1][1]))
+        self.scenario = scenario
 
     @property
     def coordinates(self) -> list[str]:

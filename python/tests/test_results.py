@@ -9,8 +9,10 @@ import pyarrow.parquet
 import pytest
 import xarray
 from kingpost.cli import main
-from kingpost.results import frame, write
+from kingpost.results import events, frame, write
 from samples import read_csv
+
+DRAG = "{name: drag, default: 1.0e+6, live: true, writes: [forces.damping.viscous_damping.angular_N_m_s.0]}"
 
 
 @pytest.fixture(scope="module")
@@ -72,6 +74,40 @@ def test_a_model_without_joints_or_points_writes_every_format(tmp_path):
     results = kingpost.run(path)
     for ending in ("nc", "csv", "parquet"):
         assert write(results, tmp_path / f"box.{ending}").stat().st_size > 0
+
+
+def test_events_are_a_table_that_every_file_carries(tmp_path):
+    """Source: the round trip; the value that was set, when it was set."""
+    text = kingpost.load("paper").text.replace("parameters:\n", f"parameters:\n  - {DRAG}\n", 1)
+    (tmp_path / "live.yaml").write_text(text)
+    simulation = kingpost.Simulation(kingpost.load(tmp_path / "live.yaml", {"simulation.duration_s": 0.05}))
+    simulation.step(20)
+    simulation.set_parameter("drag", 2e6)
+    results = simulation.run()
+    table = events(results)
+    assert [str(what) for what in table["event_element"].values] == ["drag"]
+    assert table["event_time"].values == pytest.approx([0.02], abs=1e-12)
+    assert table["event_time"].attrs["units"] == "s"
+    again = xarray.load_dataset(write(results, tmp_path / "run.nc"), engine="h5netcdf")
+    xarray.testing.assert_identical(events(again), table)
+    xarray.testing.assert_identical(
+        xarray.load_dataset(write(table, tmp_path / "events.nc"), engine="h5netcdf"), table
+    )
+    write(results, tmp_path / "run.csv")
+    beside = pandas.read_csv(tmp_path / "run.events.csv", float_precision="round_trip")
+    assert list(beside.columns) == ["event_time", "event_element", "event_what"]
+    assert beside["event_time"].tolist() == table["event_time"].values.tolist()
+    assert beside["event_what"].tolist() == ["was set"]
+
+
+def test_a_run_in_which_nothing_happened_has_an_empty_table_and_no_file_of_events(results, tmp_path):
+    """Source: the contract; a file of an earlier run must not be taken for this one's."""
+    assert events(results).sizes["event"] == 0
+    write(results, tmp_path / "run.csv")
+    assert not (tmp_path / "run.events.csv").exists()
+    (tmp_path / "run.events.csv").write_text("event_time,event_element,event_what\n1.0,ball,hit\n")
+    write(results, tmp_path / "run.csv")
+    assert (tmp_path / "run.events.csv").read_text().splitlines() == ["event_time,event_element,event_what"]
 
 
 def test_an_unknown_ending_is_refused(results, tmp_path):

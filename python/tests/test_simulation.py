@@ -160,6 +160,16 @@ def test_poses_are_the_recorded_positions_and_orientations(moving):
     assert np.linalg.norm(poses[:, 3:], axis=1) == pytest.approx(1.0)
 
 
+def test_a_parameter_that_is_not_live_is_refused_during_a_run():
+    """Source: the contract; crates/kingpost/tests/live_parameters.rs has what live ones do."""
+    simulation = Simulation("paper")
+    simulation.step(5)
+    with pytest.raises(kingpost.KingpostError, match=r"crane_x_m: takes effect where a run begins.*none"):
+        simulation.set_parameter("crane_x_m", 0)
+    assert simulation.time_s == pytest.approx(0.005)
+    assert simulation.scenario.model["parameters"][6]["value"] == -10
+
+
 def test_a_lever_is_an_input_that_drives_its_motor(small):
     """Source: half the lever is half the torque, so half the acceleration from rest."""
     scenario = load(small, {"drives.motor.motor.history": "lever"})

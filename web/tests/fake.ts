@@ -1,9 +1,11 @@
-import type { Channel, Engine, Values } from "../src/engine/engine";
+import type { Channel, Engine, Value, Values } from "../src/engine/engine";
 
 /** A stand-in for the engine in unit tests: a box that turns about z at a constant rate. */
 export class FakeEngine implements Engine {
   private steps = 0;
   readonly taken: number[] = [];
+  /** Values of the live parameter, as they came. */
+  readonly set: Value[] = [];
 
   constructor(
     readonly overrides: Values = {},
@@ -84,6 +86,7 @@ export class FakeEngine implements Engine {
       hulls: [],
       parameters: [
         { name: "load", label: "Load", unit: "", kind: "boolean", value: this.overrides.load ?? false, range: null, choices: null, live: false },
+        { name: "wind", label: "Wind", unit: "m/s", kind: "number", value: this.overrides.wind ?? 8, range: [0, 20], choices: null, live: true },
       ],
       warnings: [],
     });
@@ -99,6 +102,11 @@ export class FakeEngine implements Engine {
 
   set_input(name: string): void {
     throw { kind: "input", message: `no input is named ${name}` };
+  }
+
+  set_parameter(name: string, valueJson: string): void {
+    if (name !== "wind") throw { kind: "input", message: `parameter ${name}: takes effect where a run begins` };
+    this.set.push(JSON.parse(valueJson));
   }
 
   free(): void {}

@@ -2,9 +2,11 @@ import { beforeEach, describe, expect, it } from "vitest";
 import { Session } from "../src/app/session";
 import { faultOfControl } from "../src/app/faults";
 import type { EngineClient } from "../src/engine/client";
-import type { Fault, Values } from "../src/engine/engine";
+import type { Fault, Value, Values } from "../src/engine/engine";
 import { Runner } from "../src/engine/runner";
 import { FakeEngine } from "./fake";
+
+const engines: FakeEngine[] = [];
 
 /** The client without its worker: the runner answers a moment later. */
 function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
@@ -15,7 +17,8 @@ function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
         throw { kind: "scenario", message: `${file}:1:1: text: found bad, allowed: good`, file, line: 1, column: 1 };
       }
       openings.push(overrides);
-      return new FakeEngine(overrides, 0.001, 0.01, divergesAt_s);
+      engines.push(new FakeEngine(overrides, 0.001, 0.01, divergesAt_s));
+      return engines.at(-1)!;
     },
     () => 0,
   );
@@ -31,6 +34,7 @@ function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
     advance: (wall_s: number, speed: number) => later(() => runner.advance(wall_s, speed)),
     step: () => later(() => runner.step()),
     input: (name: string, value: number) => later(() => (runner.input(name, value), null)),
+    parameter: (name: string, value: Value) => later(() => (runner.parameter(name, value), null)),
   } as unknown as EngineClient;
 }
 
@@ -48,6 +52,19 @@ describe("the session", () => {
     session = new Session(clientOf(openings));
     session.listen({ faulted: (fault) => faults.push(fault) });
     await session.open(good, {});
+  });
+
+  it("sets a live value under way without a reset, of many that come together the last", async () => {
+    session.start();
+    await session.step();
+    for (const wind of [9, 10, 11, 12]) session.set("wind", wind);
+    expect(session.pending()).toEqual(["wind"]);
+    await settled();
+    expect(session.pending()).toEqual([]);
+    expect(session.value("wind")).toBe(12);
+    expect(openings.length).toBe(1);
+    expect(engines.at(-1)?.set).toEqual([9, 12]);
+    expect(session.status).toBe("paused");
   });
 
   it("follows a value at once at the start, in as few openings as keep up", async () => {

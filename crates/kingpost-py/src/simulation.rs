@@ -84,16 +84,10 @@ impl Simulation {
         self.inner.evaluations()
     }
 
-    fn q<'py>(&self, py: Python<'py>) -> Vector<'py> {
-        PyArray1::from_slice(py, &self.inner.state().q)
-    }
-
-    fn v<'py>(&self, py: Python<'py>) -> Vector<'py> {
-        PyArray1::from_slice(py, &self.inner.state().v)
-    }
-
-    fn s<'py>(&self, py: Python<'py>) -> Vector<'py> {
-        PyArray1::from_slice(py, &self.inner.state().s)
+    /// q, v and s.
+    fn motion<'py>(&self, py: Python<'py>) -> [Vector<'py>; 3] {
+        let state = self.inner.state();
+        [&state.q, &state.v, &state.s].map(|part| PyArray1::from_slice(py, part))
     }
 
     #[pyo3(signature = (q, v, s=None))]
@@ -121,6 +115,11 @@ impl Simulation {
 
     fn set_input(&mut self, name: &str, value: f64) -> PyResult<()> {
         self.inner.set_input(name, value).map_err(errors::input)
+    }
+
+    fn set_parameter(&mut self, name: &str, value_json: &str) -> PyResult<()> {
+        let value = serde_json::from_str(value_json).map_err(errors::input)?;
+        self.scenario.set_parameter(&mut self.inner, name, &value).map_err(errors::input)
     }
 
     fn coordinates(&self) -> Vec<String> {

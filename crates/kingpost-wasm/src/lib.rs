@@ -103,6 +103,12 @@ impl Simulation {
         self.inner.set_input(name, value).map_err(thrown::input)
     }
 
+    /// Sets a live parameter, by a value in JSON, from the next step on.
+    pub fn set_parameter(&mut self, name: &str, value_json: &str) -> Result<(), JsValue> {
+        let value = serde_json::from_str(value_json).map_err(thrown::input)?;
+        self.scenario.set_parameter(&mut self.inner, name, &value).map_err(thrown::input)
+    }
+
     /// What the model is: title, bodies with their shapes, joints, parameters, settings.
     pub fn model_json(&self) -> Result<JsString, JsValue> {
         json(&self.scenario.describe().map_err(thrown::scenario)?)

@@ -35,7 +35,17 @@ fn simulation(
         form: Form::Recursive,
     };
     elements.extend(drives);
-    Simulation::new(Setup { model: Model::new(bodies), world: World::calm(), elements, settings, q, v, fingerprint: 0 })
+    let world = World::calm().with_gravity(GRAVITY);
+    Simulation::new(Setup {
+        model: Model::new(bodies),
+        world,
+        elements,
+        wires: Vec::new(),
+        settings,
+        q,
+        v,
+        fingerprint: 0,
+    })
 }
 
 fn hinge(axis: [f64; 3], to_child: [f64; 3]) -> JointKind {
@@ -66,7 +76,7 @@ fn a_thrown_body_flies_on_a_parabola_and_precesses_as_euler_says() {
     // (Landau & Lifshitz, Mechanics, 36.6).
     let moments = [2.0, 2.0, 3.0];
     let start = (vec![0.0, 0.0, 10.0, 1.0, 0.0, 0.0, 0.0], vec![3.0, -1.0, 20.0, 0.4, 0.0, 5.0]);
-    let gravity = Box::new(Gravity { acceleration: GRAVITY });
+    let gravity = Box::new(Gravity);
     let mut simulation =
         simulation(vec![body("top", None, floating(), 4.0, moments)], vec![gravity], vec![], 0.005, start);
     simulation.step(400).unwrap();
@@ -86,7 +96,7 @@ fn a_compound_pendulum_swings_with_the_elliptic_period() {
     let exact = Pendulum::new(moment + mass * length * length, mass * length, amplitude);
     let period = exact.period_s();
     let joint = hinge([0.0, 1.0, 0.0], [0.0, 0.0, -length]);
-    let gravity = Box::new(Gravity { acceleration: GRAVITY });
+    let gravity = Box::new(Gravity);
     let bodies = vec![body("bob", None, joint, mass, [moment; 3])];
     let mut simulation = simulation(bodies, vec![gravity], vec![], period / 2000.0, (vec![amplitude], vec![0.0]));
     for part in 1..=8 {
@@ -105,8 +115,8 @@ fn viscous_damping_lets_a_rate_decay_exponentially() {
     let still = (start.0.clone(), vec![0.0, 2.0, 0.0, 0.0, 0.0, 0.0]);
     let (linear, angular) = (Vector3::new(0.0, 4.0, 0.0), Vector3::new(0.0, 0.0, 5.0));
     let damped = |start| {
-        let (place, current) = (HullFrame { body: 0, origin: Vector3::zero() }, Vector3::zero());
-        let damping = ViscousDamping { place, linear, angular, matrix: None, current };
+        let place = HullFrame { body: 0, origin: Vector3::zero() };
+        let damping = ViscousDamping { place, linear, angular, matrix: None };
         let damping = Box::new(damping);
         simulation(vec![body("ship", None, floating(), 8.0, [2.0; 3])], vec![damping], vec![], 0.005, start)
     };
@@ -139,10 +149,10 @@ fn a_servo_holds_an_arm_up_with_the_droop_of_its_stiffness() {
     // Horizontal arm: k (target - q) = m g l cos(q) at rest; positive about y lowers an arm along x.
     let (mass, length, stiffness) = (10.0, 2.0, 5e4);
     let servo = |limit: f64| -> AnyElement {
-        Box::new(Servo { position: 0, coordinate: 0, target: 0.0, stiffness, damping: 4e3, limit })
+        Box::new(Servo { position: 0, coordinate: 0, target: 0.0, stiffness, damping: 4e3, limit, offset: None })
     };
     let arm = || vec![body("arm", None, hinge([0.0, 1.0, 0.0], [length, 0.0, 0.0]), mass, [1.0; 3])];
-    let gravity = || -> Vec<AnyElement> { vec![Box::new(Gravity { acceleration: GRAVITY })] };
+    let gravity = || -> Vec<AnyElement> { vec![Box::new(Gravity)] };
     let mut held = simulation(arm(), gravity(), vec![servo(1e4)], 0.002, (vec![0.0], vec![0.0]));
     held.step(2000).unwrap();
     let droop = held.state().q[0];

@@ -40,11 +40,12 @@ fn setup<S: Scalar>(
         Settings { scheme, step_s, duration_s: 10.0, record_every_s: step_s, rate_limit: 1e4, form: Form::Recursive };
     Setup {
         model: Model::new(vec![body]),
-        world: World::calm(),
+        world: World::calm().with_gravity(S::constant(GRAVITY)),
         elements,
         settings,
         q: vec![q],
         v: vec![v],
+        wires: Vec::new(),
         fingerprint: 0,
     }
 }
@@ -55,7 +56,7 @@ fn upwards<S: Scalar>() -> JointKind<S> {
 }
 
 fn gravity<S: Scalar>() -> AnyElement<S> {
-    Box::new(Gravity { acceleration: S::constant(GRAVITY) })
+    Box::new(Gravity)
 }
 
 /// A stop at zero that gives a share of the speed back (Newton's law of impact).

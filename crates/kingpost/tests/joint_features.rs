@@ -41,6 +41,7 @@ fn slide(mode: Mode, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
         settings,
         q: vec![q],
         v: vec![v],
+        wires: Vec::new(),
         fingerprint: 0,
     }
 }

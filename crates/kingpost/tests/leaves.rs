@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 23] = [
+const STRUCTURE: [&str; 25] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -212,6 +212,8 @@ const STRUCTURE: [&str; 23] = [
     ".jonswap.direction_rad",
     ".pierson_moskowitz.direction_rad",
     ".acceleration_m_s2",
+    ".motion_reference_unit.period_s",
+    ".delay_samples",
 ];
 
 /// Gradients along leaves, those of a chunk in one run; a leaf without one is told by its name.
@@ -358,7 +360,8 @@ fn what_is_not_in_proportion_to_a_number_has_its_derivative_too() {
     let damping = gains.damping[0];
     assert!((damping.derivative[1] / (-damping.value / 200.0) - 1.0).abs() < 1e-14, "{damping:?}");
     // U ln(z / z0) / ln(10 / z0) along z.
-    let flow = of_kind::<_, FlowLoad<Dual<3>>>(&setup.elements).next().expect("a wind").flow[0];
+    let wind = of_kind::<_, FlowLoad<Dual<3>>>(&setup.elements).next().expect("a wind");
+    let flow = wind.flow.in_world(&setup.world).0[0];
     let expected = flow.value / (14.0 * libm::log(14.0 / 0.003));
     assert!((flow.derivative[2] / expected - 1.0).abs() < 1e-13, "{flow:?}");
 }

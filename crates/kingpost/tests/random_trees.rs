@@ -40,7 +40,7 @@ fn axis_forces(random: &mut Random, model: &Model, coordinate: usize) -> Vec<Any
 fn setup(tree: &Tree, form: Form) -> Setup {
     let model = tree.model();
     let (q, v) = tree.state(&model);
-    let mut elements: Vec<AnyElement> = vec![Box::new(Gravity { acceleration: 9.81 })];
+    let mut elements: Vec<AnyElement> = vec![Box::new(Gravity)];
     for (coordinate, mode) in model.modes.iter().enumerate() {
         let (body, _) = model.owner(coordinate).expect("every coordinate is of a joint");
         let mut random = tree.0[body].random(coordinate as u64 + 10);
@@ -65,7 +65,16 @@ fn setup(tree: &Tree, form: Form) -> Setup {
         rate_limit: 1e6,
         form,
     };
-    Setup { model, world: World::calm(), elements, settings, q, v, fingerprint: 0 }
+    Setup {
+        model,
+        world: World::calm().with_gravity(9.81),
+        elements,
+        wires: Vec::new(),
+        settings,
+        q,
+        v,
+        fingerprint: 0,
+    }
 }
 
 fn channel(simulation: &mut Simulation, variable: &str) -> f64 {

@@ -228,14 +228,14 @@ fn the_field_passes_derivatives_and_lanes() {
 fn the_waves_at_many_points_are_those_of_the_plain_sum_at_each() {
     for water in [SHALLOW, Water { depth_m: None, ..SHALLOW }] {
         let field = WaveField::new(&waves(&water), water, 60.0);
-        let mut at_points = WavesAtPoints::new(field.clone());
+        let mut at_points = WavesAtPoints::new(&field);
         for time in [0.0, 20.0, TIME, 90.0] {
-            at_points.set_time(time);
+            at_points.set_time(&field, time);
             for point in points() {
                 for z in [point[2], 0.3 * (point[2] + 12.5), 9.0, -40.0] {
                     let point = Vector3::new(point[0], point[1], z);
                     let expected = field.kinematics(point, time);
-                    let [elevation, pressure] = at_points.at(point);
+                    let [elevation, pressure] = at_points.at(&field, point);
                     assert!((elevation - expected.elevation_m).abs() < 1e-12);
                     assert!((pressure - expected.dynamic_pressure_pa).abs() < 1e-12 * 1000.0 * 9.81);
                     assert!(elevation <= at_points.highest_m());
@@ -249,9 +249,10 @@ fn the_waves_at_many_points_are_those_of_the_plain_sum_at_each() {
 #[test]
 fn the_highest_that_the_surface_may_be_is_the_crest_of_all_waves_together() {
     let wave = WaveComponent::regular(3.0, TAU, 0.0, 0.0, &SHALLOW).unwrap();
-    let mut at_points = WavesAtPoints::new(WaveField::new(&[wave, wave], SHALLOW, 0.0));
-    at_points.set_time(0.0);
-    let [crest, _] = at_points.at(Vector3::zero());
+    let field = WaveField::new(&[wave, wave], SHALLOW, 0.0);
+    let mut at_points = WavesAtPoints::new(&field);
+    at_points.set_time(&field, 0.0);
+    let [crest, _] = at_points.at(&field, Vector3::zero());
     assert!(crest <= at_points.highest_m() && at_points.highest_m() < crest * (1.0 + 2e-9));
 }
 
@@ -261,19 +262,21 @@ fn points_in_lanes_have_the_bits_that_they_have_alone() {
     for water in [SHALLOW, Water { depth_m: None, ..SHALLOW }] {
         let waves = waves(&water);
         let in_lanes: Vec<WaveComponent<Lanes>> = waves.iter().map(|wave| wave.constant()).collect();
-        let mut in_lanes = WavesAtPoints::new(WaveField::new(&in_lanes, water, 0.0));
-        let mut alone = WavesAtPoints::new(WaveField::new(&waves, water, 0.0));
-        in_lanes.set_time(TIME);
-        alone.set_time(TIME);
+        let (side_by_side, field) = (WaveField::new(&in_lanes, water, 0.0), WaveField::new(&waves, water, 0.0));
+        let mut in_lanes = WavesAtPoints::new(&side_by_side);
+        let mut alone = WavesAtPoints::new(&field);
+        in_lanes.set_time(&side_by_side, TIME);
+        alone.set_time(&field, TIME);
         for four in points().chunks_exact(4) {
             // One above the waves, one about their surface, two below it.
             let point = |k: usize| Vector3::new(four[k][0], four[k][1], [9.0, 0.1, -1.0, -20.0][k]);
             let lanes = |axis: usize| Lanes::new(std::array::from_fn(|k| point(k)[axis]));
-            let [elevations, pressures] = in_lanes.at(Vector3::new(lanes(0), lanes(1), lanes(2))).map(Lanes::to_array);
+            let at = Vector3::new(lanes(0), lanes(1), lanes(2));
+            let [elevations, pressures] = in_lanes.at(&side_by_side, at).map(Lanes::to_array);
             for (k, together) in elevations.into_iter().zip(pressures).enumerate() {
-                assert_eq!([together.0, together.1], alone.at(point(k)));
+                assert_eq!([together.0, together.1], alone.at(&field, point(k)));
             }
-            let [elevation, pressure] = alone.at(point(0));
+            let [elevation, pressure] = alone.at(&field, point(0));
             assert_eq!(pressure, elevation * (1000.0 * 9.81));
         }
     }
@@ -283,12 +286,13 @@ fn points_in_lanes_have_the_bits_that_they_have_alone() {
 #[test]
 fn the_waves_at_points_pass_derivatives() {
     let over: Vec<WaveComponent<Dual<3>>> = waves(&SHALLOW).iter().map(|wave| wave.constant()).collect();
-    let mut exact = WavesAtPoints::new(WaveField::new(&over, SHALLOW, 0.0));
-    exact.set_time(TIME);
+    let dual = WaveField::new(&over, SHALLOW, 0.0);
+    let mut exact = WavesAtPoints::new(&dual);
+    exact.set_time(&dual, TIME);
     let field = field(SHALLOW);
     for point in points().into_iter().filter(|point| point[2] < -8.0) {
         let moved = Vector3([0, 1, 2].map(|axis| Dual::variable(point[axis], axis)));
-        let [_, pressure] = exact.at(moved);
+        let [_, pressure] = exact.at(&dual, moved);
         let slope = gradient(point, STEP, |p| field.kinematics(p, TIME).dynamic_pressure_pa);
         for (exact, slope) in pressure.derivative.into_iter().zip(slope) {
             assert!((exact - slope).abs() < 1000.0 * DIFFERENCES * 10.0);

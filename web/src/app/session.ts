@@ -48,6 +48,8 @@ export class Session {
   applied: Values = {};
   private source: Source | null = null;
   private resetDue = false;
+  /** Live values on their way to the engine. */
+  private readonly live = new Map<string, Value>();
   private turn: Promise<unknown> = Promise.resolve();
   private advancing = false;
   private readonly listeners: Listener[] = [];
@@ -93,11 +95,31 @@ export class Session {
     });
   }
 
-  /** Sets a value; at the start the picture follows at once, under way it waits for the reset. */
+  /** Sets a value; at the start the picture follows at once, under way a live one does, and another waits for the reset. */
   set(name: string, value: Value): void {
     this.wanted = { ...this.wanted, [name]: value };
     this.emit((listener) => listener.valuesChanged?.());
     if (this.status === "idle") void this.reset();
+    else if (this.run?.model.parameters.some((one) => one.name === name && one.live)) void this.setLive(name, value);
+  }
+
+  /** Hands live values to the run in hand, one after another, of each name the last. One that is refused waits for the reset. */
+  private async setLive(name: string, value: Value): Promise<void> {
+    const isUnderWay = this.live.size > 0;
+    this.live.set(name, value);
+    if (isUnderWay) return;
+    for (let next = this.live.entries().next(); !next.done; next = this.live.entries().next()) {
+      const [due, given] = next.value;
+      const run = this.run;
+      await this.client.parameter(due, given).then(
+        () => {
+          if (run === this.run) this.applied = { ...this.applied, [due]: given };
+        },
+        (fault: Fault) => this.report(faultOfControl(fault, run?.model.parameters ?? [])),
+      );
+      if (this.live.get(due) === given) this.live.delete(due);
+      this.emit((listener) => listener.valuesChanged?.());
+    }
   }
 
   async setInput(name: string, value: number): Promise<void> {

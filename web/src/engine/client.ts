@@ -1,4 +1,4 @@
-import type { Fault, Values } from "./engine";
+import type { Fault, Value, Values } from "./engine";
 import type { Replies, Reply, Request } from "./messages";
 
 interface Waiting {
@@ -39,6 +39,10 @@ export class EngineClient {
 
   input(name: string, value: number): Promise<null> {
     return this.ask({ kind: "input", name, value });
+  }
+
+  parameter(name: string, value: Value): Promise<null> {
+    return this.ask({ kind: "parameter", name, value });
   }
 
   private ask<K extends Request["kind"]>(request: Request & { kind: K }): Promise<Replies[K]> {

@@ -110,6 +110,8 @@ export interface Engine {
   resolved_json(): string;
   inputs_json(): string;
   set_input(name: string, value: number): void;
+  /** Sets a live parameter from the next step on; throws where the run would have to begin anew. */
+  set_parameter(name: string, valueJson: string): void;
   free(): void;
 }
 

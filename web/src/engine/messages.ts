@@ -1,4 +1,4 @@
-import type { Channel, DrawnLine, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Values } from "./engine";
+import type { Channel, DrawnLine, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Value, Values } from "./engine";
 import type { Surface } from "./surface";
 
 export interface OpenRequest {
@@ -17,7 +17,8 @@ export type Request =
   | { kind: "advance"; wall_s: number; speed: number }
   | { kind: "step" }
   | { kind: "hydrostatics" }
-  | { kind: "input"; name: string; value: number };
+  | { kind: "input"; name: string; value: number }
+  | { kind: "parameter"; name: string; value: Value };
 
 /** What a stretch of simulation produced. */
 export interface Frame {
@@ -50,6 +51,7 @@ export interface Replies {
   step: Frame;
   hydrostatics: Hydrostatics;
   input: null;
+  parameter: null;
 }
 
 export type Reply = { id: number; value: unknown } | { id: number; fault: Fault };

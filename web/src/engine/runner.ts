@@ -1,5 +1,5 @@
 import { asFault, readModel, readSettings } from "./engine";
-import type { Engine, Fault, Hydrostatics, OpenEngine, Values } from "./engine";
+import type { Engine, Fault, Hydrostatics, OpenEngine, Value, Values } from "./engine";
 import type { Frame, Opened } from "./messages";
 import { SurfaceGrid } from "./surface";
 
@@ -73,6 +73,10 @@ export class Runner {
 
   input(name: string, value: number): void {
     this.current().set_input(name, value);
+  }
+
+  parameter(name: string, value: Value): void {
+    this.current().set_parameter(name, JSON.stringify(value));
   }
 
   private current(): Engine {

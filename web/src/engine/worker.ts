@@ -44,6 +44,9 @@ async function answer(request: Request): Promise<unknown> {
     case "input":
       runner.input(request.name, request.value);
       return null;
+    case "parameter":
+      runner.parameter(request.name, request.value);
+      return null;
   }
 }
 

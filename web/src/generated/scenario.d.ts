@@ -2871,6 +2871,15 @@ export type Cylinder = {
    */
   stop_dissipation_s_per_m?: number;
 };
+/**
+ * What measures at its own ticks.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export type Sensor = {
+  motion_reference_unit: MotionReferenceUnit;
+};
 
 /**
  * One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
@@ -2931,6 +2940,18 @@ export interface Scenario {
    */
   drives?: {
     [k: string]: Drive;
+  };
+  /**
+   * What measures, by name.
+   */
+  sensors?: {
+    [k: string]: Sensor;
+  };
+  /**
+   * Inputs that take what is measured, by name.
+   */
+  wires?: {
+    [k: string]: Wire;
   };
 }
 /**
@@ -3772,4 +3793,54 @@ export interface TargetLength {
    * Length between the pins, m.
    */
   length_m: number;
+}
+/**
+ * Measures the motion of a point of a body, without noise. It shows, as signals for wires, `measured_roll` and
+ * `measured_pitch` (rad), `measured_heave` (m, over where the run began), `measured_heave_rate` (m/s) and
+ * `measured_angular_velocity.x`, `.y`, `.z` (rad/s, body axes), held between two samples.
+ */
+export interface MotionReferenceUnit {
+  /**
+   * Whether it measures.
+   */
+  enabled?: boolean;
+  /**
+   * The body.
+   */
+  body: string;
+  /**
+   * The point, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * Time between two samples, s.
+   */
+  period_s: number;
+  /**
+   * By how many samples what it shows is late: 0 to 1000.
+   */
+  delay_samples?: number;
+}
+/**
+ * An input that takes a sampled output, from each sample to the next. Both have the same unit.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export interface Wire {
+  /**
+   * Whether it connects them; if not, a hand sets the input.
+   */
+  enabled?: boolean;
+  /**
+   * The output, as its column in the results: `mru.measured_heave`.
+   */
+  from: string;
+  /**
+   * The input: a drive's lever by the drive's name, or `winch.target_offset`, which a servo adds to its target.
+   */
+  to: string;
 }

@@ -3,6 +3,7 @@
 use super::{Declaration, Moment};
 use crate::dynamics::{Clock, Loads};
 use crate::scalar::Scalar;
+use crate::world::World;
 use core::any::Any;
 use core::fmt::Debug;
 
@@ -43,7 +44,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
 
     /// Writes rates and accelerations of the coordinates that it prescribes, m or rad and s; asked where
     /// [`Declaration::prescribes`].
-    fn prescribe(&self, _clock: Clock, _rates: &mut [S], _accelerations: &mut [S]) {}
+    fn prescribe(&self, _world: &World<S>, _clock: Clock, _rates: &mut [S], _accelerations: &mut [S]) {}
 
     /// Energy that it stores, J.
     fn potential_energy(&mut self, _at: &Moment<'_, S>) -> S {

@@ -48,6 +48,19 @@ pub struct Wire {
     pub input: usize,
 }
 
+/// An output of an element that samples: what a wire may come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Signal {
+    /// Its flat column: `mru.measured_heave`.
+    pub name: String,
+    /// Its unit.
+    pub unit: &'static str,
+    /// The element.
+    pub element: usize,
+    /// Among the numbers that it writes.
+    pub output: usize,
+}
+
 /// An input asks for a signal that is not there, or whose element does not sample.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("input {input}: found the signal {found:?}, allowed: {allowed}")]
@@ -128,13 +141,22 @@ impl Layout {
         layout
     }
 
+    /// Wires inputs to signals, each pair by their names.
+    pub fn connect(&mut self, wires: &[(String, String)]) {
+        for (name, signal) in wires {
+            let input = self.inputs.iter_mut().find(|input| input.name == *name);
+            input.into_iter().for_each(|input| input.signal = Some(signal.clone()));
+        }
+        self.lay_wires();
+    }
+
     /// The inputs that take a signal which there is.
     fn lay_wires(&mut self) {
-        let signals = self.sampled_signals();
+        let signals = self.signals();
         let wire = |(input, declared): (usize, &Input)| {
             let wanted = declared.signal.as_ref()?;
-            let (_, element, output) = signals.iter().find(|(name, ..)| name == wanted)?;
-            Some(Wire { element: *element, output: *output, input })
+            let Signal { element, output, .. } = *signals.iter().find(|signal| signal.name == *wanted)?;
+            Some(Wire { element, output, input })
         };
         self.wires = self.inputs.iter().enumerate().filter_map(wire).collect();
     }
@@ -144,27 +166,28 @@ impl Layout {
     /// # Errors
     /// The first that is not.
     pub fn check_signals(&self) -> Result<(), UnknownSignal> {
-        let signals = self.sampled_signals();
+        let signals = self.signals();
         let unknown = |input: &Input| {
             let found = input.signal.clone()?;
-            let names = signals.iter().map(|(name, ..)| name.as_str());
+            let names = signals.iter().map(|signal| signal.name.as_str());
             let allowed = if signals.is_empty() {
                 "none: nothing samples".to_owned()
             } else {
                 names.collect::<Vec<_>>().join(", ")
             };
-            let is_known = signals.iter().any(|(name, ..)| *name == found);
+            let is_known = signals.iter().any(|signal| signal.name == found);
             (!is_known).then(|| UnknownSignal { input: input.name.clone(), found, allowed })
         };
         self.inputs.iter().find_map(unknown).map_or(Ok(()), Err)
     }
 
-    /// Flat columns of the elements that sample, with the element and the place among the numbers that it writes.
-    fn sampled_signals(&self) -> Vec<(String, usize, usize)> {
+    /// The outputs of the elements that sample.
+    pub fn signals(&self) -> Vec<Signal> {
         let mut signals = Vec::new();
         for (element, _) in self.shares.iter().enumerate().filter(|(_, share)| share.period_s.is_some()) {
-            let own = self.outputs.iter().filter(|(of, _)| *of == element).flat_map(|(_, output)| output.columns());
-            signals.extend(own.enumerate().map(|(place, name)| (name, element, place)));
+            let outputs = self.outputs.iter().filter(|(of, _)| *of == element);
+            let own = outputs.flat_map(|(_, output)| output.columns().zip(output.units.iter().cycle()));
+            signals.extend(own.enumerate().map(|(output, (name, unit))| Signal { name, unit, element, output }));
         }
         signals
     }

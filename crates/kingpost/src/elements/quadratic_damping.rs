@@ -17,14 +17,12 @@ pub struct QuadraticDamping<S = f64> {
     pub linear: Vector3<S>,
     /// c about x, y, z (roll, pitch, yaw), N m s^2.
     pub angular: Vector3<S>,
-    /// Velocity of the water in the world, m/s.
-    pub current: Vector3<S>,
 }
 
 impl<S: Scalar> Element<S> for QuadraticDamping<S> {
     /// Adds the drag, the heat that it makes, and the work of the current.
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
-        let (through, stream) = self.place.through_water(at, self.current);
+        let (through, stream) = self.place.through_water(at, at.world.surface_current());
         let wrench =
             Wrench { moment: against(self.angular, through.angular), force: against(self.linear, through.linear) };
         loads.power.dissipated -= wrench.dot(&through);

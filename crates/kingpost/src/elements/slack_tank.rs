@@ -29,8 +29,6 @@ pub struct SlackTank<S = f64> {
     pub tank: BoxTank<S>,
     /// rho of the liquid, kg/m^3.
     pub density: S,
-    /// g, m/s^2.
-    pub gravity: S,
 }
 
 impl<S: Scalar> Element<S> for SlackTank<S> {
@@ -41,14 +39,14 @@ impl<S: Scalar> Element<S> for SlackTank<S> {
     /// Adds the moment of the liquid that has moved.
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let vertical = self.vertical(at.model, at.links);
-        let moment = vertical.cross(self.tank.shift(vertical)) * (self.density * self.gravity);
+        let moment = vertical.cross(self.tank.shift(vertical)) * (self.density * at.world.gravity);
         loads.wrenches.push((self.place.body, Wrench { moment, force: Vector3::zero() }));
     }
 
     /// Energy of the liquid less that where it lies upright, J: never positive.
     fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
         let vertical = self.vertical(at.model, at.links);
-        vertical.dot(self.tank.shift(vertical)) * self.density * self.gravity
+        vertical.dot(self.tank.shift(vertical)) * self.density * at.world.gravity
     }
 }
 

@@ -18,14 +18,12 @@ pub struct ViscousDamping<S = f64> {
     pub angular: Vector3<S>,
     /// B, by rows force x, y, z and moment x, y, z; its symmetric part must not be negative.
     pub matrix: Option<Box<[[S; 6]; 6]>>,
-    /// Velocity of the water in the world, m/s.
-    pub current: Vector3<S>,
 }
 
 impl<S: Scalar> Element<S> for ViscousDamping<S> {
     /// Adds the damping, the heat that it makes, and the work of the current.
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
-        let (through, stream) = self.place.through_water(at, self.current);
+        let (through, stream) = self.place.through_water(at, at.world.surface_current());
         let along = |c: Vector3<S>, rate: Vector3<S>| Vector3(core::array::from_fn(|i| c[i] * rate[i]));
         let mut wrench =
             Wrench { moment: along(self.angular, through.angular), force: along(self.linear, through.linear) };

@@ -10,6 +10,7 @@ use crate::model::Model;
 use crate::sea::database::Database;
 use crate::sea::hull::{FloatingPosition, HullMesh, HullTank, Loading, StabilityError, WettedHull};
 use crate::spatial::{Frame, Vector3};
+use crate::world::World;
 
 /// Linear hydrodynamics about a draught that differs from the database's by more than this share of it
 /// are warned of.
@@ -26,8 +27,7 @@ pub(super) struct Floating<'a> {
     pub(super) database: &'a Database,
     pub(super) model: &'a Model,
     pub(super) at: &'a Kinematics,
-    /// Acceleration, m/s^2.
-    pub(super) gravity: f64,
+    pub(super) world: &'a World,
     /// All that are there.
     pub(super) slack_tanks: &'a [&'a SlackTank],
     /// What keeps loads from swinging.
@@ -84,7 +84,7 @@ impl Floating<'_> {
     }
 
     fn density(&self) -> f64 {
-        self.hull.specific_weight / self.gravity
+        self.world.water_density
     }
 
     /// The mesh of its data, where there is one that is sound.

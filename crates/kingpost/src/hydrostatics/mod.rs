@@ -22,7 +22,7 @@ pub use hanging::HangingLoad;
 pub use righting::{LargestArm, RightingArmCurve, RightingArmPoint, Side};
 
 use crate::dynamics::Kinematics;
-use crate::elements::{AnyElement, Gravity, Hull, SlackTank, of_kind};
+use crate::elements::{Hull, SlackTank, of_kind};
 use crate::model::Model;
 use crate::scenario::{Scenario, ScenarioError, schema};
 use crate::sea::database::Database;
@@ -133,13 +133,13 @@ impl Scenario {
         if hulls.is_empty() {
             return Ok(report);
         }
-        let (model, restraints, gravity) = (setup.model.clone(), Restraints::of(&setup), gravity(&setup.elements));
+        let (model, restraints, world) = (setup.model.clone(), Restraints::of(&setup), &setup.world);
         let slack_tanks: Vec<&SlackTank> = of_kind(&setup.elements).collect();
         let (slack_tanks, restraints) = (&slack_tanks, &restraints);
         let now = kinematics(&model, &simulation.state().q);
         let mut sunk: Vec<&str> = Vec::new();
         for &(hull, database) in &hulls {
-            let floating = Floating { hull, database, model: &model, at: &now, gravity, slack_tanks, restraints };
+            let floating = Floating { hull, database, model: &model, at: &now, world, slack_tanks, restraints };
             match floating.check_capacity() {
                 Err(error) if restraints.floats_alone(&model, hull.frame.body) => return Err(error),
                 Err(error) => {
@@ -163,7 +163,7 @@ impl Scenario {
         }
         let at_rest = kinematics(&model, &simulation.state().q);
         for (hull, database) in hulls.into_iter().filter(|(hull, _)| !sunk.contains(&hull.name.as_str())) {
-            let floating = Floating { hull, database, model: &model, at: &at_rest, gravity, slack_tanks, restraints };
+            let floating = Floating { hull, database, model: &model, at: &at_rest, world, slack_tanks, restraints };
             let (afloat, mut warnings) = floating.describe();
             if let Some(afloat) = afloat.as_ref().filter(|_| self.drifts(&hull.name)) {
                 warnings.extend(floating.drift_warnings(afloat.keel_to_gravity_m));
@@ -194,8 +194,4 @@ fn kinematics(model: &Model, q: &[f64]) -> Kinematics {
     let mut at = Kinematics::new(&model.tree);
     at.update(&model.tree, q, &vec![0.0; model.velocity_count]);
     at
-}
-
-fn gravity(elements: &[AnyElement]) -> f64 {
-    of_kind(elements).map(|gravity: &Gravity| gravity.acceleration).sum()
 }

@@ -60,11 +60,13 @@ impl Floating<'_> {
     /// Between N directions of the circle a load is a sum of N / 2 harmonics; about a ship of half length R a wave of number k
     /// has about k R of them.
     pub(super) fn direction_warnings(&self) -> Vec<String> {
-        let Some(excitation) = &self.hull.excitation else { return Vec::new() };
+        let Some(waves) = self.world.waves.as_ref().filter(|_| self.hull.excitation.is_some()) else {
+            return Vec::new();
+        };
         let (count, length) = (self.database.wave_directions_rad.len(), self.database.hull.length_m);
         let shortest_m = core::f64::consts::TAU * length / count as f64;
         let energy = |counts: &dyn Fn(f64) -> bool| -> f64 {
-            let waves = excitation.field().components().filter(|wave| counts(wave.wave_number_per_m));
+            let waves = waves.components().filter(|wave| counts(wave.wave_number_per_m));
             waves.map(|wave| wave.amplitude_m * wave.amplitude_m).sum()
         };
         let share = energy(&|k| k * length > count as f64) / energy(&|_| true);

@@ -114,6 +114,11 @@ impl<S: Scalar> Plant<S> {
         self.layout.ledger = if keeps { ledger::COUNT } else { 0 };
     }
 
+    /// Wires inputs to sampled outputs, each pair by their names.
+    pub fn connect(&mut self, wires: &[(String, String)]) {
+        self.layout.connect(wires);
+    }
+
     /// What acts on the model.
     pub fn elements(&self) -> &[AnyElement<S>] {
         &self.elements
@@ -136,7 +141,7 @@ impl<S: Scalar> Plant<S> {
         // At rest what moves as prescribed is held.
         if *situation == Situation::Running {
             for &i in &layout.prescribing {
-                elements[i].prescribe(scene.shared.clock, prescribed_rates, &mut loads.acceleration);
+                elements[i].prescribe(world, scene.shared.clock, prescribed_rates, &mut loads.acceleration);
             }
         } else {
             loads.acceleration.fill(S::ZERO);
@@ -207,7 +212,7 @@ impl<S: Scalar> Plant<S> {
         let clock = Clock { time_s: interval.start_s, middle_s: interval.middle_s() };
         self.loads.acceleration.fill(S::ZERO);
         for &i in &self.layout.prescribing {
-            self.elements[i].prescribe(clock, v, &mut self.loads.acceleration);
+            self.elements[i].prescribe(&self.world, clock, v, &mut self.loads.acceleration);
         }
         &self.loads.acceleration
     }

@@ -13,10 +13,12 @@ mod lines;
 mod loops;
 mod positioning;
 mod positioning_loop;
+mod sensors;
 mod tanks;
 mod water;
 mod wave_motion;
 pub(super) mod waves;
+mod world;
 
 pub use super::error::FieldError;
 use super::schema::{self, EquationForm, Force as ForceSchema, Integrator, Scenario};
@@ -71,22 +73,20 @@ pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result
 /// The same as it is written, its closed loops not yet closed.
 fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let settings = settings(&scenario.simulation)?;
-    if let Some(i) = scenario.parameters.iter().position(|parameter| parameter.live) {
-        let allowed = "false: in this version every parameter takes effect at reset";
-        return Err(FieldError::new(format!("parameters.{i}.live"), true, allowed));
-    }
+    let world = world::build(scenario)?;
     let bodies::Bodies { model, mut q, mut v, forces: in_joints } = bodies::build(scenario)?;
     let model = loops::build(scenario, model)?;
-    let (model, in_water) = water::build(scenario, model)?;
-    let mut elements = forces(scenario, &model)?;
+    let (model, in_water) = water::build(scenario, model, &world)?;
+    let mut elements = forces(scenario, &model, &world)?;
     elements.extend(in_joints);
     elements.extend(in_water);
-    elements.extend(drives::build(scenario, &model, &mut v)?);
+    elements.extend(drives::build(scenario, &model, &world, &mut v)?);
+    elements.extend(sensors::build(scenario, &model)?);
+    let wires = sensors::wires(scenario, &elements)?;
     for motion in of_kind::<S, WaveMotion<S>>(&elements) {
-        q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(0.0).positions);
+        q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(&world, 0.0).positions);
     }
-    let world = World { waves: water::incident_waves(scenario)? };
-    let setup = Setup { model, world, elements, settings, q, v, fingerprint: 0 };
+    let setup = Setup { model, world, elements, wires, settings, q, v, fingerprint: 0 };
     lines::check_start(&setup)?;
     Ok(setup)
 }
@@ -159,22 +159,27 @@ fn check_recording(setup: &Setup) -> Result<(), FieldError> {
 }
 
 /// The forces that are on, on bodies that are there.
-fn forces<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+fn forces<S: Quantity>(
+    scenario: &Scenario<S>,
+    model: &Model<S>,
+    world: &World<S>,
+) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut forces: Vec<AnyElement<S>> = Vec::new();
     for (name, force) in &scenario.forces {
         match force {
             ForceSchema::Gravity(gravity) => {
-                if gravity.enabled {
-                    forces.push(Box::new(Gravity { acceleration: gravity.acceleration_m_s2.get() }));
+                // The world has the sum of all.
+                if gravity.enabled && of_kind::<S, Gravity>(&forces).next().is_none() {
+                    forces.push(Box::new(Gravity));
                 }
             }
             ForceSchema::ViscousDamping(given) => forces.extend(damping::viscous(scenario, name, given, model)?),
             ForceSchema::QuadraticDamping(given) => forces.extend(damping::quadratic(scenario, name, given, model)?),
             ForceSchema::SlackTank(given) => forces.extend(tanks::slack(scenario, name, given, model)?),
             ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
-            ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model)?),
+            ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
             ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model)?),
-            ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model)?),
+            ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
             ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),
             // With what it does to the model: see `water`.
             ForceSchema::Hydrodynamics(_) => {}

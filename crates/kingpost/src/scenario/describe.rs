@@ -7,7 +7,6 @@ pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
 
 use super::build::flexible::{owner, shape};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
-use crate::elements::{Gravity, of_kind};
 use crate::model::{Attachment, Loop, Model, Node};
 use crate::simulation::Setup;
 use crate::spatial::{Twist, Vector3};
@@ -153,7 +152,7 @@ impl Scenario {
     pub fn describe(&self) -> Result<Description, super::ScenarioError> {
         let setup = self.setup()?;
         let (sea, hulls) = (afloat::sea(self, &setup), afloat::hulls(self, &setup));
-        let Setup { model, elements, .. } = setup;
+        let Setup { model, world, elements, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
             modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
@@ -191,11 +190,11 @@ impl Scenario {
             bodies: model.bodies.iter().zip(&model.tree.nodes).enumerate().map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
             loops: model.loops.iter().map(|closed| describe_loop(&model, closed)).collect(),
-            gravity_m_s2: of_kind(&elements).map(|gravity: &Gravity| gravity.acceleration).sum(),
+            gravity_m_s2: world.gravity,
             sea,
             hulls,
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
-            warnings: warnings::of(&model, &elements),
+            warnings: warnings::of(&model, &world, &elements),
         })
     }
 }

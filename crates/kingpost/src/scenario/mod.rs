@@ -11,6 +11,7 @@ mod files;
 #[cfg(feature = "schema")]
 pub mod json_schema;
 pub mod leaf;
+mod live;
 mod parameters;
 mod parse;
 mod parts;
@@ -26,6 +27,7 @@ pub mod wording;
 pub use assignment::parse_assignment;
 pub use error::{FieldError, ScenarioError};
 pub use files::{Files, Host, NamedFiles};
+pub use live::ParameterError;
 pub use parts::{FILES as PART_FILES, REFERENCES as PART_REFERENCES};
 pub use read::{file_names, read, read_with};
 pub use schema::Scenario;

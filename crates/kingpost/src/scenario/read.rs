@@ -88,6 +88,15 @@ pub fn file_names(
     names().map_err(|fault: Fault| fault.in_file(file))
 }
 
+/// A resolved scenario with another value of a parameter.
+pub(super) fn changed(scenario: &Scenario, name: &str, value: &Value) -> Result<Scenario, ScenarioError> {
+    let pair = (name.to_owned(), value.clone());
+    let given = Override::from_outside(&pair);
+    let mut tree = Node::from_value(&scenario.written(), &given.place);
+    let resolved = resolved(&mut tree, &[given]).map_err(|fault| ScenarioError::from(fault.error))?;
+    Ok(Scenario { parts: scenario.parts.clone(), files: scenario.files.clone(), ..resolved })
+}
+
 fn read_tree(text: &str, file: &str, overrides: &[(String, Value)], files: &Files) -> Result<(Scenario, Node), Fault> {
     let (mut tree, overrides) = parsed(text, overrides)?;
     let (mounted, overrides) = parts::mount(&mut tree, file, overrides, files, false)?;

@@ -21,6 +21,7 @@ mod mounting;
 mod moved_by_waves;
 mod parameter;
 mod sea;
+mod sensors;
 mod slack_tank;
 mod top;
 mod waves;
@@ -32,7 +33,7 @@ use super::leaf::Leaf;
 
 pub use super::files::NamedFiles;
 pub use super::range::{Direction, Fraction, NonNegative, Positive};
-pub use super::text::{Colour, CoordinateName, Name, Version, WORLD};
+pub use super::text::{Colour, CoordinateName, Name, SignalName, Version, WORLD};
 pub use axes::{
     AngleAxis, AngleFriction, AngleLimits, AngleSpring, LengthAxis, LengthFriction, LengthLimits, LengthSpring,
     PrescribedRate, PrescribedSpeed, PrismaticMode, RevoluteMode,
@@ -63,6 +64,7 @@ pub use mounting::Mounting;
 pub use moved_by_waves::MovedByWaves;
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;
+pub use sensors::{MotionReferenceUnit, Sensor, Wire};
 pub use slack_tank::SlackTank;
 pub(super) use top::is_top_field;
 pub use waves::{
@@ -114,6 +116,12 @@ pub struct Scenario<S = f64> {
     /// What acts between the bodies, in their joints, by name.
     #[serde(default)]
     pub drives: IndexMap<Name, Drive<S>>,
+    /// What measures, by name.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub sensors: IndexMap<Name, Sensor<S>>,
+    /// Inputs that take what is measured, by name.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub wires: IndexMap<Name, Wire>,
     /// The files that it names, once they are read.
     #[serde(skip)]
     #[cfg_attr(feature = "schema", schemars(skip))]

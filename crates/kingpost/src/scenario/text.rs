@@ -7,7 +7,7 @@ use std::ops::Deref;
 use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::wording::{COLOUR, COORDINATE_NAME, NAME, VERSION};
+use super::wording::{COLOUR, COORDINATE_NAME, NAME, SIGNAL_NAME, VERSION};
 
 /// The name that stands for the inertial frame; no body may carry it.
 pub const WORLD: &str = "world";
@@ -98,6 +98,10 @@ fn is_coordinate_name(text: &str) -> bool {
     text.split_once('.').map_or(is_name(text), |(joint, axis)| is_name(joint) && is_name(axis))
 }
 
+fn is_signal_name(text: &str) -> bool {
+    text.split('.').count() <= 3 && text.split('.').all(is_name)
+}
+
 fn is_colour(text: &str) -> bool {
     text.strip_prefix('#').is_some_and(|hex| hex.len() == 6 && hex.chars().all(|c| c.is_ascii_hexdigit()))
 }
@@ -109,6 +113,10 @@ formed_text!(
 formed_text!(
     /// A name of a joint of one axis, or of an axis of a joint: `slew`, `hook.first`.
     CoordinateName, COORDINATE_NAME, is_coordinate_name, "^[a-z][a-z0-9_]*(\\.[a-z][a-z0-9_]*)?$"
+);
+formed_text!(
+    /// A name of an input or of a column of the results: `winch`, `mru.measured_angular_velocity.x`.
+    SignalName, SIGNAL_NAME, is_signal_name, "^[a-z][a-z0-9_]*(\\.[a-z][a-z0-9_]*){0,2}$"
 );
 formed_text!(
     /// A colour as `#rrggbb`.

@@ -5,6 +5,7 @@
 
 #[cfg(not(target_family = "wasm"))]
 mod side_by_side;
+mod structure;
 
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use side_by_side::side_by_side;

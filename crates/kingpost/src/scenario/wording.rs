@@ -16,6 +16,8 @@ pub const DIRECTION: &str = "three numbers, not all 0";
 pub const NAME: &str = "a name of small letters, digits and _ that starts with a letter";
 /// What a [`CoordinateName`](super::text::CoordinateName) allows.
 pub const COORDINATE_NAME: &str = "a name of a joint, or of an axis of a joint as joint.axis";
+/// What a [`SignalName`](super::text::SignalName) allows.
+pub const SIGNAL_NAME: &str = "a name of an input or of a column of the results, as winch or mru.measured_heave";
 /// What a [`Colour`](super::text::Colour) allows.
 pub const COLOUR: &str = "a colour as \"#rrggbb\"";
 /// What a [`Version`](super::text::Version) allows.

@@ -160,6 +160,14 @@ pub enum InputError {
         /// Largest value.
         upper: f64,
     },
+    /// A wire sets it.
+    #[error("input {name}: found a value by hand, allowed: none, as it takes {signal}")]
+    Wired {
+        /// The input.
+        name: String,
+        /// What it takes.
+        signal: String,
+    },
     /// An array of the wrong length.
     #[error("{name}: found {found} numbers, allowed: {allowed}")]
     Length {

@@ -69,6 +69,10 @@ impl<S: Scalar> Watch<S> {
         &self.happened
     }
 
+    pub(super) fn note(&mut self, happened: Happened) {
+        self.happened.push(happened);
+    }
+
     pub(super) fn begin_step(&mut self) {
         self.in_step = 0;
     }

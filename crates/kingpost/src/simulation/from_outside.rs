@@ -10,7 +10,7 @@ use crate::state::{SnapshotError, State};
 
 /// Closed loops of a state from outside may be open by less than this, m or rad: the next step
 /// closes them.
-const LARGEST_GAP_GIVEN: f64 = 1e-6;
+pub(super) const LARGEST_GAP_GIVEN: f64 = 1e-6;
 
 impl Simulation {
     /// Gives an implicit scheme exact derivatives, from the same setup over dual numbers; without,
@@ -123,6 +123,9 @@ impl Simulation {
             return Err(InputError::Unknown { found: name.to_owned(), allowed });
         };
         let Input { lower, upper, .. } = inputs[i];
+        if let Some(signal) = &inputs[i].signal {
+            return Err(InputError::Wired { name: name.to_owned(), signal: signal.clone() });
+        }
         if !(lower..=upper).contains(&value) {
             return Err(InputError::Range { name: name.to_owned(), found: value, lower, upper });
         }

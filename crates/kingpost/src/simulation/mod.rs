@@ -4,6 +4,7 @@ mod drawing;
 mod errors;
 mod events;
 mod from_outside;
+mod live;
 mod recording;
 mod settle;
 mod setup;
@@ -73,8 +74,9 @@ impl<S: Scalar> Simulation<S> {
     /// Puts a simulation together at time 0, its equations in the recursive form, whatever the
     /// settings say: the other forms are for plain numbers.
     pub fn recursive(setup: Setup<S>) -> Self {
-        let Setup { model, world, elements, settings, q, v, fingerprint } = setup;
+        let Setup { model, world, elements, wires, settings, q, v, fingerprint } = setup;
         let mut plant = Plant::new(model, world, elements);
+        plant.connect(&wires);
         let channels = Channels::new(&plant.model, plant.layout());
         let inputs: Vec<S> = plant.layout().inputs.iter().map(|input| S::constant(input.value)).collect();
         let v_dot = vec![S::ZERO; v.len()];

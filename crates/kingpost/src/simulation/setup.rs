@@ -62,6 +62,9 @@ pub struct Setup<S: Scalar = f64> {
     pub world: World<S>,
     /// What acts on the model or reads it.
     pub elements: Vec<AnyElement<S>>,
+    /// Inputs that take the sampled output of an element, each with the column of that output; beside those that elements
+    /// declare wired.
+    pub wires: Vec<(String, String)>,
     /// Time stepping and recording.
     pub settings: Settings,
     /// Initial positions.

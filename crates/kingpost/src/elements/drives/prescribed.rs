@@ -4,6 +4,7 @@ use super::Profile;
 use crate::dynamics::Clock;
 use crate::elements::{Declaration, Element};
 use crate::scalar::Scalar;
+use crate::world::World;
 
 /// The rate of one coordinate over time. The profile must be continuous: a jump would take an
 /// infinite force.
@@ -22,7 +23,7 @@ impl<S: Scalar> Element<S> for PrescribedMotion<S> {
         Declaration { prescribes: true, ..Declaration::default() }
     }
 
-    fn prescribe(&self, clock: Clock, rates: &mut [S], accelerations: &mut [S]) {
+    fn prescribe(&self, _world: &World<S>, clock: Clock, rates: &mut [S], accelerations: &mut [S]) {
         rates[self.coordinate] = self.rate_at(clock);
         accelerations[self.coordinate] = self.acceleration_at(clock);
     }

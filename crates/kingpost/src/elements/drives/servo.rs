@@ -1,10 +1,10 @@
 //! A position servo: holds a crane up against gravity, as far as its limit goes.
 
 use crate::dynamics::Loads;
-use crate::elements::{Element, Moment};
+use crate::elements::{Declaration, Element, Input, Moment};
 use crate::scalar::Scalar;
 
-/// `tau = k (target - q) - c v`, clipped to the limit.
+/// `tau = k (target + offset - q) - c v`, clipped to the limit.
 #[derive(Clone, Debug)]
 pub struct Servo<S = f64> {
     /// Index in q.
@@ -19,13 +19,20 @@ pub struct Servo<S = f64> {
     pub damping: S,
     /// Largest torque or force, N m or N.
     pub limit: S,
+    /// The input that gives the offset, where there is one.
+    pub offset: Option<Input>,
 }
 
 impl<S: Scalar> Element<S> for Servo<S> {
+    fn declare(&self) -> Declaration {
+        Declaration { inputs: self.offset.iter().cloned().collect(), ..Declaration::default() }
+    }
+
     /// Adds the torque and the work that it does.
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let rate = at.v[self.coordinate];
-        let wanted = self.stiffness * (self.target - at.q[self.position]) - self.damping * rate;
+        let target = at.inputs.first().map_or(self.target, |offset| self.target + *offset);
+        let wanted = self.stiffness * (target - at.q[self.position]) - self.damping * rate;
         let effort = wanted.clipped(-self.limit, self.limit);
         loads.force[self.coordinate] += effort;
         loads.power.drives += effort * rate;

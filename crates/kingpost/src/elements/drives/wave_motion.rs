@@ -3,11 +3,11 @@
 use crate::dynamics::Clock;
 use crate::elements::{Declaration, Element};
 use crate::scalar::Scalar;
-use crate::sea::waves::ramp;
+use crate::world::World;
 use core::f64::consts::TAU;
 
 /// The six coordinates of a body that moves as the waves say, `q(t) = r(t) Re sum X a e^(-i w t)` with exact rates and
-/// accelerations; r is the [`ramp`] of the waves up to T.
+/// accelerations; r is the ramp of the world's waves.
 #[derive(Clone, Debug)]
 pub struct WaveMotion<S = f64> {
     /// Index of the first in v.
@@ -16,8 +16,6 @@ pub struct WaveMotion<S = f64> {
     pub positions: usize,
     /// w, rad/s, and the real and imaginary part of X a of each coordinate, for each wave.
     pub waves: Vec<(f64, [[S; 2]; 6])>,
-    /// T, s.
-    pub ramp_s: f64,
 }
 
 /// Coordinates, their rates and their accelerations, in m or rad and s.
@@ -36,8 +34,8 @@ impl<S: Scalar> Element<S> for WaveMotion<S> {
         Declaration { prescribes: true, ..Declaration::default() }
     }
 
-    fn prescribe(&self, clock: Clock, rates: &mut [S], accelerations: &mut [S]) {
-        let motion = self.at(clock.time_s);
+    fn prescribe(&self, world: &World<S>, clock: Clock, rates: &mut [S], accelerations: &mut [S]) {
+        let motion = self.at(world, clock.time_s);
         rates[self.coordinates()].copy_from_slice(&motion.rates);
         accelerations[self.coordinates()].copy_from_slice(&motion.accelerations);
     }
@@ -50,8 +48,8 @@ impl<S: Scalar> WaveMotion<S> {
     }
 
     /// The motions at a time.
-    pub fn at(&self, time_s: f64) -> SixMotions<S> {
-        let [ramp, ramp_rate, ramp_acceleration] = ramp(time_s, self.ramp_s).map(S::constant);
+    pub fn at(&self, world: &World<S>, time_s: f64) -> SixMotions<S> {
+        let [ramp, ramp_rate, ramp_acceleration] = world.wave_ramp(time_s).map(S::constant);
         let steady = self.steady(time_s);
         let two = S::constant(2.0);
         SixMotions {

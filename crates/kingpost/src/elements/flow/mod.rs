@@ -9,6 +9,7 @@ use super::{Declaration, Element, Frame, Moment, Output};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
+use crate::world::World;
 
 /// Forces of a flow by the square of its velocity relative to the body,
 ///
@@ -25,12 +26,32 @@ pub struct FlowLoad<S = f64> {
     pub name: String,
     /// The body, and the point that the coefficients refer to.
     pub place: HullFrame<S>,
-    /// Velocity of the flow in the world, m/s.
-    pub flow: Vector3<S>,
-    /// rho/2 A_x, rho/2 A_y in kg/m, rho/2 A_y L in kg.
-    pub scales: [S; 3],
+    /// What flows.
+    pub flow: Flow<S>,
+    /// A_x and A_y, m^2, and L, m.
+    pub sizes: [S; 3],
     /// C_x, C_y and C_n over theta.
     pub coefficients: DirectionTable<S>,
+}
+
+/// What flows past a body: asked of the world.
+#[derive(Clone, Copy, Debug)]
+pub enum Flow<S = f64> {
+    /// The wind at this height above the still water, m.
+    Wind(S),
+    /// The current, its square the mean over this draught, m; without one, that at the surface.
+    Current(Option<S>),
+}
+
+impl<S: Scalar> Flow<S> {
+    /// Velocity in the world, m/s, and density, kg/m^3.
+    pub fn in_world(&self, world: &World<S>) -> (Vector3<S>, S) {
+        match (self, &world.wind) {
+            (Self::Wind(height), Some(wind)) => (wind.at_height(*height), wind.air_density),
+            (Self::Wind(_), None) => (Vector3::zero(), S::ZERO),
+            (Self::Current(draught), _) => (world.current_over(*draught), world.water_density),
+        }
+    }
 }
 
 /// Below this square of the speed, m^2/s^2, there is no flow, and no direction of it.
@@ -64,14 +85,18 @@ impl<S: Scalar> Element<S> for FlowLoad<S> {
 impl<S: Scalar> FlowLoad<S> {
     /// Force (N) and moment (N m) about the reference point, in body axes.
     pub fn wrench(&self, at: &Moment<'_, S>) -> Wrench<S> {
-        let through = self.place.through_water(at, self.flow).0.linear;
+        let (flow, density) = self.flow.in_world(at.world);
+        let [x, y, length] = self.sizes;
+        let half = density * S::constant(0.5);
+        let scales = [half * x, half * y, half * y * length];
+        let through = self.place.through_water(at, flow).0.linear;
         let (along, aside) = (-through[0], -through[1]);
         let square = along * along + aside * aside;
         let moves = square.select_below(STILL, || S::ZERO, || S::ONE);
         let along = moves.select_below(0.5, || S::ONE, || along);
         let coefficients = self.coefficients.at(aside.atan2(along));
         let [x, y, yaw] = core::array::from_fn(|k| {
-            let load = square * self.scales[k] * coefficients[k];
+            let load = square * scales[k] * coefficients[k];
             moves.select_below(0.5, || S::ZERO, || load)
         });
         Wrench { moment: Vector3::new(S::ZERO, S::ZERO, yaw), force: Vector3::new(x, y, S::ZERO) }

@@ -41,7 +41,7 @@ impl<S: Scalar> Hull<S> {
     /// `F = -(A (nu' + omega x R^T u) + nu_r x* A nu_r)`. A hull that drifts with the current moves as one in still water.
     fn in_current(&self, added: &SpatialInertia<S>, at: &Moment<'_, S>) -> Wrench<S> {
         let twist = at.links.body_twist(at.model, self.frame.body);
-        let stream = at.links.to_body_axes(at.model, self.frame.body, self.current);
+        let stream = at.links.to_body_axes(at.model, self.frame.body, at.world.surface_current());
         let relative = Twist { linear: twist.linear - stream, ..twist };
         let turned = Twist { linear: twist.angular.cross(stream), angular: Vector3::zero() };
         twist.cross_momentum(&added.times(&twist)) - added.times(&turned) - self.cross_momentum(added, &relative)
@@ -81,7 +81,7 @@ impl<S: Scalar> Hull<S> {
     fn slow_twist(&self, at: &Moment<'_, S>, mean: &Matrix3<S>) -> Twist<S> {
         let [x, y, turning] = SlowFilter::read(at.states).output_rates(self.cutoff_rad_s);
         let angular = mean.transpose_times(Vector3::new(S::ZERO, S::ZERO, turning));
-        let drift = mean.transpose_times(Vector3::new(x, y, S::ZERO) - self.current);
+        let drift = mean.transpose_times(Vector3::new(x, y, S::ZERO) - at.world.surface_current());
         Twist { linear: drift - angular.cross(self.frame.origin), angular }
     }
 }

@@ -22,7 +22,6 @@ use crate::sea::waves::WaveField;
 /// differences of frequency that are small, as those are that move a moored ship.
 #[derive(Clone, Debug)]
 pub struct Excitation<S = f64> {
-    field: WaveField<S>,
     /// The waves at the slow frame's place, a e^(i q).
     real: Vec<S>,
     imaginary: Vec<S>,
@@ -51,8 +50,8 @@ const FIRST_ORDER: usize = 12;
 const DRIFTING: [usize; 3] = [0, 1, 5];
 
 impl<S: Scalar> Excitation<S> {
-    /// From a hull's data. Components outside the data's frequencies make no force.
-    pub fn new(database: &Database, field: WaveField<S>, parts: Parts) -> Self {
+    /// From a hull's data, in these waves: every call wants the same. Components outside the data's frequencies make no force.
+    pub fn new(database: &Database, field: &WaveField<S>, parts: Parts) -> Self {
         let of_wave = |omega: f64| {
             let covered = if database.covers(omega) { 1.0 } else { 0.0 };
             let x = database.excitation(omega, parts.froude_krylov);
@@ -71,39 +70,34 @@ impl<S: Scalar> Excitation<S> {
         let transfer = ByHeading::new(count, &directions, |part, wave| rows[wave](part));
         let (real, imaginary) = (vec![S::ZERO; field.len()], vec![S::ZERO; field.len()]);
         let (force, drift, elevation) = ([S::ZERO; 6], [S::ZERO; 6], S::ZERO);
-        Self { field, real, imaginary, transfer, drifts, last: None, force, drift, elevation }
-    }
-
-    /// The waves.
-    pub fn field(&self) -> &WaveField<S> {
-        &self.field
+        Self { real, imaginary, transfer, drifts, last: None, force, drift, elevation }
     }
 
     /// Force (N) and moment (N m) at a time, s.
-    pub fn force(&mut self, time_s: f64, slow: &SlowFrame<S>) -> [S; 6] {
-        self.update(time_s, slow);
+    pub fn force(&mut self, field: &WaveField<S>, time_s: f64, slow: &SlowFrame<S>) -> [S; 6] {
+        self.update(field, time_s, slow);
         self.force
     }
 
     /// Mean and slowly varying force (N) and moment (N m) at a time, s.
-    pub fn drift(&mut self, time_s: f64, slow: &SlowFrame<S>) -> [S; 6] {
-        self.update(time_s, slow);
+    pub fn drift(&mut self, field: &WaveField<S>, time_s: f64, slow: &SlowFrame<S>) -> [S; 6] {
+        self.update(field, time_s, slow);
         self.drift
     }
 
     /// Elevation of the incident waves at the slow frame's place, m.
-    pub fn elevation(&mut self, time_s: f64, slow: &SlowFrame<S>) -> S {
-        self.update(time_s, slow);
+    pub fn elevation(&mut self, field: &WaveField<S>, time_s: f64, slow: &SlowFrame<S>) -> S {
+        self.update(field, time_s, slow);
         self.elevation
     }
 
-    fn update(&mut self, time_s: f64, slow: &SlowFrame<S>) {
+    fn update(&mut self, field: &WaveField<S>, time_s: f64, slow: &SlowFrame<S>) {
         let key = (time_s, *slow);
         if self.last == Some(key) {
             return;
         }
-        let waves = self.field.len();
-        self.field.phasors(slow.position, time_s, &mut self.real, &mut self.imaginary);
+        let waves = field.len();
+        field.phasors(slow.position, time_s, &mut self.real, &mut self.imaginary);
         let x = self.transfer.at(slow.heading);
         self.force = core::array::from_fn(|mode| {
             let part = |k: usize| &x[(2 * mode + k) * waves..][..waves];

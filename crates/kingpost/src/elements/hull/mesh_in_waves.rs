@@ -17,7 +17,7 @@ pub struct MeshInWaves<S = f64> {
 
 impl<S: Scalar> MeshInWaves<S> {
     /// For this mesh in these waves.
-    pub fn new(floating: FloatingMesh<S>, field: WaveField<S>) -> Self {
+    pub fn new(floating: FloatingMesh<S>, field: &WaveField<S>) -> Self {
         Self { floating, waves: WavesAtPoints::new(field) }
     }
 
@@ -25,16 +25,17 @@ impl<S: Scalar> MeshInWaves<S> {
     /// origin in its axes.
     pub fn pressure(
         &mut self,
+        field: &WaveField<S>,
         hull_in_world: &Frame<S>,
         specific_weight: S,
         time_s: f64,
         still: &Wrench<S>,
     ) -> Wrench<S> {
         let Self { floating: FloatingMesh { mesh, wetted }, waves } = self;
-        waves.set_time(time_s);
+        waves.set_time(field, time_s);
         let highest_m = waves.highest_m();
         let in_waves = wetted.pressure_wrench_below(mesh, hull_in_world, specific_weight, highest_m, |point| {
-            let [elevation, dynamic_pressure] = waves.at(point);
+            let [elevation, dynamic_pressure] = waves.at(field, point);
             LocalWater { elevation, dynamic_pressure }
         });
         in_waves - *still

@@ -23,7 +23,8 @@ use super::{Declaration, Element, Frame, Moment, Output, Own};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::sea::hull::{FloatingPosition, HullMesh, LinearHydrostatics, WettedHull};
-use crate::spatial::{Twist, Vector3, Wrench};
+use crate::sea::waves::WaveField;
+use crate::spatial::{Twist, Wrench};
 
 /// How buoyancy is computed.
 #[derive(Clone, Debug)]
@@ -77,18 +78,14 @@ pub struct Hull<S = f64> {
     pub name: String,
     /// Where it is.
     pub frame: HullFrame<S>,
-    /// rho g of the water, N/m^3.
-    pub specific_weight: S,
     /// Buoyancy.
     pub hydrostatics: Hydrostatics<S>,
     /// The memory of the waves that it makes.
     pub radiation: Option<Radiation>,
-    /// The incident waves.
+    /// What the world's waves do to it.
     pub excitation: Option<Excitation<S>>,
     /// Their own pressure on the mesh of the hydrostatics, if it acts.
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
-    /// Velocity of the water in the world, m/s.
-    pub current: Vector3<S>,
     /// Which quadratic terms of the added mass act.
     pub quadratic_terms: QuadraticTerms,
     /// Where the filter of the slow frame cuts off, rad/s.
@@ -117,7 +114,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         let (of_filter, of_radiation) = own.states.split_at_mut(SlowFilter::<S>::LEN);
         SlowFilter::at_rest(&place).write(of_filter);
         if let Some(radiation) = &self.radiation {
-            let [x, y, ..] = self.velocity_through_water(&motion, &place);
+            let [x, y, ..] = self.velocity_through_water(at, &motion, &place);
             radiation.steady(&[x, y, S::ZERO, S::ZERO, S::ZERO, S::ZERO], of_radiation);
         }
     }
@@ -125,21 +122,22 @@ impl<S: Scalar> Element<S> for Hull<S> {
     /// Adds what the water does, and its work.
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let motion = self.frame.motion(at);
-        let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), self.specific_weight);
+        let specific_weight = at.world.specific_weight();
+        let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), specific_weight);
         let slow = slow_frame(at);
         let mut by_the_sea = [S::ZERO; 6];
         if let Some(radiation) = &self.radiation {
             by_the_sea = radiation.force(radiation_states(at));
         }
-        let has_waves = at.situation.has_waves();
-        if let Some(excitation) = self.excitation.as_mut().filter(|_| has_waves) {
-            let (first, drift) = (excitation.force(at.clock.time_s, &slow), excitation.drift(at.clock.time_s, &slow));
+        let (waves, time_s) = (at.world.waves.as_ref().filter(|_| at.situation.has_waves()), at.clock.time_s);
+        if let (Some(excitation), Some(waves)) = (&mut self.excitation, waves) {
+            let (first, drift) = (excitation.force(waves, time_s, &slow), excitation.drift(waves, time_s, &slow));
             by_the_sea = core::array::from_fn(|mode| by_the_sea[mode] + first[mode] + drift[mode]);
         }
         let axes = SeaAxes::of(&motion.frame, &slow);
         let mut by_the_sea = self.about_centre(by_the_sea, &axes) + self.in_flowing_water(at, &axes, loads);
-        if let Some(waves) = self.wave_pressure.as_mut().filter(|_| has_waves) {
-            let pressure = waves.pressure(&motion.frame, self.specific_weight, at.clock.time_s, &buoyancy);
+        if let (Some(mesh), Some(waves)) = (&mut self.wave_pressure, waves) {
+            let pressure = mesh.pressure(waves, &motion.frame, specific_weight, time_s, &buoyancy);
             by_the_sea += self.frame.about_centre(&pressure);
         }
         loads.power.outside += by_the_sea.dot(&at.links.body_twist(at.model, self.frame.body));
@@ -152,7 +150,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         let filter = SlowFilter::read(at.states);
         filter.rates(&SlowFrame::of(&motion.frame), self.cutoff_rad_s).write(of_filter);
         if let Some(radiation) = &self.radiation {
-            let velocity = self.velocity_through_water(&motion, &filter.frame());
+            let velocity = self.velocity_through_water(at, &motion, &filter.frame());
             radiation.rates(&velocity, radiation_states(at), of_radiation);
         }
     }
@@ -160,25 +158,30 @@ impl<S: Scalar> Element<S> for Hull<S> {
     /// Energy of the water that it displaces, J.
     fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
         let position = FloatingPosition::of(&self.frame.frame(at.model, at.links));
-        self.hydrostatics.potential_energy(&position, self.specific_weight)
+        self.hydrostatics.potential_energy(&position, at.world.specific_weight())
     }
 
     fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let slow = slow_frame(at);
-        let (none, time_s) = ([S::ZERO; 6], at.clock.time_s);
-        let mut excitation_force = self.excitation.as_mut().map_or(none, |waves| waves.force(time_s, &slow));
-        if let Some(waves) = self.wave_pressure.as_mut() {
+        let (none, time_s, specific_weight) = ([S::ZERO; 6], at.clock.time_s, at.world.specific_weight());
+        let mut in_waves = self.excitation.as_mut().zip(at.world.waves.as_ref());
+        let mut seen = |of: fn(&mut Excitation<S>, &WaveField<S>, f64, &SlowFrame<S>) -> [S; 6]| {
+            in_waves.as_mut().map_or(none, |(excitation, waves)| of(excitation, waves, time_s, &slow))
+        };
+        let (mut excitation_force, drift) = (seen(Excitation::force), seen(Excitation::drift));
+        let elevation = in_waves.map_or(S::ZERO, |(excitation, waves)| excitation.elevation(waves, time_s, &slow));
+        if let (Some(mesh), Some(waves)) = (&mut self.wave_pressure, &at.world.waves) {
             let motion = self.frame.motion(at);
-            let still = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), self.specific_weight);
-            let by_pressure = waves.pressure(&motion.frame, self.specific_weight, time_s, &still);
+            let still = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), specific_weight);
+            let by_pressure = mesh.pressure(waves, &motion.frame, specific_weight, time_s, &still);
             let axes = SeaAxes::of(&motion.frame, &slow);
             let Wrench { moment, force } = axes.wrench_of_body(&by_pressure);
             let along = axes.modes(force, moment);
             excitation_force.iter_mut().zip(along).for_each(|(sum, force)| *sum += force);
         }
-        out.push(self.excitation.as_mut().map_or(S::ZERO, |waves| waves.elevation(time_s, &slow)));
+        out.push(elevation);
         out.extend(excitation_force);
-        out.extend(self.excitation.as_mut().map_or(none, |waves| waves.drift(time_s, &slow)));
+        out.extend(drift);
         out.extend(self.radiation.as_ref().map_or(none, |radiation| radiation.force(radiation_states(at))));
         out.push(self.water_kinetic_energy(at));
     }
@@ -240,10 +243,10 @@ impl<S: Scalar> Hull<S> {
     }
 
     /// Velocity and angular velocity of the reference point relative to the water, along the axes of the sea's loads.
-    fn velocity_through_water(&self, motion: &HullMotion<S>, slow: &SlowFrame<S>) -> [S; 6] {
+    fn velocity_through_water(&self, at: &Moment<'_, S>, motion: &HullMotion<S>, slow: &SlowFrame<S>) -> [S; 6] {
         let HullMotion { frame, twist } = motion;
         let of_centre = twist.linear - twist.angular.cross(self.frame.origin);
-        let linear = of_centre - frame.rotation.transpose_times(self.current);
+        let linear = of_centre - frame.rotation.transpose_times(at.world.surface_current());
         self.along(&SeaAxes::of(frame, slow), &Twist { linear, ..*twist })
     }
 

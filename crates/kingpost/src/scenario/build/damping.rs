@@ -32,7 +32,6 @@ pub fn viscous<S: Quantity>(
         linear: Vector3(given.linear_n_s_m.map(|c| c.get())),
         angular: Vector3(given.angular_n_m_s.map(|c| c.get())),
         matrix: matrix.transpose()?,
-        current: current(scenario),
     })))
 }
 
@@ -76,19 +75,12 @@ pub fn quadratic<S: Quantity>(
         place: HullFrame { body, origin },
         linear: Vector3(given.linear_n_s2_m2.map(|c| c.get())),
         angular: Vector3(given.angular_n_m_s2.map(|c| c.get())),
-        current: current(scenario),
     })))
 }
 
 /// A point of a body's drawing frame, from the body's centre of mass.
 pub(super) fn from_centre<S: Quantity>(scenario: &Scenario<S>, body: &str, point: Vector3<S>) -> Vector3<S> {
     point - Vector3(scenario.bodies[body].centre_of_mass_m)
-}
-
-/// Velocity of the water in the world, m/s.
-pub(super) fn current<S: Quantity>(scenario: &Scenario<S>) -> Vector3<S> {
-    let [x, y] = scenario.sea.as_ref().map_or([S::ZERO; 2], |sea| sea.current_m_s);
-    Vector3::new(x, y, S::ZERO)
 }
 
 /// An error unless a body is there and rigid.

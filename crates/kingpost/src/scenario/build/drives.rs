@@ -3,18 +3,20 @@
 use super::super::schema::{self, BrakeState, History, Scenario};
 use super::axes::axes;
 use super::bodies::joint_name;
-use super::{FieldError, cylinders, histories, known, wave_motion};
+use super::{FieldError, cylinders, histories, known, sensors, wave_motion};
 use crate::dynamics::Clock;
 use crate::elements::drives::{Brake, Motor, Profile, Servo};
-use crate::elements::{AnyElement, CoulombFriction};
+use crate::elements::{AnyElement, CoulombFriction, Input};
 use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
 use crate::scenario::leaf::Quantity;
+use crate::world::World;
 
 /// The drives that are on; gives prescribed joints their initial rate in `v`.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
+    world: &World<S>,
     v: &mut [S],
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut drives: Vec<AnyElement<S>> = Vec::new();
@@ -40,7 +42,8 @@ pub fn build<S: Quantity>(
                 Box::new(Motor { coordinate, effort, profile, lever })
             }
             Law::Servo { numbers: [target, stiffness, damping, limit] } => {
-                Box::new(Servo { position, coordinate, target, stiffness, damping, limit })
+                let offset = offset(scenario, name, parts.motion);
+                Box::new(Servo { position, coordinate, target, stiffness, damping, limit, offset })
             }
             Law::Brake { state: BrakeState::Released, .. } => continue,
             Law::Brake { numbers: [friction, smoothing], state } => {
@@ -53,12 +56,23 @@ pub fn build<S: Quantity>(
         v[motion.coordinate] = motion.rate_at(Clock { time_s: 0.0, middle_s: 0.0 });
         drives.push(Box::new(motion));
     }
-    for motion in wave_motion::build(scenario, model)? {
-        v[motion.coordinates()].copy_from_slice(&motion.at(0.0).rates);
+    for motion in wave_motion::build(scenario, model, world)? {
+        v[motion.coordinates()].copy_from_slice(&motion.at(world, 0.0).rates);
         drives.push(Box::new(motion));
     }
     Ok(drives)
 }
+
+/// The input that a wire sets a servo's target off by.
+fn offset<S>(scenario: &Scenario<S>, name: &str, motion: AxisMotion) -> Option<Input> {
+    let name = sensors::offset_of(name);
+    let unit = if motion == Rotation { "rad" } else { "m" };
+    let (lower, upper) = (-FARTHEST_OFFSET, FARTHEST_OFFSET);
+    sensors::leads_to(scenario, &name).then(|| Input { name, unit, lower, upper, value: 0.0, signal: None })
+}
+
+/// Of a servo's target, rad or m.
+const FARTHEST_OFFSET: f64 = 1e6;
 
 /// A drive that is on has nothing to say where the coordinate is held or prescribed.
 fn check_free<S: Quantity>(parts: &Parts<'_, S>, mode: Mode) -> Result<(), FieldError> {

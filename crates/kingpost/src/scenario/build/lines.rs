@@ -10,6 +10,7 @@ use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
+use crate::world::World;
 
 /// A line without weight, where it is on and between bodies that are there.
 pub fn spring<S: Quantity>(
@@ -45,6 +46,7 @@ pub fn catenary<S: Quantity>(
     name: &str,
     given: &schema::CatenaryLine<S>,
     model: &Model<S>,
+    world: &World<S>,
 ) -> Result<Option<AnyElement<S>>, FieldError> {
     let field = |field: &str| format!("forces.{name}.catenary_line.{field}");
     if given.fairlead.named_body().is_none() {
@@ -55,9 +57,9 @@ pub fn catenary<S: Quantity>(
         ));
     }
     let fairlead = end(scenario, model, &field("fairlead"), &given.fairlead)?;
-    let depth = scenario.sea.as_ref().and_then(|sea| sea.depth_m).filter(|_| given.seabed);
+    let depth = world.depth.filter(|_| given.seabed);
     let off = |depth: &S| !((given.anchor_m[2] + *depth) / *depth).all(|off| off.abs() <= SAME_DEPTH);
-    if let Some(depth) = depth.map(|depth| depth.get()).filter(off) {
+    if let Some(depth) = depth.filter(off) {
         let allowed = format!("{}, the seabed by sea.depth_m, or seabed: false", -depth);
         return Err(FieldError::new(field("anchor_m.2"), given.anchor_m[2], allowed));
     }

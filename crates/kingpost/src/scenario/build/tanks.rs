@@ -2,7 +2,7 @@
 
 use super::super::schema::{self, Force as ForceSchema, Scenario};
 use super::damping::{from_centre, rigid};
-use super::{FieldError, gravity_of};
+use super::{FieldError, world};
 use crate::elements::hull::HullFrame;
 use crate::elements::{AnyElement, SlackTank};
 use crate::model::Model;
@@ -21,8 +21,7 @@ pub fn slack<S: Quantity>(
     rigid(scenario, format!("{field}.body"), &given.body)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     check_body(scenario, model, body, &format!("{field}.body"))?;
-    let mut gravities = scenario.forces.values().filter_map(gravity_of).filter(|gravity| gravity.enabled).peekable();
-    if gravities.peek().is_none() {
+    if world::gravity(scenario).is_err() {
         return Err(FieldError::new(field, "a free surface, and no gravity", "gravity that is enabled"));
     }
     Ok(Some(Box::new(SlackTank {
@@ -33,7 +32,6 @@ pub fn slack<S: Quantity>(
             filling: given.filling.get(),
         },
         density: density(scenario, given),
-        gravity: gravities.fold(S::ZERO, |sum, gravity| sum + gravity.acceleration_m_s2.get()),
     })))
 }
 

@@ -1,9 +1,8 @@
-//! The sea and the hulls in it.
+//! The hulls in the sea.
 
 use super::super::schema::{self, Force as ForceSchema, Hydrostatics as HydrostaticsSchema, Scenario};
-use super::damping::{current, from_centre};
-use super::waves::{self, Wave};
-use super::{FieldError, gravity_of, known};
+use super::damping::from_centre;
+use super::{FieldError, known, world};
 use crate::elements::hull::{
     Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, Parts, QuadraticTerms, Radiation,
 };
@@ -13,13 +12,15 @@ use crate::scalar::Scalar;
 use crate::scenario::leaf::Quantity;
 use crate::sea::database::{Database, SixBySix};
 use crate::sea::hull::{HullMesh, LinearHydrostatics};
-use crate::sea::waves::{Water, WaveField};
+use crate::sea::waves::WaveField;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
+use crate::world::World;
 
 /// The model with the water's inertia, and the water's loads.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     mut model: Model<S>,
+    world: &World<S>,
 ) -> Result<(Model<S>, Vec<AnyElement<S>>), FieldError> {
     let mut hulls: Vec<AnyElement<S>> = Vec::new();
     for (name, force) in &scenario.forces {
@@ -27,22 +28,22 @@ pub fn build<S: Quantity>(
         let field = |rest: &str| format!("forces.{name}.hydrodynamics.{rest}");
         let body = floating_body(scenario, &model, &field("body"), &given.body)?;
         let Some(database) = scenario.files.database(&given.database) else { continue };
-        let sea = Sea::of(scenario, &field("database"), database)?;
+        world::gravity(scenario)?;
+        check_water(&field("database"), database, world)?;
         let origin = from_centre(scenario, &given.body, Vector3(given.origin_m));
         if given.added_mass {
             let added = inertia(&database.added_mass_infinite).to_parent(&Frame::translation(origin));
             model = model.with_added_inertia(body, added);
         }
-        let excitation = sea.excitation(given, &field, database)?;
+        let excitation = excitation(given, &field, database, world)?;
         let hydrostatics = hydrostatics(given, &field("hydrostatics"), database)?;
+        let waves = world.waves.as_ref().filter(|_| excitation.is_some());
         let hull = Hull {
             name: name.to_string(),
             frame: HullFrame { body, origin },
-            specific_weight: sea.specific_weight,
-            wave_pressure: wave_pressure(given, &field("wave_pressure"), &hydrostatics, excitation.as_ref())?,
+            wave_pressure: wave_pressure(given, &field("wave_pressure"), &hydrostatics, waves)?,
             hydrostatics,
             radiation: radiation(given, &field("radiation"), database)?,
-            current: sea.current,
             quadratic_terms: QuadraticTerms {
                 of_slow_motion: excitation.is_some(),
                 munk_by_table: has_current_table(scenario, given),
@@ -123,12 +124,12 @@ fn wave_pressure<S: Quantity>(
     given: &schema::Hydrodynamics<S>,
     field: &str,
     hydrostatics: &Hydrostatics<S>,
-    excitation: Option<&Excitation<S>>,
+    waves: Option<&WaveField<S>>,
 ) -> Result<Option<Box<MeshInWaves<S>>>, FieldError> {
-    match (hydrostatics, excitation) {
+    match (hydrostatics, waves) {
         _ if !given.wave_pressure => Ok(None),
         (Hydrostatics::Mesh(floating), Some(waves)) => {
-            Ok(Some(Box::new(MeshInWaves::new((**floating).clone(), waves.field().clone()))))
+            Ok(Some(Box::new(MeshInWaves::new((**floating).clone(), waves))))
         }
         (Hydrostatics::Mesh(_), None) => Ok(None),
         _ => Err(FieldError::new(field, "true, with hydrostatics that are not of the mesh", "hydrostatics: mesh")),
@@ -147,102 +148,41 @@ fn radiation<S>(
     }
 }
 
-/// The water that a hull floats in, as the scenario has it.
-struct Sea<'a, S> {
-    scenario: &'a Scenario<S>,
-    given: schema::Sea<S>,
-    gravity: (S, String),
-    specific_weight: S,
-    current: Vector3<S>,
+/// An error unless the database is of the world's water.
+fn check_water<S: Quantity>(field: &str, database: &Database, world: &World<S>) -> Result<(), FieldError> {
+    let (water, infinite) = (&database.water, f64::INFINITY);
+    same(field, "density of", water.density_kg_m3, "kg/m^3", world.water_density)?;
+    same(field, "gravity of", water.gravity_m_s2, "m/s^2", world.gravity)?;
+    same(field, "depth of", water.depth_m.unwrap_or(infinite), "m", world.depth.unwrap_or(S::constant(infinite)))
 }
 
-impl<'a, S: Quantity> Sea<'a, S> {
-    fn of(scenario: &'a Scenario<S>, field: &str, database: &Database) -> Result<Self, FieldError> {
-        let (given, gravity) = (scenario.sea.clone().unwrap_or_default(), gravity(scenario)?);
-        let (water, density) = (&database.water, given.density_kg_m3.get());
-        same(field, "density of", water.density_kg_m3, "kg/m^3", density)?;
-        same(field, "gravity of", water.gravity_m_s2, "m/s^2", gravity.0)?;
-        let infinite = f64::INFINITY;
-        let depth = given.depth_m.map_or(S::constant(infinite), |depth| depth.get());
-        same(field, "depth of", water.depth_m.unwrap_or(infinite), "m", depth)?;
-        Ok(Self { scenario, specific_weight: density * gravity.0, current: current(scenario), gravity, given })
+/// What the world's waves do to a hull.
+fn excitation<S: Quantity>(
+    given: &schema::Hydrodynamics<S>,
+    field: &impl Fn(&str) -> String,
+    database: &Database,
+    world: &World<S>,
+) -> Result<Option<Excitation<S>>, FieldError> {
+    if given.wave_drift && database.mean_drift.is_none() {
+        let found = "true, with a database that holds no mean drift";
+        return Err(FieldError::new(
+            field("wave_drift"),
+            found,
+            "false, or a database that kingpost hydro --loading made",
+        ));
     }
-
-    /// The water as the waves know it. Its density is that of their pressure alone.
-    fn water(&self, wave_pressure: bool) -> Result<Water, FieldError> {
-        let (density, field) = (self.given.density_kg_m3.get(), "sea.density_kg_m3");
-        let density = if wave_pressure { density.same(field)? } else { density.scaled(field)?.0 };
-        water_of(&self.given, density, &self.gravity)
+    if given.wave_pressure && !database.has_froude_krylov() {
+        let found = "true, with a database whose excitation is not told apart into Froude-Krylov force and diffraction";
+        return Err(FieldError::new(field("wave_pressure"), found, "false"));
     }
-
-    fn excitation(
-        &self,
-        given: &schema::Hydrodynamics<S>,
-        field: &impl Fn(&str) -> String,
-        database: &Database,
-    ) -> Result<Option<Excitation<S>>, FieldError> {
-        if given.wave_drift && database.mean_drift.is_none() {
-            let found = "true, with a database that holds no mean drift";
-            return Err(FieldError::new(
-                field("wave_drift"),
-                found,
-                "false, or a database that kingpost hydro --loading made",
-            ));
-        }
-        if given.wave_pressure && !database.has_froude_krylov() {
-            let found =
-                "true, with a database whose excitation is not told apart into Froude-Krylov force and diffraction";
-            return Err(FieldError::new(field("wave_pressure"), found, "false"));
-        }
-        if given.wave_pressure && given.wave_drift {
-            let found = "true, with wave_pressure, whose mean over the mesh is a part of the same drift";
-            return Err(FieldError::new(field("wave_drift"), found, "one of the two"));
-        }
-        if !self.given.waves.values().any(schema::Waves::enabled) {
-            return Ok(None);
-        }
-        let water = self.water(given.wave_pressure)?;
-        let waves = waves::build(self.scenario, &water)?;
-        if waves.is_empty() || !given.excitation {
-            return Ok(None);
-        }
-        check_coverage(&field("database"), database.band_rad_s(), &waves)?;
-        let parts = Parts { froude_krylov: !given.wave_pressure, drift: given.wave_drift };
-        let waves: Vec<_> = waves.iter().map(Wave::component).collect();
-        Ok(Some(Excitation::new(database, WaveField::new(&waves, water, self.given.ramp_s.get()), parts)))
+    if given.wave_pressure && given.wave_drift {
+        let found = "true, with wave_pressure, whose mean over the mesh is a part of the same drift";
+        return Err(FieldError::new(field("wave_drift"), found, "one of the two"));
     }
-}
-
-/// The waves of the scenario's sea, where there are any.
-pub(super) fn incident_waves<S: Quantity>(scenario: &Scenario<S>) -> Result<Option<WaveField<S>>, FieldError> {
-    let Some(sea) = scenario.sea.as_ref().filter(|sea| sea.waves.values().any(schema::Waves::enabled)) else {
-        return Ok(None);
-    };
-    let Ok(gravity) = gravity(scenario) else { return Ok(None) };
-    let (density, _) = sea.density_kg_m3.get().scaled("sea.density_kg_m3")?;
-    let water = water_of(sea, density, &gravity)?;
-    let components: Vec<_> = waves::build(scenario, &water)?.iter().map(Wave::component).collect();
-    Ok((!components.is_empty()).then(|| WaveField::new(&components, water, sea.ramp_s.get())))
-}
-
-/// The sea's water, whose waves are the scenario's.
-pub(super) fn water_of<S: Quantity>(
-    sea: &schema::Sea<S>,
-    density_kg_m3: f64,
-    gravity: &(S, String),
-) -> Result<Water, FieldError> {
-    let depth = sea.depth_m.map(|depth| depth.get().same("sea.depth_m")).transpose()?;
-    let water = Water::new(density_kg_m3, gravity.0.same(&gravity.1)?, depth);
-    water.map_err(|error| FieldError::new(format!("sea.{}", error.field), error.found, error.allowed))
-}
-
-/// Gravity's acceleration, by which a sea is level, and its field.
-pub(super) fn gravity<S: Quantity>(scenario: &Scenario<S>) -> Result<(S, String), FieldError> {
-    let acts = scenario.forces.iter().find_map(|(name, force)| {
-        let gravity = gravity_of(force).filter(|gravity| gravity.enabled)?;
-        Some((gravity.acceleration_m_s2.get(), format!("forces.{name}.gravity.acceleration_m_s2")))
-    });
-    acts.ok_or_else(|| FieldError::new("forces", "water on a hull, and no gravity", "gravity that is enabled"))
+    let Some(waves) = world.waves.as_ref().filter(|_| given.excitation) else { return Ok(None) };
+    check_coverage(&field("database"), database.band_rad_s(), world)?;
+    let parts = Parts { froude_krylov: !given.wave_pressure, drift: given.wave_drift };
+    Ok(Some(Excitation::new(database, waves, parts)))
 }
 
 /// By how much a database's water may differ from the sea's, relative.
@@ -264,10 +204,11 @@ const MOST_UNCOVERED: f64 = 0.01;
 pub(super) fn check_coverage<S: Quantity>(
     field: &str,
     [lowest, highest]: [f64; 2],
-    waves: &[Wave<S>],
+    world: &World<S>,
 ) -> Result<(), FieldError> {
     let energy = |counts: &dyn Fn(f64) -> bool| {
-        let counted = waves.iter().filter(|wave| counts(wave.of.angular_frequency_rad_s));
+        let waves = world.waves.iter().flat_map(WaveField::components);
+        let counted = waves.filter(|wave| counts(wave.plain().angular_frequency_rad_s));
         counted.fold(S::ZERO, |sum, wave| sum + wave.amplitude_m * wave.amplitude_m)
     };
     let (outside, all) = (energy(&|omega| !(lowest..=highest).contains(&omega)), energy(&|_| true));

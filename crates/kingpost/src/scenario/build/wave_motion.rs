@@ -2,19 +2,24 @@
 
 use super::super::schema::{self, Scenario};
 use super::FieldError;
-use super::water::{check_coverage, gravity, water_of};
-use super::waves::{self, Wave};
+use super::water::check_coverage;
+use super::world;
 use crate::elements::drives::WaveMotion;
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::sea::raos::{RaoTable, Response};
-use crate::sea::waves::WaveComponent;
+use crate::sea::waves::{WaveComponent, WaveField};
+use crate::world::World;
 
 /// Mode of each coordinate of the joint: x, y, z, yaw, pitch, roll.
 const MODE_OF: [usize; 6] = [0, 1, 2, 5, 4, 3];
 
 /// The motions of the bodies that move so and are there.
-pub fn build<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<WaveMotion<S>>, FieldError> {
+pub fn build<S: Quantity>(
+    scenario: &Scenario<S>,
+    model: &Model<S>,
+    world: &World<S>,
+) -> Result<Vec<WaveMotion<S>>, FieldError> {
     let mut motions = Vec::new();
     for (name, body) in &scenario.bodies {
         let (schema::Joint::MovedByWaves(given), Some(index)) = (&body.joint, model.body(name)) else { continue };
@@ -23,16 +28,14 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Ve
         let table = table.whole_circle(given.symmetric).map_err(|error| {
             FieldError::new(format!("{field}.raos"), format!("{}: {}", error.field, error.found), error.allowed)
         })?;
-        let sea = scenario.sea.clone().unwrap_or_default();
-        let (density, _) = sea.density_kg_m3.get().scaled("sea.density_kg_m3")?;
-        let waves = waves::build(scenario, &water_of(&sea, density, &gravity(scenario)?)?)?;
-        check_coverage(&format!("{field}.raos"), table.band_rad_s(), &waves)?;
+        world::gravity(scenario)?;
+        check_coverage(&format!("{field}.raos"), table.band_rad_s(), world)?;
+        let waves = world.waves.iter().flat_map(WaveField::components);
         let node = &model.tree.nodes[index];
         motions.push(WaveMotion {
             velocities: node.velocities,
             positions: node.positions,
-            waves: waves.iter().map(|wave| response(&table, given, wave)).collect(),
-            ramp_s: sea.ramp_s.get(),
+            waves: waves.map(|wave| response(&table, given, wave)).collect(),
         });
     }
     Ok(motions)
@@ -40,11 +43,13 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Ve
 
 /// X a of each coordinate in a wave, at the origin of the vessel's axes: what moves at the RAOs' own origin r is carried over
 /// as a rigid body, `X(0) = X(r) - theta x r`; the wave's phase is that at the origin of the phases.
-fn response<S: Quantity>(table: &RaoTable, given: &schema::MovedByWaves<S>, wave: &Wave<S>) -> (f64, [[S; 2]; 6]) {
-    let Wave {
-        of: WaveComponent { angular_frequency_rad_s, wave_number_per_m, direction_rad, phase_rad, .. },
-        amplitude_m,
-    } = *wave;
+fn response<S: Quantity>(
+    table: &RaoTable,
+    given: &schema::MovedByWaves<S>,
+    wave: &WaveComponent<S>,
+) -> (f64, [[S; 2]; 6]) {
+    let WaveComponent { angular_frequency_rad_s, wave_number_per_m, direction_rad, phase_rad, .. } = wave.plain();
+    let amplitude_m = wave.amplitude_m;
     let carried = carried_to_axes(
         &table.at(angular_frequency_rad_s, S::constant(direction_rad) - given.heading_rad),
         table.origin_m,

@@ -1,21 +1,22 @@
 //! What a person should know of a model before it runs.
 
-use crate::elements::{AnyElement, Gravity, of_kind};
+use crate::elements::AnyElement;
 use crate::model::{JointKind, Model};
+use crate::world::World;
 
 /// A pair of bodies that are tied together; `None` is the world.
 type Tie = [Option<usize>; 2];
 
 /// All warnings.
-pub fn of(model: &Model, elements: &[AnyElement]) -> Vec<String> {
+pub fn of(model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
     let falls = |body: usize| format!("gravity acts and nothing carries {}: it falls", model.bodies[body].name);
-    falling(model, elements).into_iter().map(falls).collect()
+    falling(model, world, elements).into_iter().map(falls).collect()
 }
 
 /// Floating bodies that gravity pulls on and nothing ties to the world, through however many bodies: no joint, no closed
 /// loop and no element that may hold one body up by another. Damping slows a fall but carries nothing.
-fn falling(model: &Model, elements: &[AnyElement]) -> Vec<usize> {
-    if of_kind(elements).all(|gravity: &Gravity| gravity.acceleration == 0.0) {
+fn falling(model: &Model, world: &World, elements: &[AnyElement]) -> Vec<usize> {
+    if world.gravity == 0.0 {
         return Vec::new();
     }
     let loops = model.loops.iter().map(|closed| [closed.first.body, closed.second.body]);

@@ -8,15 +8,16 @@ use super::super::wording;
 use super::files;
 
 /// The fields of a scenario whose entries have names of their own in the whole.
-pub const SECTIONS: [&str; 4] = ["bodies", "loops", "forces", "drives"];
+pub const SECTIONS: [&str; 6] = ["bodies", "loops", "forces", "drives", "sensors", "wires"];
 
 /// Fields below the sections that name something of the scenario, whatever they stand in.
-pub const REFERENCES: [&str; 4] = [
+pub const REFERENCES: [&str; 6] = [
     // The body that a body hangs on.
     "parent", // The body that something acts on or is tied to.
     "body",   // The joint, or the axis of one as `joint.axis`, that a drive acts in.
     "joint",  // A joint's own.
-    "name",
+    "name",   // The signal and the input of a wire.
+    "from", "to",
 ];
 
 /// Fields below the sections that name files.

@@ -58,6 +58,8 @@ mod tests {
             "wind",
             "forces",
             "drives",
+            "sensors",
+            "wires",
         ] {
             assert!(is_top_field(name), "{name}");
         }

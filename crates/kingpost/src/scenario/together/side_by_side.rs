@@ -4,19 +4,10 @@ use serde_json::Value;
 
 use super::super::build::assemble;
 use super::super::error::FieldError;
-use super::super::leaf::Blank;
 use super::super::schema::Scenario;
 use super::untyped;
 use crate::scalar::{LANES, Lanes};
 use crate::simulation::Setup;
-
-impl Scenario {
-    /// The scenario without its continuous numbers, as text: runs of which it is the same may go side by side.
-    pub(crate) fn structure(&self) -> String {
-        let blank = self.over::<Blank>(&self.written()).ok();
-        blank.and_then(|blank| serde_json::to_string(&blank).ok()).unwrap_or_default()
-    }
-}
 
 /// What up to [`LANES`] scenarios of one structure are made of, side by side; the last fills the lanes that are left.
 /// `alone` are their own setups.

@@ -12,7 +12,8 @@ const ROUNDING: f64 = 1e-9;
 /// Waves at one time, for a mesh that asks for elevation and pressure at every vertex.
 ///
 /// They are those of [`WaveField::kinematics`], but for rounding: what all points share is computed once a time, of the
-/// phases only cosines are taken, and exponentials are powers of two.
+/// phases only cosines are taken, and exponentials are powers of two. It holds what is computed, not the waves: every call
+/// wants the field that it was made for.
 ///
 /// ```
 /// use kingpost::sea::waves::{Water, WaveComponent, WaveField, WavesAtPoints};
@@ -22,15 +23,14 @@ const ROUNDING: f64 = 1e-9;
 /// let field = WaveField::new(&[wave], water, 0.0);
 /// let (point, time_s) = (Vector3::new(3.0, 0.0, -2.0), 1.5);
 /// let expected = field.kinematics(point, time_s);
-/// let mut waves = WavesAtPoints::new(field);
-/// waves.set_time(time_s);
-/// let [elevation_m, dynamic_pressure_pa] = waves.at(point);
+/// let mut waves = WavesAtPoints::new(&field);
+/// waves.set_time(&field, time_s);
+/// let [elevation_m, dynamic_pressure_pa] = waves.at(&field, point);
 /// assert!((elevation_m - expected.elevation_m).abs() < 1e-14);
 /// assert!((dynamic_pressure_pa - expected.dynamic_pressure_pa).abs() < 1e-10);
 /// ```
 #[derive(Clone, Debug)]
 pub struct WavesAtPoints<S = f64> {
-    field: WaveField<S>,
     /// k / ln 2: what e^kz is as a power of two.
     doublings_per_m: Vec<S>,
     /// Of each wave at the world's origin now, in turns; and its amplitude now, m.
@@ -44,30 +44,25 @@ pub struct WavesAtPoints<S = f64> {
 
 impl<S: Scalar> WavesAtPoints<S> {
     /// These waves at the time 0.
-    pub fn new(field: WaveField<S>) -> Self {
+    pub fn new(field: &WaveField<S>) -> Self {
         let doublings = S::constant(LOG2_E);
         let doublings_per_m = field.components().map(|wave| wave.wave_number_per_m * doublings).collect();
         let none = || vec![S::ZERO; field.len()];
         let (phases, amplitudes, elevations, heads) = (none(), none(), none(), none());
-        let mut waves = Self { field, doublings_per_m, phases, amplitudes, highest_m: S::ZERO, elevations, heads };
-        waves.set_time(0.0);
+        let mut waves = Self { doublings_per_m, phases, amplitudes, highest_m: S::ZERO, elevations, heads };
+        waves.set_time(field, 0.0);
         waves
     }
 
-    /// The waves that these are.
-    pub fn field(&self) -> &WaveField<S> {
-        &self.field
-    }
-
     /// From now on the waves at this time, s.
-    pub fn set_time(&mut self, time_s: f64) {
-        let (turns, time) = (&self.field.turns, S::constant(time_s));
+    pub fn set_time(&mut self, field: &WaveField<S>, time_s: f64) {
+        let (turns, time) = (&field.turns, S::constant(time_s));
         for ((now, phase), per_s) in self.phases.iter_mut().zip(&turns.phase).zip(&turns.time_per_s) {
             *now = *phase - *per_s * time;
         }
-        let ramp = S::constant(self.field.ramp(time_s));
+        let ramp = S::constant(field.ramp(time_s));
         let mut highest = S::ZERO;
-        for (now, amplitude) in self.amplitudes.iter_mut().zip(&self.field.amplitudes_m) {
+        for (now, amplitude) in self.amplitudes.iter_mut().zip(&field.amplitudes_m) {
             *now = *amplitude * ramp;
             highest += now.select_below(0.0, || -*now, || *now);
         }
@@ -80,22 +75,22 @@ impl<S: Scalar> WavesAtPoints<S> {
     }
 
     /// Elevation over a point of the world, m, and the dynamic pressure there, Pa, by Wheeler's stretching.
-    pub fn at(&mut self, point: Vector3<S>) -> [S; 2] {
-        let elevation = self.elevation_m([point[0], point[1]]);
-        let z = self.field.stretched(point, elevation)[2];
-        let weight = S::constant(self.field.water().gravity_m_s2 * self.field.water().density_kg_m3);
+    pub fn at(&mut self, field: &WaveField<S>, point: Vector3<S>) -> [S; 2] {
+        let elevation = self.elevation_m(field, [point[0], point[1]]);
+        let z = field.stretched(point, elevation)[2];
+        let weight = S::constant(field.water().gravity_m_s2 * field.water().density_kg_m3);
         // At the surface and above it nothing has decayed.
         if z.all(|z| z >= 0.0) {
             return [elevation, elevation * weight];
         }
-        let head = self.head_m(z);
+        let head = self.head_m(field, z);
         [elevation, z.select_below(0.0, || head, || elevation) * weight]
     }
 
     /// Sum of a cos q, and each of them in the memory.
-    fn elevation_m(&mut self, [x, y]: [S; 2]) -> S {
+    fn elevation_m(&mut self, field: &WaveField<S>, [x, y]: [S; 2]) -> S {
         let count = self.elevations.len();
-        let turns = &self.field.turns;
+        let turns = &field.turns;
         let (kx, ky) = (&turns.x_per_m[..count], &turns.y_per_m[..count]);
         let (phases, amplitudes) = (&self.phases[..count], &self.amplitudes[..count]);
         for i in 0..count {
@@ -106,11 +101,11 @@ impl<S: Scalar> WavesAtPoints<S> {
     }
 
     /// Sum of a C cos q at a height below the still water, m.
-    fn head_m(&mut self, z: S) -> S {
+    fn head_m(&mut self, field: &WaveField<S>, z: S) -> S {
         let count = self.heads.len();
         let (heads, elevations) = (&mut self.heads[..count], &self.elevations[..count]);
         let doublings = &self.doublings_per_m[..count];
-        match self.field.water().depth_m {
+        match field.water().depth_m {
             None => {
                 for i in 0..count {
                     heads[i] = elevations[i] * (doublings[i] * z).power_of_two();
@@ -119,7 +114,7 @@ impl<S: Scalar> WavesAtPoints<S> {
             Some(depth_m) => {
                 let z = z.clipped(S::constant(-depth_m), S::ZERO);
                 let mirrored = -(z + S::constant(2.0 * depth_m));
-                let scales = &self.field.bottom_scales[..count];
+                let scales = &field.bottom_scales[..count];
                 for i in 0..count {
                     let (down, up) = ((doublings[i] * z).power_of_two(), (doublings[i] * mirrored).power_of_two());
                     heads[i] = elevations[i] * (scales[i] * (down + up));

@@ -74,6 +74,19 @@ impl WaveComponent {
     }
 }
 
+impl<S: Scalar> WaveComponent<S> {
+    /// The wave by plain numbers: all but the amplitude decide the structure of a run, so that all lanes share them.
+    pub fn plain(&self) -> WaveComponent {
+        WaveComponent {
+            amplitude_m: self.amplitude_m.value(),
+            angular_frequency_rad_s: self.angular_frequency_rad_s.value(),
+            wave_number_per_m: self.wave_number_per_m.value(),
+            direction_rad: self.direction_rad.value(),
+            phase_rad: self.phase_rad.value(),
+        }
+    }
+}
+
 /// Most waves that are made of one input.
 pub const MOST_COMPONENTS: usize = 20_000;
 

@@ -105,8 +105,13 @@ impl<S: Scalar> WaveField<S> {
 
     /// What the amplitudes are multiplied by at this time: [`ramp`].
     pub fn ramp(&self, time_s: f64) -> f64 {
-        let [share, ..] = ramp(time_s, self.ramp_s);
+        let [share, ..] = self.ramp_and_rates(time_s);
         share
+    }
+
+    /// The same with its first and second rate.
+    pub fn ramp_and_rates(&self, time_s: f64) -> [f64; 3] {
+        ramp(time_s, self.ramp_s)
     }
 
     /// Elevation of the surface, m, at a point (x, y), world, m.

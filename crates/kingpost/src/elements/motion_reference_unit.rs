@@ -1,0 +1,95 @@
+//! A motion reference unit: what a body's sensor says of its motion, at its own ticks.
+
+use super::hull::HullFrame;
+use super::{Components, Declaration, Delay, Element, Frame, Moment, Output, Own};
+use crate::scalar::Scalar;
+use crate::spatial::roll_pitch_yaw;
+
+/// Measures the motion of a point of a body every `period_s`, and shows it some ticks later.
+///
+/// Heave is the height of the point over where it was when the run began. What it shows is held between two ticks; before
+/// the first delayed value has come it shows what it measured where the run began.
+#[derive(Clone, Debug)]
+pub struct MotionReferenceUnit<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// The body, and the point.
+    pub place: HullFrame<S>,
+    /// Time between two ticks, s.
+    pub period_s: f64,
+    /// By how many ticks what it shows is late.
+    pub delay_samples: usize,
+}
+
+/// Roll, pitch, heave, heave rate, angular velocity.
+const COUNT: usize = 7;
+
+/// What it shows, then the height that heave is counted from, then a ring for each number.
+const ZERO_HEIGHT: usize = COUNT;
+const RINGS: usize = COUNT + 1;
+
+impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let number = |variable, description, unit| Output::number(variable, description, "sensor", &self.name, unit);
+        let angular_velocity = Output {
+            components: Components::Axis,
+            frame: Frame::Body,
+            ..number("measured_angular_velocity", "angular velocity of a sensor's body as it says", &["rad/s"])
+        };
+        let kept = ["roll", "pitch", "heave", "heave_rate", "x_rate", "y_rate", "z_rate"];
+        let late = |name: &&str| (0..self.delay_samples).map(|tick| format!("{name}_{tick}")).collect::<Vec<_>>();
+        let numbers = kept.iter().map(ToString::to_string).chain(["zero_height".to_owned()]);
+        Declaration {
+            numbers: numbers.chain(kept.iter().flat_map(late)).collect(),
+            modes: if self.delay_samples > 0 { kept.map(|name| format!("{name}_oldest")).to_vec() } else { Vec::new() },
+            outputs: vec![
+                number("measured_roll", "roll of a sensor's body as it says, positive port side up", &["rad"]),
+                number("measured_pitch", "pitch of a sensor's body as it says, positive bow down", &["rad"]),
+                number("measured_heave", "height of a sensor over where the run began, as it says", &["m"]),
+                number("measured_heave_rate", "vertical velocity of a sensor as it says", &["m/s"]),
+                angular_velocity,
+            ],
+            period_s: Some(self.period_s),
+            ..Declaration::default()
+        }
+    }
+
+    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        own.numbers[ZERO_HEIGHT] = self.height(at);
+        let first = self.measured(at, own.numbers[ZERO_HEIGHT]);
+        own.numbers[..COUNT].copy_from_slice(&first);
+        for (k, value) in first.into_iter().enumerate() {
+            own.numbers[RINGS + k * self.delay_samples..][..self.delay_samples].fill(value);
+        }
+    }
+
+    fn sample(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        let now = self.measured(at, own.numbers[ZERO_HEIGHT]);
+        for (mode, value) in now.into_iter().enumerate() {
+            let ring = Delay { first_number: RINGS + mode * self.delay_samples, mode, ticks: self.delay_samples };
+            own.numbers[mode] = ring.pass(own, value);
+        }
+    }
+
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        out.extend_from_slice(&at.numbers[..COUNT]);
+    }
+}
+
+impl<S: Scalar> MotionReferenceUnit<S> {
+    fn height(&self, at: &Moment<'_, S>) -> S {
+        self.place.frame(at.model, at.links).position[2]
+    }
+
+    fn measured(&self, at: &Moment<'_, S>, zero_height: S) -> [S; COUNT] {
+        let motion = self.place.motion(at);
+        let [roll, pitch, _] = roll_pitch_yaw(&motion.frame.rotation).0;
+        let [x, y, z] = motion.twist.angular.0;
+        let heave_rate = motion.frame.rotation.row(2).dot(motion.twist.linear);
+        [roll, pitch, motion.frame.position[2] - zero_height, heave_rate, x, y, z]
+    }
+}

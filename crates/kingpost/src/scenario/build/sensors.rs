@@ -1,0 +1,92 @@
+//! Sensors, and wires from what they say.
+
+use super::super::schema::{Drive, Scenario, Sensor};
+use super::FieldError;
+use super::damping::{from_centre, rigid};
+use crate::elements::hull::HullFrame;
+use crate::elements::{AnyElement, Layout, MotionReferenceUnit};
+use crate::model::Model;
+use crate::scenario::leaf::Quantity;
+use crate::scenario::wording::one_of_with_hint;
+use crate::spatial::Vector3;
+
+/// Most samples that a sensor may be late by: each is a number that a snapshot carries.
+const MOST_DELAY: usize = 1000;
+
+/// The sensors that are on, on bodies that are there.
+pub fn build<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<AnyElement<S>>, FieldError> {
+    let mut sensors: Vec<AnyElement<S>> = Vec::new();
+    for (name, sensor) in &scenario.sensors {
+        let Sensor::MotionReferenceUnit(given) = sensor;
+        let field = |rest: &str| format!("sensors.{name}.motion_reference_unit.{rest}");
+        rigid(scenario, field("body"), &given.body)?;
+        if given.delay_samples > MOST_DELAY {
+            let allowed = format!("a number from 0 to {MOST_DELAY}");
+            return Err(FieldError::new(field("delay_samples"), given.delay_samples, allowed));
+        }
+        let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { continue };
+        sensors.push(Box::new(MotionReferenceUnit {
+            name: name.to_string(),
+            place: HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) },
+            period_s: given.period_s.get(),
+            delay_samples: given.delay_samples,
+        }));
+    }
+    Ok(sensors)
+}
+
+/// The input that a servo adds to its target; it has it where a wire leads there.
+pub fn offset_of(drive: &str) -> String {
+    format!("{drive}.target_offset")
+}
+
+/// Whether a wire leads to an input.
+pub fn leads_to<S>(scenario: &Scenario<S>, input: &str) -> bool {
+    scenario.wires.values().any(|wire| wire.enabled && *wire.to == *input)
+}
+
+/// The wires that are on, as an input and the signal that it takes.
+pub fn wires<S: Quantity>(
+    scenario: &Scenario<S>,
+    elements: &[AnyElement<S>],
+) -> Result<Vec<(String, String)>, FieldError> {
+    let layout = Layout::new(elements, 0);
+    let signals = layout.signals();
+    let mut wires: Vec<(String, String)> = Vec::new();
+    for (name, wire) in scenario.wires.iter().filter(|(_, wire)| wire.enabled) {
+        let field = |end: &str| format!("wires.{name}.{end}");
+        let Some(signal) = signals.iter().find(|signal| signal.name == *wire.from) else {
+            let names: Vec<&str> = signals.iter().map(|signal| signal.name.as_str()).collect();
+            return Err(FieldError::new(field("from"), &wire.from, allowed(&names, &wire.from, "an enabled sensor")));
+        };
+        let Some(input) = layout.inputs.iter().find(|input| input.name == *wire.to) else {
+            let offsets: Vec<String> = scenario.drives.iter().filter_map(|(name, drive)| offset(name, drive)).collect();
+            let inputs = layout.inputs.iter().map(|input| &input.name).filter(|input| !offsets.contains(input));
+            let names: Vec<&str> = inputs.chain(&offsets).map(String::as_str).collect();
+            return Err(FieldError::new(field("to"), &wire.to, allowed(&names, &wire.to, "a drive with an input")));
+        };
+        if input.unit != signal.unit {
+            let found = format!("{}, in {}", wire.from, signal.unit);
+            return Err(FieldError::new(field("from"), found, format!("a signal in {}, as {}", input.unit, wire.to)));
+        }
+        if wires.iter().any(|(taken, _)| *taken == *wire.to) {
+            return Err(FieldError::new(field("to"), format!("{} a second time", wire.to), "one wire to each input"));
+        }
+        wires.push((wire.to.to_string(), wire.from.to_string()));
+    }
+    Ok(wires)
+}
+
+fn allowed(names: &[&str], found: &str, none: &str) -> String {
+    if names.is_empty() { format!("none: the scenario has not {none}") } else { one_of_with_hint(names, found) }
+}
+
+/// The offset that a servo that acts may take.
+fn offset<S>(name: &str, drive: &Drive<S>) -> Option<String> {
+    let acts = match drive {
+        Drive::Servo(servo) => servo.enabled,
+        Drive::LinearServo(servo) => servo.enabled,
+        _ => false,
+    };
+    acts.then(|| offset_of(name))
+}

@@ -1,0 +1,55 @@
+//! Other numbers while a run goes on.
+
+use super::from_outside::LARGEST_GAP_GIVEN;
+use super::{Happened, Simulation, stage};
+use crate::elements::AnyElement;
+use crate::world::World;
+
+impl Simulation {
+    /// What acts on the model.
+    pub fn elements(&self) -> &[AnyElement] {
+        self.plant.elements()
+    }
+
+    /// What is outside.
+    pub fn world(&self) -> &World {
+        &self.plant.world
+    }
+
+    /// Goes on from here by the numbers of another simulation of the same structure. Time, q, v, s, d and modes stay; the
+    /// integrator begins anew, since what it remembers is of the old law. What the change does to energy and momentum is
+    /// booked in the ledger as at an event; a reset leads to the start of the other.
+    ///
+    /// The table of events says that `what` was set.
+    ///
+    /// # Errors
+    /// Why it cannot; nothing has changed then.
+    pub fn go_on_as(&mut self, mut next: Simulation, what: &str) -> Result<(), &'static str> {
+        let lengths = |of: &Simulation| {
+            let super::State { q, v, s, d, m, .. } = &of.state;
+            [q, v, s, d].map(Vec::len).into_iter().chain([m.len()]).collect::<Vec<_>>()
+        };
+        if lengths(self) != lengths(&next) || self.channels() != next.channels() {
+            return Err("which changes what the run is made of");
+        }
+        let gap = next.plant.loop_gap(&self.state.q, &self.state.v);
+        if gap.is_some_and(|(_, gap)| gap >= LARGEST_GAP_GIVEN) {
+            return Err("which opens a closed loop here");
+        }
+        let at = stage(self.interval(), &self.state);
+        let before = self.plant.totals(at);
+        let time_s = self.time_s();
+        let memory = next.state.memory.len();
+        next.state.copy_from(&self.state);
+        next.state.memory = vec![0.0; memory];
+        let interval = next.interval();
+        next.plant.prescribe(interval, &mut next.state.v);
+        next.plant.book_jump(&before, time_s, &mut next.state);
+        next.last_good.copy_from(&next.state);
+        next.plant.evaluations = self.plant.evaluations;
+        core::mem::swap(&mut next.watch, &mut self.watch);
+        next.watch.note(Happened { time_s, element: what.to_owned(), what: "was set" });
+        *self = next;
+        Ok(())
+    }
+}
