@@ -103,8 +103,8 @@ fn gather<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Loads<
     }
 }
 
-/// Turns the field into each root's axes. What does not fall by itself is held by its bias: what falls takes `I a` from it,
-/// which is the weight of a rigid body and not that of other inertias.
+/// Turns the field g into each root's axes, from where links fall by themselves. The inertia I of a link that is not that of
+/// its mass m, part of it the water's, would fall with `I g`: what that is more than the weight joins its bias.
 #[inline]
 fn fall_freely<S: Scalar>(
     model: &Model<S>,

@@ -185,7 +185,7 @@ impl<S: Scalar> DormandPrince<S> {
         let Self { q, v, s, stages, .. } = self;
         stages.hand_out(q, v, s);
         let (first, last) = stages.rates.split_at_mut(STAGES - 1);
-        first[0].clone_from(&last[0]);
+        first[0].copy_from(&last[0]);
         first[0].parts_mut()[0].copy_from_slice(v);
     }
 

@@ -50,6 +50,11 @@ impl<S: Scalar> Triple<S> {
         Self { blocks, velocities, extras }
     }
 
+    /// Takes the numbers of another, of the same sizes.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        self.blocks.copy_from_slice(&other.blocks);
+    }
+
     /// All numbers.
     pub(super) fn all_mut(&mut self) -> &mut [S] {
         &mut self.blocks.as_flattened_mut()[..2 * self.velocities + self.extras]
