@@ -35,7 +35,16 @@ fn simulation(
         form: Form::Recursive,
     };
     elements.extend(drives);
-    Simulation::new(Setup { model: Model::new(bodies), world: World::calm(), elements, settings, q, v, fingerprint: 0 })
+    Simulation::new(Setup {
+        model: Model::new(bodies),
+        world: World::calm(),
+        elements,
+        watchers: Vec::new(),
+        settings,
+        q,
+        v,
+        fingerprint: 0,
+    })
 }
 
 fn hinge(axis: [f64; 3], to_child: [f64; 3]) -> JointKind {

@@ -65,7 +65,7 @@ fn setup(tree: &Tree, form: Form) -> Setup {
         rate_limit: 1e6,
         form,
     };
-    Setup { model, world: World::calm(), elements, settings, q, v, fingerprint: 0 }
+    Setup { model, world: World::calm(), elements, watchers: Vec::new(), settings, q, v, fingerprint: 0 }
 }
 
 fn channel(simulation: &mut Simulation, variable: &str) -> f64 {

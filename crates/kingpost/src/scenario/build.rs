@@ -14,6 +14,7 @@ mod loops;
 mod positioning;
 mod positioning_loop;
 mod tanks;
+mod watchers;
 mod water;
 mod wave_motion;
 pub(super) mod waves;
@@ -49,6 +50,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
     equilibrium::settle(scenario, &mut setup)?;
+    setup.watchers = watchers::of(&setup);
     Ok(setup)
 }
 
@@ -86,7 +88,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
         q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(0.0).positions);
     }
     let world = World { waves: water::incident_waves(scenario)? };
-    let setup = Setup { model, world, elements, settings, q, v, fingerprint: 0 };
+    let setup = Setup { model, world, elements, watchers: Vec::new(), settings, q, v, fingerprint: 0 };
     lines::check_start(&setup)?;
     Ok(setup)
 }

@@ -1,6 +1,6 @@
 //! What a simulation is made of.
 
-use crate::elements::AnyElement;
+use crate::elements::{AnyElement, AnyWatcher};
 use crate::integrate::{Scheme, Sizes, Tolerances};
 use crate::model::Model;
 use crate::plant::Form;
@@ -62,6 +62,8 @@ pub struct Setup<S: Scalar = f64> {
     pub world: World<S>,
     /// What acts on the model or reads it.
     pub elements: Vec<AnyElement<S>>,
+    /// What watches its joints and closed loops; an element brings its own watchers.
+    pub watchers: Vec<AnyWatcher>,
     /// Time stepping and recording.
     pub settings: Settings,
     /// Initial positions.
