@@ -77,7 +77,7 @@ class Batch:
         xarray.Dataset
             The variables of `kingpost.run` with a first dimension ``run``; along it the values of
             the parameters and ``status``, which is ``finished`` or why the run ended. A run that
-            ended early has NaN from there on.
+            ended early has NaN from there on. The attribute ``warnings`` is a list for each run, as JSON.
 
         Raises
         ------
@@ -90,7 +90,7 @@ class Batch:
             raise KingpostError(f"threads: found {threads}, allowed: 0 or more")
         variants = [self.scenario.overrides + variant for variant in self._variants()]
         engine = _engine_for_this_processor()
-        rows, errors, channels = engine.batch(
+        rows, errors, published = engine.batch(
             self.scenario.text,
             self.scenario.file,
             self.scenario.files,
@@ -100,7 +100,9 @@ class Batch:
         )
         status = [FINISHED if error is None else str(error) for error in errors]
         about = f"{status.count(FINISHED)} of {len(status)} runs finished"
-        found = results.dataset(self.scenario, json.loads(channels), _stacked(rows), about)
+        channels, warnings = json.loads(published)
+        found = results.dataset(self.scenario, channels, _stacked(rows), about)
+        found.attrs["warnings"] = json.dumps(warnings)
         return found.assign_coords(
             run=np.arange(len(status)),
             status=("run", np.array(status, str)),

@@ -25,10 +25,8 @@ SMALLEST_SQUARE = 1e-10
 """Squared frequencies below this count as zero, (rad/s)^2: a period of a week."""
 FIRST = 1e3
 """Weight of what a drive keeps, beside the largest of a coordinate, in naming zero modes."""
-MEMORY = (".radiation.", ".slow.")
-"""In the names of the states that remember radiated waves, and where the hull is on average."""
 LAST = 1e-6
-"""Their weight in naming zero modes: they follow where a hull is."""
+"""Weight of states that only remember, in naming zero modes: they follow where a hull is."""
 BALANCINGS = 20
 """Sweeps over the units of further states."""
 ALIKE = 1e-9
@@ -52,7 +50,7 @@ class Mode:
         Its name: for a zero mode the coordinate that is free, otherwise the one with the largest
         share in the kinetic energy.
     shape
-        Amplitudes, m or rad, by coordinate and then by further state; the largest is 1.
+        Amplitudes by coordinate and then by further state, each in its unit; the largest is 1.
     memory_share
         What the states that remember radiated waves take part in it, by their participation factors
         (Perez-Arriaga, Verghese & Schweppe, *IEEE Trans. PAS* 101(9), 1982): those of all states add
@@ -95,12 +93,13 @@ def eigenmodes(
 class Scaled:
     """A system in states whose squares are energies: ``w y``, ``y'``, the rest.
 
-    With M* = L L^T and columns N, orthonormal, of what J L^-T takes to nothing, the coordinates are
-    xi = L^-T N y: independent, and y'^2 / 2 is the kinetic energy. With w the largest frequency, A
-    then has entries near w in the blocks that store energy.
+    `memory` says which of the names only remember. With M* = L L^T and columns N, orthonormal, of what
+    J L^-T takes to nothing, the coordinates are xi = L^-T N y: independent, and y'^2 / 2 is the kinetic
+    energy. With w the largest frequency, A then has entries near w in the blocks that store energy.
     """
 
     names: list[str]
+    memory: NDArray[np.bool_]
     mass: NDArray[np.float64]
     from_scaled: NDArray[np.float64]
     further: NDArray[np.float64]
@@ -119,17 +118,18 @@ class Scaled:
         square = max(np.linalg.norm(stiffness, 2) if stiffness.size else 0.0, 1.0)
         frequency = np.sqrt(square)
         names = linear.coordinates + linear.states[2 * n :]
+        memory = np.concatenate([linear.remembers[:n], linear.remembers[2 * n :]])
         plain = np.eye(len(a) - 2 * n)
         energies = (
             block_diagonal(inward * frequency, inward, plain)
             @ a
             @ block_diagonal(outward / frequency, outward, plain)
         )
-        further = balanced(energies, [not remembers(name) for name in names[n:]])
+        further = balanced(energies, ~memory[n:])
         to_scaled = block_diagonal(inward * frequency, inward, np.diag(1 / further))
         from_scaled = block_diagonal(outward / frequency, outward, np.diag(further))
         smallest = max(SMALLEST_SHARE * square, SMALLEST_SQUARE) / frequency
-        return cls(names, mass, from_scaled, further, to_scaled @ a @ from_scaled, smallest)
+        return cls(names, memory, mass, from_scaled, further, to_scaled @ a @ from_scaled, smallest)
 
     def shapes(self, scaled: NDArray, rates: bool = False) -> NDArray:
         """Amplitudes by coordinate and further state of scaled states in columns; or their rates."""
@@ -137,23 +137,13 @@ class Scaled:
         start = n if rates else 0
         return np.concatenate([states[start : start + n], states[2 * n :]])
 
-    @property
-    def memory(self) -> NDArray[np.bool_]:
-        """Which of the names remember radiated waves."""
-        return np.array([remembers(name) for name in self.names])
-
     def share(self, shape: NDArray) -> NDArray[np.float64]:
         """Weights by name: of a coordinate its energy at that amplitude, of a state its scaled square."""
         weights = np.concatenate([np.diag(self.mass), self.further**-2.0])
         return weights[:, None] * np.abs(shape) ** 2 if shape.ndim > 1 else weights * np.abs(shape) ** 2
 
 
-def remembers(state: str) -> bool:
-    """Whether a state remembers radiated waves, or where the hull is on average."""
-    return any(part in state for part in MEMORY)
-
-
-def balanced(a: NDArray, counts: Sequence[bool]) -> NDArray[np.float64]:
+def balanced(a: NDArray, counts: NDArray[np.bool_]) -> NDArray[np.float64]:
     """Units of the last states of A in which those that count have rows as large as their columns.
 
     Thrusts in N would drown what is in m (Osborne, *J. ACM* 7(4), 1960), powers of 2 as in LAPACK's gebal.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -24,7 +25,7 @@ class Linearization:
     1. the free coordinates, as ``slew`` (m or rad). A floating body moves along the world's axes
        and turns by a rotation vector in its own axes;
     2. their rates, as ``slew.rate`` (m/s or rad/s), in the same axes;
-    3. what drives keep, as ``luffing.wanted_length`` of a cylinder with a lever (m).
+    3. what drives and forces keep, as ``luffing.wanted_length`` of a lever (m).
 
     The inputs u are changes of `Simulation.inputs`. Held and prescribed coordinates are not among
     the states; prescribed ones keep the motion that they have. Where there are closed loops all
@@ -39,6 +40,12 @@ class Linearization:
         Rate of the row's state by the column's input.
     rates
         The rates at the state itself, by ``row``: zero at an equilibrium.
+    units
+        SI unit of each state.
+    remembers
+        Whether each state only remembers how something moved, as radiated waves do and filters.
+    input_units
+        Unit of each input.
     warning
         What A does not say, or None: where a prescribed coordinate moves or accelerates, A is that of
         one instant.
@@ -47,6 +54,9 @@ class Linearization:
     A: xarray.DataArray
     B: xarray.DataArray
     rates: xarray.DataArray
+    units: list[str]
+    remembers: NDArray[np.bool_]
+    input_units: list[str]
     warning: str | None = None
 
     @property
@@ -65,18 +75,27 @@ class Linearization:
         return self.states[: sum(name.endswith(RATE) for name in self.states)]
 
 
-def labelled(
-    a: NDArray, b: NDArray, rates: NDArray, states: list[str], inputs: list[str], warning: str | None
-) -> Linearization:
+def labelled(a: NDArray, b: NDArray, rates: NDArray, names_json: str) -> Linearization:
     """The engine's arrays with their names."""
     import xarray
+
+    names = json.loads(names_json)
+    states, inputs = names["states"], names["inputs"]
 
     def matrix(name: str, values: NDArray, columns: list[str]) -> xarray.DataArray:
         labels = {"row": np.array(states, str), "column": np.array(columns, str)}
         return xarray.DataArray(values, labels, ("row", "column"), name)
 
     along = xarray.DataArray(rates, {"row": np.array(states, str)}, ("row",), "rates")
-    return Linearization(matrix("A", a, states), matrix("B", b, inputs), along, warning)
+    return Linearization(
+        matrix("A", a, states),
+        matrix("B", b, inputs),
+        along,
+        names["units"],
+        np.array(names["remembers"], bool),
+        names["input_units"],
+        names["warning"],
+    )
 
 
 @dataclass(frozen=True)

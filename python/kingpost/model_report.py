@@ -17,11 +17,9 @@ WORLD = "world"
 def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
     """What a scenario builds: bodies, joints, closed loops, parameters, drives and forces, and how its
     hulls float."""
-    resolved = scenario.resolved
     described = scenario.model
-    settings = resolved["simulation"]
+    settings = scenario.resolved["simulation"]
     mass = sum(body["mass_kg"] for body in described["bodies"])
-    drives = resolved.get("drives", {})
     sections = [
         [scenario.title],
         _parts(described["parts"]),
@@ -29,10 +27,9 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         [f"total mass: {mass:g} kg", f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}"],
         _loops(described["loops"]),
         _parameters(described["parameters"]),
-        _laws("drives", {name: law for name, law in drives.items() if "cylinder" not in law}),
-        _cylinders({name: law["cylinder"] for name, law in drives.items() if "cylinder" in law}),
-        _prescribed(resolved),
-        _laws("forces", resolved.get("forces", {})),
+        _elements(described, "drives"),
+        _prescribed(described["joints"]),
+        _elements(described, "forces"),
         _sea(described["sea"]),
         *hydrostatics_report.sections(scenario),
         [f"warning: {words}" for words in described["warnings"]],
@@ -95,84 +92,39 @@ def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
     return table(rows, "<><<")
 
 
-def _laws(heading: str, laws: dict[str, Any]) -> list[str]:
-    if not laws:
-        return [f"{heading}: none"]
-    rows = [(heading, "", "", "")]
-    for name, law in laws.items():
-        ((kind, fields),) = law.items()
-        rows.append((name, kind.replace("_", " "), on_or_off(fields), _fields(fields)))
-    return table(rows, "<<<<")
+def _elements(described: dict[str, Any], group: str) -> list[str]:
+    """Forces or drives, with what is given of them."""
+    rows = [(group, "", "", "")]
+    for element in described["elements"]:
+        if element["group"] == group:
+            on = "on" if element["enabled"] else "off"
+            rows.append((element["name"], element["kind"], on, facts(element["facts"])))
+    return table(rows, "<<<<") if len(rows) > 1 else [f"{group}: none"]
 
 
-def on_or_off(fields: dict[str, Any]) -> str:
-    """Whether a law acts."""
-    return "on" if fields["enabled"] else "off"
+def facts(given: list[dict[str, str]]) -> str:
+    """Facts in a line.
 
-
-def _cylinders(cylinders: dict[str, Any]) -> list[str]:
-    """Hydraulic cylinders: their pins in the drawing frames, and what bounds them."""
-    if not cylinders:
-        return []
-    rows = [("hydraulic cylinder", "", "pins, m", "stroke, m", "push, N", "pull, N", "speed, m/s", "target")]
-    for name, cylinder in cylinders.items():
-        rows.append((
-            name,
-            on_or_off(cylinder),
-            " to ".join(f"{pin['body']} {written(pin['position_m'])}" for pin in _ends(cylinder)),
-            f"{cylinder['shortest_m']:g} to {cylinder['longest_m']:g}",
-            *(f"{cylinder[f'{limit}_limit_N']:g}" for limit in ("push", "pull")),
-            f"{cylinder['speed_limit_m_s']:g}",
-            target(cylinder["target"]),
-        ))  # fmt: skip
-    return table(rows, "<<<<>>><")
-
-
-def _ends(law: dict[str, Any]) -> list[dict[str, Any]]:
-    return [law["first"], law["second"]]
-
-
-def target(given: str | dict[str, Any]) -> str:
-    """What a cylinder is after.
-
-    >>> target("hold"), target({"length": {"length_m": 7.2}})
-    ('hold', '7.2 m')
+    >>> facts([{"label": "target", "value": "0.5", "unit": "rad"},
+    ...        {"label": "joint", "value": "luff", "unit": ""}])
+    'target 0.5 rad, joint luff'
     """
-    return given if isinstance(given, str) else f"{given['length']['length_m']:g} m"
+    return ", ".join(f"{fact['label']} {fact['value']} {fact['unit']}".rstrip() for fact in given)
 
 
-def _fields(fields: dict[str, Any]) -> str:
-    """A law's fields as a scenario writes them; of a pulse and a list what is the history.
-
-    >>> _fields({"enabled": True, "joint": "luff", "target_rad": 0.5, "pulse": None})
-    'joint: luff, target_rad: 0.5'
-    """
-    hidden = {"enabled", "pulse", "list"} - {fields.get("history")}
-    return ", ".join(f"{name}: {written(value)}" for name, value in fields.items() if name not in hidden)
-
-
-def _prescribed(resolved: dict[str, Any]) -> list[str]:
+def _prescribed(joints: list[dict[str, Any]]) -> list[str]:
     """The joints that a given rate moves, or that go a given way."""
     rows = [("prescribed", "")]
-    for name, body in resolved["bodies"].items():
-        ((_, joint),) = body["joint"].items()
-        mode = joint.get("mode")
-        if body["enabled"] and isinstance(mode, dict):
-            ((_, given),) = mode.items()
-            rows.append((joint.get("name") or name, _fields(given)))
+    rows += [(joint["name"], facts(joint["prescribed"])) for joint in joints if joint["prescribed"]]
     return table(rows, "<<") if len(rows) > 1 else []
 
 
 def written(value: Any) -> str:
-    """A value as a scenario writes it.
+    """The value of a parameter as a scenario writes it.
 
-    >>> written(True), written(-10.0), written("pulse"), written([0, 0.5]), written({"rise_s": 1})
-    ('true', '-10', 'pulse', '[0, 0.5]', '{rise_s: 1}')
+    >>> written(True), written(-10.0), written("pulse")
+    ('true', '-10', 'pulse')
     """
     if isinstance(value, bool):
         return str(value).lower()
-    if isinstance(value, dict):
-        return f"{{{', '.join(f'{name}: {written(entry)}' for name, entry in value.items())}}}"
-    if isinstance(value, list):
-        return f"[{', '.join(map(written, value))}]"
     return f"{value:g}" if isinstance(value, int | float) else str(value)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .eigenmodes import DECAY, OSCILLATION, UNSTABLE, remembers
+from .eigenmodes import DECAY, OSCILLATION, UNSTABLE
 from .report import table
 
 if TYPE_CHECKING:
@@ -32,11 +32,7 @@ def text(found: xarray.Dataset, all_modes: bool = False) -> str:
     waters = (found["memory_share"] > WATERS_SHARE) & (found["kind"] != UNSTABLE)
     waters = waters.all(sweep) if sweep else waters
     shown_ones = found if all_modes else found.isel(mode=~waters.values)
-    shown_ones = (
-        shown_ones
-        if all_modes
-        else shown_ones.sel(coordinate=[name for name in found["coordinate"].values if not remembers(name)])
-    )
+    shown_ones = shown_ones if all_modes else shown_ones.isel(coordinate=~found["memory"].values)
     lines += _modes_along(shown_ones, sweep) if sweep else _modes(shown_ones)
     if not all_modes and waters.any():
         lines += [

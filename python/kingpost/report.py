@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -42,7 +43,7 @@ def table(rows: Iterable[Sequence[str]], align: str = "") -> list[str]:
 
 
 def summary(results: xarray.Dataset, scenario: Scenario) -> str:
-    """Final time, motion of each ship, joints, closed loops, cylinders, energy and momentum of a run.
+    """Final time, motion of each ship, joints, closed loops, forces and drives, energy and momentum of a run.
 
     Angles in degrees, rates in rad/s: roll, pitch and yaw rate are the body's angular velocity
     about its x, y and z axis.
@@ -60,12 +61,18 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
         lines += ["", *_joints(results), "", *reactions]
     if results.sizes.get("loop", 0):
         lines += ["", *_reactions(results, "loop", "loop reaction, largest"), *_loop_error(results)]
-    if results.sizes.get("cylinder", 0):
-        lines += ["", *_cylinders(results)]
+    if shown := _elements(results):
+        lines += ["", *shown]
     lines += ["", *_ledger(results)]
-    if "warning" in results.attrs:
-        lines += ["", f"warning: {results.attrs['warning']}"]
+    if found := warnings(results):
+        lines += ["", *found]
     return "\n".join(lines)
+
+
+def warnings(results: xarray.Dataset) -> list[str]:
+    """What the engine warns of in a run, a line each."""
+    found = json.loads(results.attrs.get("warnings", "[]"))
+    return [f"warning: {warning['name']}: {warning['text']}" for warning in found]
 
 
 def steps(simulation: dict[str, Any]) -> str:
@@ -184,20 +191,20 @@ def _loop_error(results: xarray.Dataset) -> list[str]:
     return [f"loop error, largest: {worst.max():.1e} {unit} along {constraint}"]
 
 
-def _cylinders(results: xarray.Dataset) -> list[str]:
-    """Each hydraulic cylinder: its length, its fastest rate, and what it pushes and pulls at most."""
-    rows = [("cylinder", "length", "shortest", "longest", "", "largest rate", "", "largest push", "pull", "")]
-    for name in results["cylinder"].values:
-        length, rate, force = (
-            results[f"cylinder_{quantity}"].sel(cylinder=name).values
-            for quantity in ("length", "rate", "force")
-        )
-        push, pull = max(force.max(), 0.0), max(-force.min(), 0.0)
-        most = max(push, pull)
-        rows.append((str(name), *(fixed(value, 4) for value in (length[-1], length.min(), length.max())), "m",
-                     fixed(largest(rate), 6), "m/s", significant(push, most), significant(pull, most),
-                     "N"))  # fmt: skip
-    return table(_shortened(rows), "<>>><><>><")
+def _elements(results: xarray.Dataset) -> list[str]:
+    """What forces and drives show by single numbers: at the end, the smallest and the largest."""
+    rows = [("force or drive", "", "at the end", "smallest", "largest", "")]
+    for variable in results.data_vars.values():
+        if not variable.attrs.get("of_elements"):
+            continue
+        (things, *components) = [dim for dim in variable.dims if dim != "time"]
+        for thing in results[things].values if not components else ():
+            series = variable.sel({things: thing})
+            values = (series.values[-1], series.values.min(), series.values.max())
+            most = np.abs(series.values).max()
+            words = series.attrs["long_name"]
+            rows.append((str(thing), words, *(significant(value, most) for value in values), unit_of(series)))
+    return table(_shortened(rows), "<<>>><") if len(rows) > 1 else []
 
 
 def _shortened(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:

@@ -48,9 +48,10 @@ def dataset(
     xarray.Dataset
         Dimension ``time`` (s), before it ``run`` where there are many, and those of the channels;
         every variable carries ``units``,
-        ``long_name``, as short as an axis of a plot wants it, ``description``, ``frame`` and ``column``,
-        how its flat columns are named. Where its numbers differ in their units, as forces and moments do,
-        the coordinate ``<variable>_unit`` has them in the place of ``units`` (`unit_of`).
+        ``long_name``, as short as an axis of a plot wants it, ``description``, ``frame``, ``column``, how its
+        flat columns are named, and ``of_elements``, 1 where forces and drives show it. Where its numbers
+        differ in their units, as forces and moments do, the coordinate ``<variable>_unit`` has them in the
+        place of ``units`` (`unit_of`).
     """
     import xarray
 
@@ -62,6 +63,7 @@ def dataset(
         shape = (*rows.shape[:-1], *(len(names) for names in labels.values()))
         values = rows[..., start : start + length].reshape(shape)
         about = {key: channel[key] for key in ("long_name", "description", "frame", "column")}
+        about["of_elements"] = int(channel["of_elements"])
         if channel["unit"] is None:
             units = np.array(channel["units"], str).reshape(shape[rows.ndim - 1 :])
             coordinates[unit_coordinate(channel["variable"])] = _where_they_differ(units, channel["dims"])

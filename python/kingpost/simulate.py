@@ -103,6 +103,25 @@ class Event:
     what: str
 
 
+@dataclass(frozen=True)
+class Warning:
+    """What one should know of a run: a rod that stands for a rope pushes, a hull heels too far.
+
+    Attributes
+    ----------
+    time_s
+        When it was so, s.
+    name
+        A joint, a closed loop, a body, a force or a drive.
+    text
+        What was so.
+    """
+
+    time_s: float
+    name: str
+    text: str
+
+
 class Simulation:
     """One run of a scenario, stepped by hand.
 
@@ -143,8 +162,7 @@ class Simulation:
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
         """Run from here to the scenario's duration and return what was recorded.
 
-        The attribute ``events`` says what happened; ``warning`` is there where a rod that stands for a rope
-        did what no rope does.
+        The attributes ``events`` and ``warnings`` say what happened, and what one should know of it, as JSON.
 
         `progress` is called now and then with the time in seconds.
 
@@ -156,14 +174,12 @@ class Simulation:
             On Ctrl-C; `.results` holds what was computed. So it is with whatever `progress` raises.
         """
         from .results import dataset
-        from .rope_report import warnings
 
         rows, error = self._engine.run(progress)
         status = "finished" if error is None else str(error) or "interrupted"
         results = dataset(self.scenario, self.channels, rows, status)
         results.attrs["events"] = json.dumps([asdict(event) for event in self.events])
-        if found := warnings(results, self.scenario):
-            results.attrs["warning"] = "; ".join(found)
+        results.attrs["warnings"] = json.dumps([asdict(warning) for warning in self.warnings])
         if error is not None:
             error.results = results
             raise error
@@ -177,6 +193,16 @@ class Simulation:
         []
         """
         return [Event(*event) for event in self._engine.events()]
+
+    @property
+    def warnings(self) -> list[Warning]:
+        """What one should know of the rows so far, in order of time; a data set holds it as JSON in
+        ``attrs["warnings"]``.
+
+        >>> Simulation("paper").warnings
+        []
+        """
+        return [Warning(**warning) for warning in json.loads(self._engine.warnings_json())]
 
     @property
     def time_s(self) -> float:
@@ -246,7 +272,16 @@ class Simulation:
     @property
     def coordinates(self) -> list[str]:
         """Names of the free coordinates, in the order of the mass matrix."""
-        return self._engine.coordinates()
+        return [name for name, _ in self._engine.coordinates()]
+
+    @property
+    def coordinate_units(self) -> list[str]:
+        """SI unit of each of `coordinates`: m, or rad of what turns.
+
+        >>> Simulation("paper").coordinate_units
+        ['rad', 'rad', 'rad', 'rad', 'rad']
+        """
+        return [unit for _, unit in self._engine.coordinates()]
 
     @cached_property
     def channels(self) -> list[dict[str, Any]]:

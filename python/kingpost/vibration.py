@@ -118,8 +118,8 @@ def modes(
         ``eigenvalue_real``, ``eigenvalue_imaginary``, ``multiplicity``
             The eigenvalues of A.
         ``shape``, ``shape_imaginary``
-            By ``coordinate``: amplitudes in m or rad, the largest 1. With eigenvalue s + i w the
-            motion is ``exp(s t) (shape cos(w t) - shape_imaginary sin(w t))``.
+            By ``coordinate``: amplitudes, the largest 1, each in the unit that ``shape_unit`` says. With
+            eigenvalue s + i w the motion is ``exp(s t) (shape cos(w t) - shape_imaginary sin(w t))``.
 
         The attribute ``warning`` is there where a prescribed coordinate moves or accelerates: the
         modes are those of that instant (`Linearization.warning`).
@@ -178,11 +178,14 @@ def parse_sweep(text: str) -> dict[str, list[float]]:
 
 
 class _Point(NamedTuple):
-    """Modes of one scenario, its mass matrix, the names of a shape's entries, and where that is."""
+    """Modes of one scenario, its mass matrix, the names of a shape's entries, their units, which of them only
+    remember, and where that is."""
 
     modes: list[Mode]
     mass_matrix: np.ndarray
     names: list[str]
+    units: list[str]
+    memory: np.ndarray
     status: str
     warning: str | None
 
@@ -195,9 +198,11 @@ def _point(scenario: Scenario, state: State | None) -> _Point:
         simulation.set_state(state.q, state.v, state.s)
         status = "about a given state"
     linear, mass = simulation.linearize(), simulation.mass_matrix()
-    names = linear.coordinates + linear.states[2 * len(linear.coordinates) :]
+    free = len(linear.coordinates)
+    of_shape = [*range(free), *range(2 * free, len(linear.states))]
+    names, units = ([of[i] for i in of_shape] for of in (linear.states, linear.units))
     found = eigenmodes(linear, mass, simulation.constraint_matrix())
-    return _Point(found, mass, names, status, linear.warning)
+    return _Point(found, mass, names, units, linear.remembers[of_shape], status, linear.warning)
 
 
 def _dataset(
@@ -216,9 +221,15 @@ def _dataset(
         values = np.array(table[name], str if not units else float)
         variables[name] = (("point", "mode"), values, {"units": units, "long_name": long_name})
     for name, part in (("shape", shape.real), ("shape_imaginary", shape.imag)):
-        about = {"units": "m or rad", "long_name": "amplitude by coordinate, the largest 1"}
+        about = {"long_name": "amplitude by coordinate, the largest 1"}
         variables[name] = (("point", "mode", "coordinate"), part, about)
-    coordinates = {"mode": np.arange(1, shape.shape[1] + 1), "coordinate": np.array(names, str)}
+    units = ("coordinate", np.array(points[0].units, str))
+    coordinates = {
+        "mode": np.arange(1, shape.shape[1] + 1),
+        "coordinate": np.array(names, str),
+        "memory": ("coordinate", points[0].memory),
+        **{results.unit_coordinate(name): units for name in ("shape", "shape_imaginary")},
+    }
     attributes = results.attributes(scenario, points[-1].status)
     warnings = dict.fromkeys(point.warning for point in points if point.warning)
     if warnings:

@@ -7,9 +7,32 @@ import numpy as np
 import pytest
 from kingpost import modes_report
 from kingpost.cli import main
+from kingpost.results import unit_of
 from samples import rod
 
 G = 9.80665
+
+
+def test_each_state_has_its_unit_and_says_whether_it_only_remembers():
+    """Source: docs/conventions.md: coordinates and their rates in m and rad; Cummins' memory of the water."""
+    simulation = kingpost.Simulation("offshore_vessel_on_dp")
+    linear = simulation.linearize()
+    units = dict(zip(linear.states, linear.units, strict=True))
+    assert (units["hull.x"], units["hull.yaw"], units["hull.x.rate"], units["hull.yaw.rate"]) == (
+        "m",
+        "rad",
+        "m/s",
+        "rad/s",
+    )
+    assert [units[name] for name in simulation.coordinates] == simulation.coordinate_units
+    memory = {name for name, remembers in zip(linear.states, linear.remembers, strict=True) if remembers}
+    assert memory == {name for name in linear.states if ".radiation." in name or ".slow." in name}
+    assert 0 < len(memory) < len(linear.states)
+    assert {units[name] for name in memory} == {"m", "rad"}
+    assert {units[name] for name in linear.states if ".integral." in name} == {"N", "N m"}
+    found = kingpost.modes("offshore_vessel_on_dp", waves=False)
+    assert unit_of(found["shape"].sel(coordinate="hull.x")[0]) == "m"
+    assert unit_of(found["shape"].sel(coordinate="hull.yaw")[0]) == "rad"
 
 
 def test_a_pendulum_has_its_textbook_frequency(hang):

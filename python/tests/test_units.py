@@ -60,6 +60,23 @@ def test_every_column_of_the_gallery_has_one_unit_that_pint_parses(name) -> None
             assert dimension == UNITS.parse_units("N").dimensionality, column
 
 
+@pytest.mark.parametrize("name", gallery.names())
+def test_what_is_given_of_forces_and_drives_has_units_that_pint_parses(name) -> None:
+    """Source: pint; the fields of the resolved scenario, whose names end in their units."""
+    scenario = kingpost.load(name)
+    described = scenario.model["elements"]
+    given = {**scenario.resolved.get("forces", {}), **scenario.resolved.get("drives", {})}
+    assert {element["name"] for element in described} == set(given)
+    for element in described:
+        ((kind, fields),) = given[element["name"]].items()
+        assert element["kind"] == kind.replace("_", " ")
+        assert element["enabled"] == fields["enabled"]
+        for fact in element["facts"]:
+            UNITS.parse_units(fact["unit"])
+            # A unit that is still in the name was not known.
+            assert not fact["label"].endswith((" m", " N", " s", " rad", " kg", " m2", " Pa")), fact
+
+
 def test_lengths_are_told_from_angles_by_the_engine_not_by_the_names_of_axes(joints) -> None:
     """Source: docs/conventions.md: the x of a planar joint is a length, that of a spherical one an angle."""
     found = kingpost.run(joints)

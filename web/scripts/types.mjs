@@ -1,5 +1,5 @@
-// Writes src/generated: types from the JSON Schemas of the scenario and of what the engine says of it, which come from
-// the engine's types.
+// Writes src/generated: types from the JSON Schemas of the scenario and of what the engine says of it and of its hulls,
+// which come from the engine's types.
 import { writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { compileFromFile } from "json-schema-to-typescript";
@@ -7,7 +7,9 @@ import { compileFromFile } from "json-schema-to-typescript";
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 
 /** Name of each schema, and where its types stand. */
-export const TYPES = { scenario: here("../src/generated/scenario.d.ts"), model: here("../src/generated/model.d.ts") };
+export const TYPES = Object.fromEntries(
+  ["scenario", "model", "hydrostatics"].map((name) => [name, here(`../src/generated/${name}.d.ts`)]),
+);
 
 export function typesOf(name) {
   return compileFromFile(here(`../../schema/${name}.schema.json`), {

@@ -17,11 +17,13 @@ import { Scenarios } from "./ui/scenarios";
 import { Settings } from "./ui/settings";
 import { enableSwitcher } from "./ui/switcher";
 import { Transport } from "./ui/transport";
+import { showWarnings } from "./ui/warnings";
 import { createScene } from "./view/scene";
 
 const worker = new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
 const session = new Session(new EngineClient(worker, galleryFolder(document.baseURI)));
 showFaults(session);
+showWarnings(session);
 showAbout(session);
 enableSwitcher();
 new Controls(session);

@@ -60,6 +60,10 @@ export class FakeEngine implements Engine {
     throw { kind: "input", message: "the box cannot float" };
   }
 
+  warnings_json(): string {
+    return JSON.stringify(this.time_s() > 1 ? [{ time_s: 1, name: "painter", text: "it is taut" }] : []);
+  }
+
   lines_json(): string {
     return JSON.stringify([{ name: "painter", style: "rope", radius_m: 0, points: 2 }]);
   }
@@ -79,7 +83,8 @@ export class FakeEngine implements Engine {
       bodies: [
         { name: "ship", parent: "world", floats: true, mass_kg: 1200, inertia_kg_m2: [[200, 0, 0], [0, 500, 0], [0, 0, 500]], shape: { box: { length_m: 2, width_m: 1, height_m: 1 } }, colour: null },
       ],
-      joints: [{ name: "ship", body: "ship", kind: "floating", free_coordinates: [] }],
+      joints: [{ name: "ship", body: "ship", kind: "floating", free_coordinates: [], prescribed: [] }],
+      elements: [],
       loops: [],
       gravity_m_s2: 9.81,
       sea: null,
@@ -112,6 +117,9 @@ export class FakeEngine implements Engine {
   free(): void {}
 }
 
+/** Dimensions of the model's own variables. */
+const OF_THE_MODEL = ["body", "axis", "quaternion", "coordinate", "joint", "loop", "constraint", "point"];
+
 /** A channel as the engine publishes it: its columns by its labels. */
 export function channelOf(variable: string, dims: string[] = [], labels: string[][] = [], units: string[] = ["1"], offset = 0): Channel {
   const leads = dims.length > 0 && dims[0] !== "axis";
@@ -119,7 +127,8 @@ export function channelOf(variable: string, dims: string[] = [], labels: string[
   const columns = labels.reduce((names, along, k) => names.flatMap((name) => along.map((label) => name.replace(`{${dims[k]}}`, label))), [column]);
   const each = columns.map((_, i) => units[i % units.length]);
   const unit = each.every((one) => one === each[0]) ? each[0] : null;
-  return { variable, long_name: variable.replaceAll("_", " "), description: "", unit, units: each, frame: "none", dims, labels, column, columns, offset, len: columns.length };
+  const of_elements = dims.length > 0 && !OF_THE_MODEL.includes(dims[0]);
+  return { variable, of_elements, long_name: variable.replaceAll("_", " "), description: "", unit, units: each, frame: "none", dims, labels, column, columns, offset, len: columns.length };
 }
 
 export const CHANNELS: Channel[] = [

@@ -14,7 +14,7 @@ type Joint = Pick<ModelInfo["joints"][number], "name" | "body" | "kind">;
 function model(joints: Joint[]): ModelInfo {
   const described = readModel(new FakeEngine().model_json());
   const bodies = joints.map(({ body, kind }) => ({ ...described.bodies[0], name: body, floats: kind === "floating" }));
-  return { ...described, bodies, joints: joints.map((joint) => ({ ...joint, free_coordinates: [] })) };
+  return { ...described, bodies, joints: joints.map((joint) => ({ ...joint, free_coordinates: [], prescribed: [] })) };
 }
 
 const SHIP = { name: "ship", body: "ship", kind: "floating" } as const;

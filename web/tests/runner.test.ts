@@ -71,6 +71,13 @@ describe("the runner", () => {
     expect(runner.hydrostatics()).toEqual({ hulls: [], warnings: ["the box cannot float"] });
   });
 
+  it("hands on what the engine warns of", () => {
+    const { runner } = opened(new FakeEngine());
+    expect(runner.step().warnings).toEqual([]);
+    for (let i = 0; i < 100; i++) runner.step();
+    expect(runner.step().warnings).toEqual([{ time_s: 1, name: "painter", text: "it is taut" }]);
+  });
+
   it("keeps the engine in hand when another scenario does not open", () => {
     const engine = new FakeEngine();
     const runner = new Runner((text) => {

@@ -7,7 +7,7 @@ use kingpost::scenario;
 use pyo3::prelude::*;
 use std::sync::Mutex;
 
-/// The rows of each run, the error that ended it or None, and the channels as JSON.
+/// The rows of each run, the error that ended it or None, and as JSON the channels and each run's warnings.
 type Runs<'py> = (Vec<Matrix<'py>>, Vec<Option<PyErr>>, String);
 
 /// Whether the processor has AVX2, which a build of this module may be made for.
@@ -51,12 +51,13 @@ pub fn batch<'py>(
         BatchError::Variant { ref error, .. } => errors::variant(&found, error.clone()),
         found => errors::input(found),
     })?;
-    let channels = serde_json::to_string(&batch.channels).map_err(errors::input)?;
+    let warnings: Vec<_> = batch.runs.iter().map(|run| &run.warnings).collect();
+    let published = serde_json::to_string(&(&batch.channels, warnings)).map_err(errors::input)?;
     let (mut rows, mut ends) = (Vec::new(), Vec::new());
     for run in batch.runs {
         let count = run.rows.len() / run.columns.max(1);
         rows.push(matrix(py, run.rows, count, run.columns)?);
         ends.push(run.status.err().map(errors::run));
     }
-    Ok((rows, ends, channels))
+    Ok((rows, ends, published))
 }

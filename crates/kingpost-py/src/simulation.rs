@@ -16,7 +16,7 @@ type Block<'py> = (String, Matrix<'py>, [Vec<String>; 2], [Vec<&'static str>; 2]
 /// Steps between two looks for Ctrl-C.
 const STEPS_BETWEEN_SIGNALS: usize = 10_000;
 
-type Linear<'py> = (Matrix<'py>, Matrix<'py>, Vector<'py>, Vec<String>, Vec<String>, Option<String>);
+type Linear<'py> = (Matrix<'py>, Matrix<'py>, Vector<'py>, String);
 type Input = (String, String, f64, f64, f64);
 
 /// A row-major matrix as an array of two dimensions.
@@ -122,8 +122,9 @@ impl Simulation {
         self.scenario.set_parameter(&mut self.inner, name, &value).map_err(errors::input)
     }
 
-    fn coordinates(&self) -> Vec<String> {
-        self.inner.coordinates()
+    /// Names and units.
+    fn coordinates(&self) -> Vec<(String, &'static str)> {
+        self.inner.coordinates().into_iter().zip(self.inner.coordinate_units()).collect()
     }
 
     fn channels_json(&self) -> PyResult<String> {
@@ -144,6 +145,11 @@ impl Simulation {
     /// What has happened so far: time, element, what.
     fn events(&self) -> Vec<(f64, String, &'static str)> {
         self.inner.events().iter().map(|event| (event.time_s, event.element.clone(), event.what)).collect()
+    }
+
+    /// What a person should know of the rows so far: time, name and text of each, as JSON.
+    fn warnings_json(&self) -> PyResult<String> {
+        serde_json::to_string(&self.inner.warnings()).map_err(errors::input)
     }
 
     fn lines_json(&self) -> PyResult<String> {
@@ -189,20 +195,14 @@ impl Simulation {
             .collect()
     }
 
-    /// A and B by rows, the rates, the names of states and inputs, and a warning or None.
+    /// A and B by rows, the rates, and as JSON the names and units of states and inputs.
     fn linearize<'py>(&self, py: Python<'py>) -> PyResult<Linear<'py>> {
         let linear = Linearizer::new(&self.scenario).map_err(errors::scenario)?.at(&self.inner);
         let (n, m) = (linear.states.len(), linear.inputs.len());
         let a = matrix(py, linear.a.transpose().as_slice().to_vec(), n, n)?;
         let b = matrix(py, linear.b.transpose().as_slice().to_vec(), n, m)?;
-        Ok((
-            a,
-            b,
-            linear.rates.clone().into_pyarray(py),
-            linear.states.clone(),
-            linear.inputs.clone(),
-            linear.warning(),
-        ))
+        let names = serde_json::to_string(&linear.names()).map_err(errors::input)?;
+        Ok((a, b, linear.rates.into_pyarray(py), names))
     }
 
     /// Moves to an equilibrium: Newton's iterations, and the largest acceleration that is left.
@@ -243,9 +243,6 @@ impl Simulation {
 pub fn report(time_s: f64, progress: Option<&Py<PyAny>>) -> PyResult<()> {
     Python::attach(|py| {
         py.check_signals()?;
-        match progress {
-            Some(callback) => callback.call1(py, (time_s,)).map(drop),
-            None => Ok(()),
-        }
+        progress.map_or(Ok(()), |callback| callback.call1(py, (time_s,)).map(drop))
     })
 }

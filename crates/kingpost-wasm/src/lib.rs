@@ -73,6 +73,11 @@ impl Simulation {
         self.inner.surface(x, y).into()
     }
 
+    /// What a person should know of the rows so far: time, name and text of each.
+    pub fn warnings_json(&self) -> Result<JsString, JsValue> {
+        json(&self.inner.warnings())
+    }
+
     /// The lines to draw beside the bodies: name, style, radius and number of points of each.
     pub fn lines_json(&self) -> Result<JsString, JsValue> {
         json(&self.inner.lines())

@@ -1,6 +1,7 @@
-//! Writes `schema/scenario.schema.json` from the types of the scenario, and `schema/model.schema.json` from those of what
-//! the engine says of it.
+//! Writes `schema/scenario.schema.json` from the types of the scenario, and `schema/model.schema.json` and
+//! `schema/hydrostatics.schema.json` from those of what the engine says of it and of its hulls.
 
+use kingpost::hydrostatics;
 use kingpost::scenario::json_schema::{json_schema, published_schema};
 use serde_json::Value;
 use std::path::Path;
@@ -9,7 +10,8 @@ fn main() -> std::io::Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schema");
     std::fs::create_dir_all(&folder)?;
     write(&folder.join("scenario.schema.json"), &json_schema())?;
-    write(&folder.join("model.schema.json"), &published_schema())
+    write(&folder.join("model.schema.json"), &published_schema())?;
+    write(&folder.join("hydrostatics.schema.json"), &hydrostatics::json_schema())
 }
 
 fn write(file: &Path, schema: &Value) -> std::io::Result<()> {

@@ -152,6 +152,7 @@ impl<S: Scalar> Entry<S> {
             labels,
             len: columns.len(),
             columns,
+            of_elements: false,
             offset: 0,
         }
     }

@@ -144,7 +144,7 @@ fn no_kind_of_element_is_named_behind_the_builder() {
     let kinds = kinds_of_element();
     assert!(kinds.len() > 15 && kinds.contains("Motor") && kinds.contains("Hull"), "{kinds:?}");
     let source = root().join("crates/kingpost/src");
-    for folder in ["plant", "results", "simulation", "batch", "ledger.rs", "results.rs", "state.rs"] {
+    for folder in ["plant", "results", "simulation", "analysis", "batch", "ledger.rs", "results.rs", "state.rs"] {
         let place = source.join(folder);
         let files = if place.is_dir() { files_below(&place, ".rs") } else { vec![place] };
         for path in files {

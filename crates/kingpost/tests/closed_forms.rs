@@ -40,6 +40,7 @@ fn simulation(
         model: Model::new(bodies),
         world,
         elements,
+        watchers: Vec::new(),
         wires: Vec::new(),
         settings,
         q,

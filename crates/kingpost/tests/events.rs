@@ -42,6 +42,7 @@ fn setup<S: Scalar>(
         model: Model::new(vec![body]),
         world: World::calm().with_gravity(S::constant(GRAVITY)),
         elements,
+        watchers: Vec::new(),
         settings,
         q: vec![q],
         v: vec![v],

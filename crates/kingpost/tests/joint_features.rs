@@ -38,6 +38,7 @@ fn slide(mode: Mode, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
         model: Model::new(vec![body]),
         world: World::calm(),
         elements,
+        watchers: Vec::new(),
         settings,
         q: vec![q],
         v: vec![v],

@@ -6,7 +6,8 @@ use kingpost::analysis::Linearizer;
 use kingpost::batch::{Batch, Built, run_built};
 use kingpost::dynamics::Loads;
 use kingpost::elements::{
-    AnyElement, Components, Crossing, Declaration, Element, Event, Frame, Input, Moment, Output, Own,
+    AnyElement, AnyWatcher, Components, Crossing, Declaration, Element, Event, Extreme, Frame, Input, Kept, Moment,
+    Output, Own, Warning, Watcher,
 };
 use kingpost::integrate::Tolerances;
 use kingpost::plant::{Number, Plant};
@@ -14,6 +15,8 @@ use kingpost::scalar::{LANES, Lanes, Scalar};
 use kingpost::scenario::{Scenario, read};
 use kingpost::simulation::{Run, SchemeName, Setup, Simulation};
 use serde_json::json;
+use std::path::Path;
+use std::{env, fs};
 
 const TEXT: &str = include_str!("../../../scenarios/paper.yaml");
 
@@ -39,7 +42,7 @@ impl<S: Scalar> Element<S> for Governor<S> {
             ..output("governor_moment", "moment of a governor", &["N m"])
         };
         Declaration {
-            states: vec!["lagged_rate".to_owned()],
+            states: vec![Kept::new("lagged_rate", "rad/s")],
             numbers: vec!["largest".to_owned()],
             modes: vec!["latched".to_owned()],
             inputs: vec![Input {
@@ -55,6 +58,10 @@ impl<S: Scalar> Element<S> for Governor<S> {
             period_s: Some(0.01),
             ..Declaration::default()
         }
+    }
+
+    fn watchers(&self) -> Vec<AnyWatcher> {
+        vec![Box::new(Haste { limit: self.limit.value(), largest: Extreme::default() })]
     }
 
     fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
@@ -89,6 +96,29 @@ impl<S: Scalar> Element<S> for Governor<S> {
     fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let brake = S::constant(-2e3 * at.modes[0] as f64) * at.v[self.coordinate];
         out.extend([at.states[0], S::ZERO, S::ZERO, brake]);
+    }
+}
+
+/// Warns of the largest lagged rate beyond the limit, by the governor's own column.
+#[derive(Clone, Debug)]
+struct Haste {
+    limit: f64,
+    largest: Extreme,
+}
+
+impl Watcher for Haste {
+    fn columns(&self) -> Vec<String> {
+        vec!["governor.governor_rate".to_owned()]
+    }
+
+    fn see(&mut self, time_s: f64, values: &[f64]) {
+        self.largest.see(time_s, values[0]);
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        let Extreme { value, time_s } = self.largest;
+        let warning = Warning { time_s, name: "governor".to_owned(), text: format!("{value}") };
+        (value.abs() > self.limit).then_some(warning).into_iter().collect()
     }
 }
 
@@ -163,6 +193,43 @@ fn its_columns_are_published_with_their_units() {
     );
     let channels: usize = simulation.channels().iter().map(|channel| channel.len).sum();
     assert_eq!(channels, simulation.columns());
+}
+
+const CHANNELS: &str = "tests/golden/new_element.channels.json";
+
+/// The tests of the Python package and of the app read the same file: what an element declares reaches their tables, plots
+/// and files without their knowing of it. With `KINGPOST_WRITE_GOLDEN` set this writes it.
+#[test]
+fn its_table_of_channels_is_the_one_that_the_views_are_tested_with() {
+    let simulation = Simulation::new(governed(LIMIT, SchemeName::RungeKutta4));
+    let channels: Vec<String> =
+        simulation.channels().iter().map(|channel| serde_json::to_string(channel).unwrap()).collect();
+    let text = format!("[\n{}\n]\n", channels.join(",\n"));
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(CHANNELS);
+    if env::var_os("KINGPOST_WRITE_GOLDEN").is_some() {
+        fs::write(&file, &text).unwrap();
+    }
+    let written = fs::read_to_string(&file).unwrap_or_default();
+    let command = "KINGPOST_WRITE_GOLDEN=1 cargo test -p kingpost --test new_element";
+    assert!(text == written, "{CHANNELS} has drifted; run: {command}");
+}
+
+/// What it warns of is of the rows that are written: the largest of its column, and the time of that row.
+#[test]
+fn its_warnings_are_those_of_the_run_and_begin_anew_with_it() {
+    let mut simulation = Simulation::new(governed(LIMIT, SchemeName::RungeKutta4));
+    assert!(simulation.warnings().is_empty());
+    let run = simulation.run(|_| true);
+    let channel = simulation.channels().iter().find(|channel| channel.variable == "governor_rate").unwrap();
+    let times_and_rates = run.rows.chunks(run.columns).map(|row| (row[0], row[channel.offset]));
+    let (time_s, largest) = times_and_rates
+        .fold((0.0, 0.0), |most: (f64, f64), next| if next.1.abs() > most.1.abs() { next } else { most });
+    let expected = Warning { time_s, name: "governor".to_owned(), text: format!("{largest}") };
+    assert_eq!(run.warnings, [expected]);
+    assert_eq!(simulation.warnings(), run.warnings);
+    simulation.reset();
+    assert!(simulation.warnings().is_empty());
+    assert!(Simulation::new(governed(90.0, SchemeName::RungeKutta4)).run(|_| true).warnings.is_empty());
 }
 
 #[test]
@@ -250,6 +317,7 @@ fn it_runs_in_lanes_and_in_a_batch_with_the_bits_that_it_has_alone() {
             let alone = Simulation::new(setup.clone()).run(|_| true);
             assert!(run.status.is_ok() && bits(run) == bits(&alone));
             assert_eq!(run.events, alone.events);
+            assert_eq!(run.warnings, alone.warnings);
         }
         let latched: Vec<bool> = batch.runs.iter().map(|run| !run.events.is_empty()).collect();
         let expected: Vec<bool> = built.limits.iter().map(|limit| *limit < 10.0).collect();

@@ -69,6 +69,7 @@ fn setup(tree: &Tree, form: Form) -> Setup {
         model,
         world: World::calm().with_gravity(9.81),
         elements,
+        watchers: Vec::new(),
         wires: Vec::new(),
         settings,
         q,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import KingpostError
+from ..results import unit_coordinate
 
 if TYPE_CHECKING:
     import xarray
@@ -71,12 +72,17 @@ def virtual_work(simulation: Simulation, displacement: Mapping[str, float]) -> x
             **_arrows(bodies, matrices, dx, loads, reactions),
             "work": ("body", by_body[0], joules),
             "work_of_reactions": ("body", by_body[1], joules),
-            "virtual_displacement": ("coordinate", dq, {"units": "m or rad"}),
+            "virtual_displacement": ("coordinate", dq),
             "work_in_x": ((), float(loads @ dx), joules),
             "work_in_q": ((), float(f_star @ dq), joules),
             "reactions": ((), float(reactions @ dx + rotors @ dq), joules),
         },
-        {"body": bodies, "axis": list("xyz"), "coordinate": simulation.coordinates},
+        {
+            "body": bodies,
+            "axis": list("xyz"),
+            "coordinate": simulation.coordinates,
+            unit_coordinate("virtual_displacement"): ("coordinate", simulation.coordinate_units),
+        },
         {"time_s": simulation.time_s},
     )
 

@@ -14,10 +14,13 @@ import type {
   ParameterDescription,
   PointDescription,
   SphereShape,
+  Warning,
 } from "../generated/model";
+import type { HydrostaticReport } from "../generated/hydrostatics";
 import type { SimulationSettings } from "../generated/scenario";
 
-export type { Channel, DrawnLine };
+export type { Channel, DrawnLine, Warning };
+export type Hydrostatics = HydrostaticReport;
 export type InputInfo = Input;
 export type HullInfo = HullDescription;
 export type LoopInfo = LoopDescription;
@@ -52,20 +55,6 @@ function readShape(tagged: BodyDescription["shape"]): Shape | null {
   if ("cylinder" in tagged) return { kind: "cylinder", ...tagged.cylinder };
   if ("sphere" in tagged) return { kind: "sphere", ...tagged.sphere };
   return { kind: "point" };
-}
-
-/** How a hull floats at rest in still water, its crane as it stands. Pairs are across the ship and along it. */
-export interface HullAtRest {
-  /** Name of the force, as of {@link HullInfo}. */
-  force: string;
-  /** With hanging loads where they hang from, less what slack tanks take off, m. */
-  metacentric_height_m: [number, number];
-}
-
-export interface Hydrostatics {
-  hulls: HullAtRest[];
-  /** What a person should know of them. */
-  warnings: string[];
 }
 
 /** The settings of a resolved scenario, none of them left out. */
@@ -104,6 +93,8 @@ export interface Engine {
   /** The points of those lines, one line's after another's: x y z, metres, world frame. */
   line_points(): Float64Array;
   model_json(): string;
+  /** What a person should know of the rows so far. */
+  warnings_json(): string;
   /** Throws where a hull cannot float. */
   hydrostatics_json(): string;
   /** The scenario with defaults, parameters and overrides in place. */

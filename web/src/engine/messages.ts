@@ -1,4 +1,4 @@
-import type { Channel, DrawnLine, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Value, Values } from "./engine";
+import type { Channel, DrawnLine, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Value, Values, Warning } from "./engine";
 import type { Surface } from "./surface";
 
 export interface OpenRequest {
@@ -32,6 +32,8 @@ export interface Frame {
   line_points: Float64Array;
   /** The sea around, where a hull is in it. */
   surface: Surface | null;
+  /** What a person should know of the rows so far. */
+  warnings: Warning[];
   /** Why the run cannot go on. */
   fault: Fault | null;
 }

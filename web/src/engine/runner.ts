@@ -1,5 +1,5 @@
 import { asFault, readModel, readSettings } from "./engine";
-import type { Engine, Fault, Hydrostatics, OpenEngine, Value, Values } from "./engine";
+import type { Engine, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
 import type { Frame, Opened } from "./messages";
 import { SurfaceGrid } from "./surface";
 
@@ -115,6 +115,7 @@ export class Runner {
     rows.forEach((one, index) => flat.set(one, index * row.length));
     const poses = engine.poses();
     const surface = this.grid?.surface(engine, poses) ?? null;
-    return { rows: flat, row, poses, line_points: engine.line_points(), surface, fault: this.fault };
+    const warnings = JSON.parse(engine.warnings_json()) as Warning[];
+    return { rows: flat, row, poses, line_points: engine.line_points(), surface, warnings, fault: this.fault };
   }
 }

@@ -4,18 +4,16 @@ import type { PlotKind, Quantity } from "./quantities";
 const PER_THOUSAND = 1e-3;
 /** Shown by the thousand. */
 const BY_THE_THOUSAND = ["N", "N m", "J"];
-/** Dimensions of the model's own variables, which have figures of their own; of others the figures are made here. */
-const OF_THE_MODEL = ["body", "axis", "quaternion", "coordinate", "joint", "loop", "constraint", "point"];
 const COLOURS = ["roll", "pitch", "yaw"] as const;
 /** Columns that fit into one figure. */
 const MOST = COLOURS.length;
 
-/** What joints and loops carry, and whatever else the engine has for things of the model: a figure for each thing, variable and unit. */
+/** What joints and loops carry, and whatever the engine's elements show: a figure for each thing, variable and unit. */
 export function loadsOf(model: ModelInfo, channels: Channel[]): PlotKind[] {
   const labels = (variable: string) => channels.find((channel) => channel.variable === variable)?.labels[0] ?? [];
   const afloat = new Set(model.bodies.filter(({ floats }) => floats).map(({ name }) => name));
   const floating = new Set(model.joints.filter(({ body }) => afloat.has(body)).map(({ name }) => name));
-  const others = channels.filter(({ dims }) => dims.length > 0 && !OF_THE_MODEL.includes(dims[0]));
+  const others = channels.filter(({ of_elements }) => of_elements);
   return [
     ...labels("joint_reaction").filter((name) => !floating.has(name)).map((name) => carried(name, "joint_reaction")),
     ...labels("loop_reaction").map((name) => carried(name, "loop_reaction")),

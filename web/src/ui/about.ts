@@ -1,4 +1,5 @@
 import type { Session } from "../app/session";
+import type { ModelInfo } from "../engine/engine";
 import { byId, make, setText } from "./dom";
 
 const DOI = /doi:\s*(10\.\d{4,}\/[^\s,;]*[^\s,;.)])/g;
@@ -11,8 +12,15 @@ export function showAbout(session: Session): void {
       setText(byId("about-title"), model.title);
       const parts = linked(model.description).map(({ text, href }) => (href ? make("a", { href }, text) : text));
       byId("about-text").replaceChildren(...parts);
+      byId("about-elements").replaceChildren(...model.elements.flatMap(acting));
     },
   });
+}
+
+/** A force or a drive with what is given of it. */
+function acting({ name, kind, enabled, facts }: ModelInfo["elements"][number]): HTMLElement[] {
+  const words = facts.map(({ label, value, unit }) => `${label} ${value} ${unit}`.trimEnd()).join(", ");
+  return [make("dt", {}, `${name}: ${kind}${enabled ? "" : ", off"}`), make("dd", {}, words)];
 }
 
 /** A text in parts, each DOI with its address. */

@@ -8,14 +8,10 @@ import { byId, byTestId, make, setText } from "./dom";
 /** Hydrostatics are asked for once the controls have been left alone for so long, ms: they cost more than a frame. */
 const CALM_MS = 250;
 
-/** Heel or trim that the water's loads are too much for: as `kingpost run` warns of. */
-const LARGEST_ANGLE_RAD = Math.PI / 9;
-
 /** How the ship floats, over the picture: heel, trim, draught, the wave and the metacentric height, where there is a hull. */
 export class Floating {
   private readonly box = byId("floating");
   private readonly warnings = byId("floating-warnings");
-  private readonly beyond = byId("floating-beyond");
   private timer = 0;
 
   constructor(private readonly session: Session) {
@@ -34,7 +30,6 @@ export class Floating {
     const found = afloat(run.model, run.columns, frame.row, frame.poses);
     this.box.hidden = found === null;
     if (!found) return;
-    this.beyond.hidden = Math.max(Math.abs(found.heel_rad), Math.abs(found.trim_rad)) <= LARGEST_ANGLE_RAD;
     setText(byTestId("heel"), degrees(found.heel_rad));
     setText(byTestId("trim"), degrees(found.trim_rad));
     setText(byTestId("draught"), `${fixed(found.draught_m, 2)} m`);

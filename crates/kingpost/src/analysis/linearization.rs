@@ -1,6 +1,6 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::elements::Situation;
+use crate::elements::{Input, Kept, Situation};
 use crate::integrate::Stage;
 use crate::ledger;
 use crate::model::Mode;
@@ -8,6 +8,7 @@ use crate::plant::{Along, DIRECTIONS, Number, Plant, Tangent};
 use crate::scenario::{Scenario, ScenarioError};
 use crate::simulation::Simulation;
 use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
 
 /// A and B about one state, and the rates there.
 ///
@@ -22,8 +23,14 @@ use nalgebra::{DMatrix, DVector};
 pub struct Linearization {
     /// Names of the states: `slew`, ..., `slew.rate`, ..., and what drives keep, as `luffing.wanted_length`.
     pub states: Vec<String>,
+    /// SI unit of each state.
+    pub units: Vec<&'static str>,
+    /// Whether each state only remembers how something moved, as an element [declares](crate::elements::Kept).
+    pub remembers: Vec<bool>,
     /// Names of the inputs.
     pub inputs: Vec<String>,
+    /// Unit of each input.
+    pub input_units: Vec<&'static str>,
     /// A: rate of the row's state by the column's.
     pub a: DMatrix<f64>,
     /// B: rate of the row's state by the column's input.
@@ -36,7 +43,30 @@ pub struct Linearization {
     pub moving: Vec<String>,
 }
 
+/// What a [`Linearization`] has beside its numbers, for other languages.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LinearNames<'a> {
+    /// Names of the states.
+    pub states: &'a [String],
+    /// SI unit of each state.
+    pub units: &'a [&'static str],
+    /// Whether each state only remembers.
+    pub remembers: &'a [bool],
+    /// Names of the inputs.
+    pub inputs: &'a [String],
+    /// Unit of each input.
+    pub input_units: &'a [&'static str],
+    /// See [`Linearization::warning`].
+    pub warning: Option<String>,
+}
+
 impl Linearization {
+    /// What it has beside its numbers.
+    pub fn names(&self) -> LinearNames<'_> {
+        let Self { states, units, remembers, inputs, input_units, .. } = self;
+        LinearNames { states, units, remembers, inputs, input_units, warning: self.warning() }
+    }
+
     /// What A does not say: where something moves as prescribed it is that of one instant, and a pair
     /// of eigenvalues may seem to grow, or to be damped, by the forces of that motion alone.
     pub fn warning(&self) -> Option<String> {
@@ -76,8 +106,8 @@ const RATE: &str = ".rate";
 #[derive(Clone, Debug)]
 pub struct Linearizer {
     tangent: Tangent,
-    states: Vec<String>,
-    inputs: Vec<String>,
+    states: Vec<Kept>,
+    inputs: Vec<Input>,
     /// What each state is.
     along: Vec<Along>,
     /// The prescribed coordinates, with their names.
@@ -96,7 +126,7 @@ impl Linearizer {
 
     /// For simulations of what a plant is made of.
     pub fn of_plant(plant: Plant<Number>) -> Self {
-        let inputs: Vec<String> = plant.layout().inputs.iter().map(|input| input.name.clone()).collect();
+        let inputs = plant.layout().inputs.clone();
         let (states, along) = states(&plant);
         let prescribed = prescribed(&plant);
         Self { tangent: Tangent::new(plant), states, inputs, along, prescribed }
@@ -143,8 +173,11 @@ impl Linearizer {
         }
         let moving = self.moving(at);
         Linearization {
-            states: self.states.clone(),
-            inputs: self.inputs.clone(),
+            states: self.states.iter().map(|state| state.name.clone()).collect(),
+            units: self.states.iter().map(|state| state.unit).collect(),
+            remembers: self.states.iter().map(|state| state.remembers).collect(),
+            inputs: self.inputs.iter().map(|input| input.name.clone()).collect(),
+            input_units: self.inputs.iter().map(|input| input.unit).collect(),
             a: derivatives.columns(0, n).into_owned(),
             b: derivatives.columns(n, m).into_owned(),
             rates,
@@ -167,14 +200,16 @@ fn prescribed(plant: &Plant<Number>) -> Vec<(usize, String)> {
     names.filter(|(i, _)| plant.model.modes[*i] == Mode::Prescribed).collect()
 }
 
-/// Names and meaning of the states of a plant: those of drives and forces stand behind the ledger's
+/// States of a plant with their names and units, and what each is: those of drives and forces stand behind the ledger's
 /// entries in s.
-fn states(plant: &Plant<Number>) -> (Vec<String>, Vec<Along>) {
-    let (model, names) = (&plant.model, plant.model.coordinate_names());
-    let free: Vec<usize> = (0..names.len()).filter(|&i| model.modes[i] == Mode::Free).collect();
-    let positions = free.iter().map(|&i| (names[i].clone(), Along::Position(i)));
-    let rates = free.iter().map(|&i| (format!("{}{RATE}", names[i]), Along::Velocity(i)));
+fn states(plant: &Plant<Number>) -> (Vec<Kept>, Vec<Along>) {
+    let (model, names, turns) = (&plant.model, plant.model.coordinate_names(), plant.model.turning_coordinates());
+    let unit = |units: [&'static str; 2], i: usize| units[usize::from(turns[i])];
+    let free = model.free_coordinates();
+    let positions = free.iter().map(|&i| (Kept::new(names[i].clone(), unit(["m", "rad"], i)), Along::Position(i)));
+    let rate = |&i: &usize| Kept::new(format!("{}{RATE}", names[i]), unit(["m/s", "rad/s"], i));
+    let rates = free.iter().map(|i| (rate(i), Along::Velocity(*i)));
     let extras = plant.layout().states.iter().cloned().enumerate();
-    let extras = extras.map(|(i, name)| (name, Along::Extra(ledger::COUNT + i)));
+    let extras = extras.map(|(i, state)| (state, Along::Extra(ledger::COUNT + i)));
     positions.chain(rates).chain(extras).unzip()
 }

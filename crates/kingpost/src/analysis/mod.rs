@@ -6,5 +6,5 @@ mod linearization;
 mod response;
 
 pub use gradient::{Gradient, gradient};
-pub use linearization::{Linearization, Linearizer};
+pub use linearization::{LinearNames, Linearization, Linearizer};
 pub use response::{ResponseError, WaveGrid, WaveResponse};

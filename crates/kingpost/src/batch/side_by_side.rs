@@ -28,12 +28,7 @@ pub(super) fn run(setup: Setup<Lanes>, mut alone: Vec<Simulation>, go_on: &dyn F
             return None;
         }
     }
-    let run = |(rows, simulation): (Vec<f64>, &Simulation)| Run {
-        rows,
-        columns: simulation.columns(),
-        events: Vec::new(),
-        status: Ok(()),
-    };
+    let run = |(rows, simulation): (Vec<f64>, &Simulation)| simulation.ended(rows, Ok(()));
     Some(rows.into_iter().zip(&alone).map(run).collect())
 }
 

@@ -6,8 +6,8 @@ use serde::Serialize;
 /// What an element keeps, takes, gives and watches.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Declaration {
-    /// Names of its continuous states, without its own.
-    pub states: Vec<String>,
+    /// Its continuous states.
+    pub states: Vec<Kept>,
     /// Names of its discrete numbers.
     pub numbers: Vec<String>,
     /// Names of its modes.
@@ -26,6 +26,30 @@ pub struct Declaration {
     pub keeps_states: bool,
     /// Whether it prescribes the motion of coordinates.
     pub prescribes: bool,
+}
+
+/// A continuous state that an element keeps.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kept {
+    /// Its name, behind that of its element.
+    pub name: String,
+    /// SI unit.
+    pub unit: &'static str,
+    /// Whether it only remembers how something moved, as water does by the waves that a hull has made, or a filter: what
+    /// moves by itself is then that something.
+    pub remembers: bool,
+}
+
+impl Kept {
+    /// A state with a life of its own.
+    pub fn new(name: impl Into<String>, unit: &'static str) -> Self {
+        Self { name: name.into(), unit, remembers: false }
+    }
+
+    /// A state that only remembers.
+    pub fn memory(name: impl Into<String>, unit: &'static str) -> Self {
+        Self { remembers: true, ..Self::new(name, unit) }
+    }
 }
 
 /// A value that a hand or a controller sets from outside, held over each step.

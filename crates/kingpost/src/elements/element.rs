@@ -1,6 +1,6 @@
 //! The one contract of everything that acts on the model or reads it.
 
-use super::{Declaration, Moment};
+use super::{AnyWatcher, Declaration, Moment, RegularWaves};
 use crate::dynamics::{Clock, Loads};
 use crate::scalar::Scalar;
 use crate::world::World;
@@ -20,6 +20,7 @@ use core::fmt::Debug;
 /// | after every step | [`witness`](Self::witness); where one changes sign, [`respond`](Self::respond) at that time |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
+/// | what a row shows is to be warned of | [`watchers`](Self::watchers), once |
 /// | a picture | [`draw`](Self::draw) |
 /// | an equilibrium is sought | [`loads`](Self::loads) in another [`Situation`](super::Situation), [`settling`](Self::settling) |
 pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
@@ -84,9 +85,19 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 
+    /// What watches the rows of a run for what a person should know of it.
+    fn watchers(&self) -> Vec<AnyWatcher> {
+        Vec::new()
+    }
+
     /// The pairs of bodies of which it may hold one up by the other; `None` is the world.
     fn ties(&self) -> Vec<[Option<usize>; 2]> {
         Vec::new()
+    }
+
+    /// How it answers regular waves about rest; `None` where they do not act on it.
+    fn regular_waves(&self) -> Option<Box<dyn RegularWaves<S> + '_>> {
+        None
     }
 
     /// The floating body that it keeps afloat: one that lies on its side at rest has capsized.

@@ -1,6 +1,6 @@
 //! Where everything that the elements declare stands: offsets, names, columns, all from here.
 
-use super::{AnyElement, Crossing, Declaration, DrawnLine, Input, Output, Own};
+use super::{AnyElement, Crossing, Declaration, DrawnLine, Input, Kept, Output, Own};
 use crate::scalar::Scalar;
 use core::ops::Range;
 use thiserror::Error;
@@ -87,8 +87,8 @@ pub struct Layout {
     pub names: Vec<String>,
     /// The table of inputs with their first values.
     pub inputs: Vec<Input>,
-    /// Names of the continuous states, as `luffing.wanted_length`.
-    pub states: Vec<String>,
+    /// The continuous states by their full names, as `luffing.wanted_length`.
+    pub states: Vec<Kept>,
     /// Names of the discrete numbers.
     pub numbers: Vec<String>,
     /// Names of the modes.
@@ -115,9 +115,9 @@ impl Layout {
         for (element, declared) in declared.into_iter().enumerate() {
             let name = elements[element].name();
             let full = |own: &String| format!("{name}.{own}");
-            let own = [&declared.states, &declared.numbers, &declared.modes];
+            let own = [declared.states.len(), declared.numbers.len(), declared.modes.len()];
             layout.shares.push(Share {
-                has_own: !declared.inputs.is_empty() || own.iter().any(|names| !names.is_empty()),
+                has_own: !declared.inputs.is_empty() || own.iter().any(|count| *count > 0),
                 states: range(layout.states.len(), declared.states.len()),
                 inputs: range(input, declared.inputs.len()),
                 numbers: range(number, declared.numbers.len()),
@@ -127,7 +127,8 @@ impl Layout {
             });
             (input, number) = (input + declared.inputs.len(), number + declared.numbers.len());
             layout.names.push(name.to_owned());
-            layout.states.extend(declared.states.iter().map(full));
+            let kept = |own: &Kept| Kept { name: full(&own.name), ..own.clone() };
+            layout.states.extend(declared.states.iter().map(kept));
             layout.numbers.extend(declared.numbers.iter().map(full));
             layout.modes.extend(declared.modes.iter().map(full));
             layout.outputs.extend(declared.outputs.into_iter().map(|output| (element, output)));

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// The free surface of a slack tank of a hull, or of what its joints carry without letting it hang.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FreeSurface {
     /// Name of the force in the scenario.
     pub force: String,

@@ -17,6 +17,7 @@ use serde::Serialize;
 /// Spring lines count where they end in one point of the ship and carry a body that floats by its joint, and nothing else
 /// holds that: no water, loop, cylinder or other line.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HangingLoad {
     /// The joint or the line that it hangs from.
     pub joint: String,

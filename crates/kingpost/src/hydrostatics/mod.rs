@@ -35,6 +35,7 @@ use thiserror::Error;
 
 /// The hulls of a scenario, and what keeps them from being described.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HydrostaticReport {
     /// One for each hull in the water.
     pub hulls: Vec<HullAfloat>,
@@ -45,6 +46,7 @@ pub struct HydrostaticReport {
 /// A hull at rest in still water with all that its joints carry. Pairs are across the ship, for heel,
 /// and along it, for trim.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HullAfloat {
     /// Name of the force in the scenario.
     pub force: String,
@@ -188,6 +190,12 @@ impl Scenario {
         let (_, force) = self.forces.iter().find(|(name, _)| name.as_str() == force)?;
         if let schema::Force::Hydrodynamics(given) = force { Some(given) } else { None }
     }
+}
+
+/// The JSON Schema of [`HydrostaticReport`].
+#[cfg(feature = "schema")]
+pub fn json_schema() -> serde_json::Value {
+    crate::scenario::json_schema::published::<HydrostaticReport>()
 }
 
 fn kinematics(model: &Model, q: &[f64]) -> Kinematics {

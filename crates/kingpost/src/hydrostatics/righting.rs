@@ -17,6 +17,7 @@ const HALVINGS: usize = 30;
 
 /// A side of the ship.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Side {
     /// On the left, looking forward.
@@ -31,6 +32,7 @@ pub enum Side {
 /// Of a ship that lists, to the side of its list, where its arms are the lesser; of one that stands upright, to the side
 /// whose largest arm is the lesser, starboard where both are the same.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RightingArmCurve {
     /// Which way the ship heels.
     pub side: Side,
@@ -48,6 +50,7 @@ pub struct RightingArmCurve {
 
 /// One point of a righting-arm curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RightingArmPoint {
     /// To the curve's side, rad.
     pub heel_rad: f64,
@@ -59,6 +62,7 @@ pub struct RightingArmPoint {
 
 /// The top of a righting-arm curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LargestArm {
     /// To the curve's side, rad.
     pub heel_rad: f64,

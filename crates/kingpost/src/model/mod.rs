@@ -231,6 +231,15 @@ impl<S: Scalar> Model<S> {
         self.joints.iter().flat_map(Joint::coordinate_names).collect()
     }
 
+    /// Whether each coordinate of v turns: it is an angle then, rad, otherwise a length, m.
+    pub fn turning_coordinates(&self) -> Vec<bool> {
+        let of = |kind: &JointKind<S>| match kind {
+            JointKind::Floating(_) => vec![false, false, false, true, true, true],
+            kind => (0..kind.velocity_count()).map(|k| kind.axis_motion(k) != Some(AxisMotion::Translation)).collect(),
+        };
+        self.tree.nodes.iter().flat_map(|node| of(&node.kind)).collect()
+    }
+
     /// Where in q the unit quaternions begin.
     pub fn quaternions(&self) -> impl Iterator<Item = usize> + '_ {
         self.tree.nodes.iter().filter_map(|node| Some(node.positions + node.kind.quaternion()?.0))

@@ -31,6 +31,8 @@ pub struct Channel {
     pub column: String,
     /// Names of its columns in a flat table: `ship.angular_velocity.x`.
     pub columns: Vec<String>,
+    /// Whether elements show it; else it is of the model, or of the ledger.
+    pub of_elements: bool,
     /// First entry in a row.
     pub offset: usize,
     /// Number of entries.
@@ -124,6 +126,7 @@ fn channel_of(outputs: &[&Output]) -> Channel {
         dims,
         labels: [Some(things), components].into_iter().flatten().collect(),
         columns,
+        of_elements: true,
         offset: 0,
     }
 }

@@ -15,6 +15,7 @@ mod positioning;
 mod positioning_loop;
 mod sensors;
 mod tanks;
+mod watchers;
 mod water;
 mod wave_motion;
 pub(super) mod waves;
@@ -51,6 +52,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
     equilibrium::settle(scenario, &mut setup)?;
+    setup.watchers = watchers::of(&setup);
     Ok(setup)
 }
 
@@ -86,7 +88,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     for motion in of_kind::<S, WaveMotion<S>>(&elements) {
         q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(&world, 0.0).positions);
     }
-    let setup = Setup { model, world, elements, wires, settings, q, v, fingerprint: 0 };
+    let setup = Setup { model, world, elements, watchers: Vec::new(), wires, settings, q, v, fingerprint: 0 };
     lines::check_start(&setup)?;
     Ok(setup)
 }

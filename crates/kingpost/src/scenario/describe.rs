@@ -1,9 +1,11 @@
 //! What a view needs to draw a scenario and to offer its parameters.
 
 mod afloat;
+mod facts;
 mod warnings;
 
 pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
+pub use facts::{ElementDescription, Fact};
 
 use super::build::flexible::{owner, shape};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
@@ -37,6 +39,8 @@ pub struct Description {
     pub joints: Vec<JointDescription>,
     /// The closed loops, in the order of results.
     pub loops: Vec<LoopDescription>,
+    /// The forces and the drives.
+    pub elements: Vec<ElementDescription>,
     /// Acceleration of gravity, m/s^2; 0 where it is off.
     pub gravity_m_s2: f64,
     /// The sea, where there is one.
@@ -98,6 +102,8 @@ pub struct JointDescription {
     pub kind: &'static str,
     /// Names of its coordinates that move freely.
     pub free_coordinates: Vec<String>,
+    /// What is given of its prescribed motion.
+    pub prescribed: Vec<Fact>,
 }
 
 /// A point on a body, or on the world.
@@ -177,6 +183,10 @@ impl Scenario {
                 (name, 0) => self.bodies[name].joint.kind(),
                 _ => "elastic",
             },
+            prescribed: match owner(&body.name) {
+                (name, 0) => facts::prescribed(&self.bodies[name].joint),
+                _ => Vec::new(),
+            },
             free_coordinates: joint.coordinate_names().into_iter().filter(|name| free.contains(name)).collect(),
         };
         Ok(Description {
@@ -190,6 +200,7 @@ impl Scenario {
             bodies: model.bodies.iter().zip(&model.tree.nodes).enumerate().map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
             loops: model.loops.iter().map(|closed| describe_loop(&model, closed)).collect(),
+            elements: facts::elements(self),
             gravity_m_s2: world.gravity,
             sea,
             hulls,

@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 use super::describe::Description;
 use super::schema::Scenario;
 use super::units::UNIT_ALIASES;
-use crate::elements::{DrawnLine, Input};
+use crate::elements::{DrawnLine, Input, Warning};
 use crate::results::Channel;
 
 /// The JSON Schema of a scenario, unit aliases included: each is a property beside its SI name, marked `x-alias-of`.
@@ -26,12 +26,19 @@ struct Published {
     channels: Vec<Channel>,
     lines: Vec<DrawnLine>,
     inputs: Vec<Input>,
+    warnings: Vec<Warning>,
 }
 
-/// The JSON Schema of what the engine says of a scenario: its model, channels, lines to draw and inputs.
+/// The JSON Schema of what the engine says of a scenario: its model, channels, lines to draw and inputs, and the
+/// warnings of a run.
 pub fn published_schema() -> Value {
+    published::<Published>()
+}
+
+/// The JSON Schema of what the engine writes.
+pub(crate) fn published<T: schemars::JsonSchema>() -> Value {
     let settings = SchemaSettings::draft2020_12().for_serialize();
-    settings.into_generator().into_root_schema_for::<Published>().to_value()
+    settings.into_generator().into_root_schema_for::<T>().to_value()
 }
 
 struct UnitAliases;

@@ -43,6 +43,44 @@ pub const UNIT_ALIASES: [UnitAlias; 13] = [
     alias("_kN_s_per_m", "_N_s_per_m", 1000.0),
 ];
 
+/// How names of quantities in SI units end, and the unit that each ending stands for.
+const SI_ENDINGS: [(&str, &str); 28] = [
+    ("_s", "s"),
+    ("_m", "m"),
+    ("_rad", "rad"),
+    ("_kg", "kg"),
+    ("_N", "N"),
+    ("_Pa", "Pa"),
+    ("_Hz", "Hz"),
+    ("_m2", "m^2"),
+    ("_m4", "m^4"),
+    ("_m_s", "m/s"),
+    ("_m_s2", "m/s^2"),
+    ("_rad_s", "rad/s"),
+    ("_rad_per_m", "rad/m"),
+    ("_s_per_m", "s/m"),
+    ("_s_per_rad", "s/rad"),
+    ("_kg_m2", "kg m^2"),
+    ("_kg_m3", "kg/m^3"),
+    ("_N_m", "N m"),
+    ("_N_per_m", "N/m"),
+    ("_N_m_s", "N m s"),
+    ("_N_s_m", "N s/m"),
+    ("_N_s2_m2", "N s^2/m^2"),
+    ("_N_m_s2", "N m s^2"),
+    ("_N_s_per_m", "N s/m"),
+    ("_N_per_m_s", "N/(m s)"),
+    ("_N_m_per_rad", "N m/rad"),
+    ("_N_m_s_per_rad", "N m s/rad"),
+    ("_N_m_per_rad_s", "N m/(rad s)"),
+];
+
+/// The longest ending of a name that is a unit, and the unit.
+pub(super) fn si_ending(name: &str) -> Option<(&'static str, &'static str)> {
+    let known = SI_ENDINGS.into_iter();
+    known.filter(|(ending, _)| name.ends_with(ending)).max_by_key(|(ending, _)| ending.len())
+}
+
 /// The SI name and the factor, where the name ends in a unit alias.
 pub(super) fn si_name(name: &str) -> Option<(String, f64)> {
     // A stiffness per degree is no angle.

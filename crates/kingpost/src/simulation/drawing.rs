@@ -2,7 +2,7 @@
 
 use super::{Simulation, stage};
 use crate::elements::{DrawnLine, LineStyle};
-use crate::model::{Joint, JointKind};
+use crate::model::Joint;
 
 impl Simulation {
     /// The lines that there are to draw: the ropes that bodies hang on by their joints, and what the elements draw.
@@ -32,12 +32,7 @@ impl Simulation {
 
     /// Bodies that turn about two axes or more of a joint away from their centre, which hang as on a rope without mass.
     fn hanging(&self) -> impl Iterator<Item = (usize, &Joint)> {
-        let hangs = |joint: &Joint| {
-            let turns = |axis: usize| joint.kind.axis_motion(axis) == Some(crate::model::AxisMotion::Rotation);
-            let is_ball = matches!(joint.kind, JointKind::Spherical(_));
-            let is_pair = joint.kind.velocity_count() == 2 && turns(0) && turns(1);
-            (is_ball || is_pair) && joint.kind.to_child().norm() > 0.0
-        };
+        let hangs = |joint: &Joint| joint.kind.swings() && joint.kind.to_child().norm() > 0.0;
         self.plant.model.joints.iter().enumerate().filter(move |(_, joint)| hangs(joint))
     }
 }

@@ -1,7 +1,7 @@
 //! What is read and set from outside: state, snapshots, inputs, poses, matrices.
 
 use super::errors::check_array;
-use super::{Input, InputError, Setup, Simulation, stage};
+use super::{Input, InputError, Setup, Simulation, Watching, stage};
 use crate::dynamics::moving_frame::MovingFrame;
 use crate::model::Mode;
 use crate::plant::{Number, Plant, Tangent};
@@ -25,7 +25,10 @@ impl Simulation {
     /// Puts a simulation together at time 0.
     pub fn new(setup: Setup) -> Self {
         let form = setup.settings.form;
+        let of_elements = setup.elements.iter().flat_map(|element| element.watchers());
+        let watchers = setup.watchers.iter().cloned().chain(of_elements).collect();
         let mut simulation = Self::recursive(setup);
+        simulation.watching = Watching::new(watchers, &simulation.channels);
         simulation.plant.set_form(form);
         simulation
     }
@@ -71,6 +74,7 @@ impl Simulation {
         }
         next.memory.fill(0.0);
         self.state = next;
+        self.watching.begin_anew();
         Ok(())
     }
 
@@ -105,6 +109,7 @@ impl Simulation {
         next.restore(bytes, self.fingerprint)?;
         self.state = next;
         self.watch.forget_after(self.time_s());
+        self.watching.begin_anew();
         Ok(())
     }
 
@@ -137,6 +142,12 @@ impl Simulation {
     pub fn coordinates(&self) -> Vec<String> {
         let names = self.plant.model.coordinate_names();
         self.plant.model.free_coordinates().into_iter().map(|i| names[i].clone()).collect()
+    }
+
+    /// SI unit of each free coordinate: m, or rad where it turns.
+    pub fn coordinate_units(&self) -> Vec<&'static str> {
+        let turns = self.plant.model.turning_coordinates();
+        self.plant.model.free_coordinates().into_iter().map(|i| if turns[i] { "rad" } else { "m" }).collect()
     }
 
     /// Accelerations of the free coordinates now, with `tau` (N or N m by free coordinate) added.

@@ -8,8 +8,9 @@ mod live;
 mod recording;
 mod settle;
 mod setup;
+mod watching;
 
-pub use crate::elements::Input;
+pub use crate::elements::{Input, Warning};
 pub use errors::{InputError, RunError};
 pub use events::Happened;
 pub use settle::{Equilibrium, Instability, NoEquilibrium};
@@ -24,6 +25,7 @@ use crate::scalar::Scalar;
 use crate::state::State;
 use events::Watch;
 pub(crate) use recording::Recording;
+use watching::Watching;
 
 /// Steps after which a run reports progress even if no row is due.
 pub const PROGRESS_STEPS: u64 = 10_000;
@@ -40,6 +42,8 @@ pub struct Run<S = f64> {
     pub columns: usize,
     /// What happened, in order of time.
     pub events: Vec<Happened>,
+    /// What a person should know of it.
+    pub warnings: Vec<Warning>,
     /// An error leaves the rows that came before it.
     pub status: Result<(), RunError>,
 }
@@ -66,15 +70,16 @@ pub struct Simulation<S: Scalar = f64> {
     last_good: State<S>,
     v_dot: Vec<S>,
     watch: Watch<S>,
+    watching: Watching,
     /// Of the setup: a snapshot carries it.
     fingerprint: u64,
 }
 
 impl<S: Scalar> Simulation<S> {
     /// Puts a simulation together at time 0, its equations in the recursive form, whatever the
-    /// settings say: the other forms are for plain numbers.
+    /// settings say: the other forms are for plain numbers, and so is what watches a run.
     pub fn recursive(setup: Setup<S>) -> Self {
-        let Setup { model, world, elements, wires, settings, q, v, fingerprint } = setup;
+        let Setup { model, world, elements, watchers: _, wires, settings, q, v, fingerprint } = setup;
         let mut plant = Plant::new(model, world, elements);
         plant.connect(&wires);
         let channels = Channels::new(&plant.model, plant.layout());
@@ -87,7 +92,8 @@ impl<S: Scalar> Simulation<S> {
         state.memory = vec![S::ZERO; scheme.memory_len(state.d.len() + state.m.len())];
         let watch = Watch::new(plant.layout().watched.len(), &state);
         let (initial, last_good) = (state.clone(), state.clone());
-        Self { plant, scheme, settings, channels, state, initial, last_good, v_dot, watch, fingerprint }
+        let watching = Watching::default();
+        Self { plant, scheme, settings, channels, state, initial, last_good, v_dot, watch, watching, fingerprint }
     }
 
     /// Time, s.
@@ -163,6 +169,7 @@ impl<S: Scalar> Simulation<S> {
     pub fn reset(&mut self) {
         self.state.copy_from(&self.initial);
         self.watch.forget_after(0.0);
+        self.watching.begin_anew();
     }
 
     /// Where everything stands that the elements declare.
@@ -173,6 +180,12 @@ impl<S: Scalar> Simulation<S> {
     /// What has happened so far, in order of time.
     pub fn events(&self) -> &[Happened] {
         self.watch.happened()
+    }
+
+    /// What a person should know of the rows that were written since the run began, or since its state was set from
+    /// outside; in order of time.
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.watching.warnings()
     }
 
     /// Takes `n` steps; allocates nothing. On an error the state stays at the last good step.
@@ -263,13 +276,18 @@ impl<S: Scalar> Simulation<S> {
                 recording.written(self.time_s());
             }
             if status.is_err() {
-                return Run { rows, columns, events: self.events().to_vec(), status };
+                return self.ended(rows, status);
             }
             if !progress(self.time_s()) {
                 break;
             }
         }
-        Run { rows, columns, events: self.events().to_vec(), status: Ok(()) }
+        self.ended(rows, Ok(()))
+    }
+
+    /// A run with these rows.
+    pub(crate) fn ended(&self, rows: Vec<S>, status: Result<(), RunError>) -> Run<S> {
+        Run { rows, columns: self.columns(), events: self.events().to_vec(), warnings: self.warnings(), status }
     }
 
     /// The channels of a row.
@@ -287,7 +305,9 @@ impl<S: Scalar> Simulation<S> {
         let at = stage(self.interval(), &self.state);
         let observed = self.plant.observe(at, &mut self.v_dot);
         let Stage { time_s, q, v, s, .. } = at;
+        let first = out.len();
         self.channels.write_row(&Sample { time_s, q, v, s, observed }, out);
+        self.watching.see(&out[first..]);
     }
 }
 

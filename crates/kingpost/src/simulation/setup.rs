@@ -1,6 +1,6 @@
 //! What a simulation is made of.
 
-use crate::elements::AnyElement;
+use crate::elements::{AnyElement, AnyWatcher};
 use crate::integrate::{Scheme, Sizes, Tolerances};
 use crate::model::Model;
 use crate::plant::Form;
@@ -65,6 +65,8 @@ pub struct Setup<S: Scalar = f64> {
     /// Inputs that take the sampled output of an element, each with the column of that output; beside those that elements
     /// declare wired.
     pub wires: Vec<(String, String)>,
+    /// What watches its joints and closed loops; an element brings its own watchers.
+    pub watchers: Vec<AnyWatcher>,
     /// Time stepping and recording.
     pub settings: Settings,
     /// Initial positions.

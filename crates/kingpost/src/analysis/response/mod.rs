@@ -101,7 +101,8 @@ impl Scenario {
     /// # Errors
     /// No equilibrium, no hull, a frequency that a database does not cover.
     pub fn wave_response(&self, simulation: &Simulation, waves: &WaveGrid) -> Result<WaveResponse, ResponseError> {
-        if !self.has_wave_loads() {
+        let elements = self.setup()?.elements;
+        if elements.iter().all(|element| element.regular_waves().is_none()) {
             return Err(ResponseError::NoHull);
         }
         let mut rest = simulation.clone();
@@ -109,7 +110,7 @@ impl Scenario {
         let mut linearizer = Linearizer::new(self)?.at_rest();
         let free: Vec<usize> = linearizer.positions().collect();
         let linear = linearizer.at(&rest);
-        let loads = WaveLoads::new(self, &mut rest, &free)?;
+        let loads = WaveLoads::new(&elements, &mut rest, &free)?;
         let frequencies_rad_s = loads.frequencies(&waves.frequencies_rad_s)?;
         check_directions(&waves.directions_rad)?;
         let outputs = Outputs::new(&rest, &free);

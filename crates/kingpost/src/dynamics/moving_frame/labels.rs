@@ -1,7 +1,7 @@
 //! The matrices by name, with labels and units, for printing and for other languages.
 
 use super::MovingFrame;
-use crate::model::{AxisMotion, Constraint, JointKind, Mode, Model};
+use crate::model::{Constraint, Mode, Model};
 use crate::spatial::{Frame, hat};
 use nalgebra::{DMatrix, DVector};
 
@@ -45,7 +45,7 @@ impl MovingFrame {
     /// Every matrix with its labels and units, in the order of the theory.
     pub fn named(&self, model: &Model) -> Vec<NamedMatrix> {
         let bodies = |units: Units| Side { labels: body_labels(model), units: body_units(model, units) };
-        let (names, turning) = (model.coordinate_names(), turning_coordinates(model));
+        let (names, turning) = (model.coordinate_names(), model.turning_coordinates());
         let coordinates = |units: Units, which: &[usize]| Side {
             labels: which.iter().map(|&i| names[i].clone()).collect(),
             units: which.iter().map(|&i| units[usize::from(turning[i])]).collect(),
@@ -103,15 +103,6 @@ impl MovingFrame {
         }
         all
     }
-}
-
-/// Whether each coordinate of v is of a rotation.
-fn turning_coordinates(model: &Model) -> Vec<bool> {
-    let of = |kind: &JointKind| match kind {
-        JointKind::Floating(_) => vec![false, false, false, true, true, true],
-        kind => (0..kind.velocity_count()).map(|k| kind.axis_motion(k) != Some(AxisMotion::Translation)).collect(),
-    };
-    model.tree.nodes.iter().flat_map(|node| of(&node.kind)).collect()
 }
 
 /// `hook.x`, ...: what the constraints of the closed loops change by.

@@ -2,7 +2,7 @@
 
 use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::elements::{Declaration, DrawnLine, Element, Input, LineStyle, Moment, Output, Own, hunt_crossley};
+use crate::elements::{Declaration, DrawnLine, Element, Input, Kept, LineStyle, Moment, Output, Own, hunt_crossley};
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
 
@@ -76,7 +76,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         let number = |variable, description, unit| Output::number(variable, description, "cylinder", &self.name, unit);
         let by_lever = self.aim == Aim::Lever;
         Declaration {
-            states: by_lever.then(|| "wanted_length".to_owned()).into_iter().collect(),
+            states: by_lever.then(|| Kept::new("wanted_length", "m")).into_iter().collect(),
             inputs: by_lever.then(|| Input::lever(&self.name, -1.0, 0.0)).into_iter().collect(),
             outputs: vec![
                 number("cylinder_length", "length of a cylinder between its pins", &["m"]),

@@ -12,7 +12,7 @@ pub use wave_filter::WaveFilter;
 
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::hull::HullFrame;
-use crate::elements::{Components, Declaration, Element, Frame, Moment, Output, Own, Settling, Situation};
+use crate::elements::{Components, Declaration, Element, Frame, Kept, Moment, Output, Own, Settling, Situation};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
@@ -70,7 +70,7 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
     }
 
     fn declare(&self) -> Declaration {
-        Declaration { states: self.state_names(), outputs: self.declared_outputs(), ..Declaration::default() }
+        Declaration { states: self.declared_states(), outputs: self.declared_outputs(), ..Declaration::default() }
     }
 
     /// Nothing of the filter and the thrusts is on its way.
@@ -186,14 +186,15 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
 }
 
 impl<S: Scalar> DynamicPositioning<S> {
-    fn state_names(&self) -> Vec<String> {
-        let integrals = ["x", "y", "yaw"].map(|axis| format!("integral.{axis}"));
+    fn declared_states(&self) -> Vec<Kept> {
+        let axes = [("x", "N"), ("y", "N"), ("yaw", "N m")];
+        let integrals = axes.map(|(axis, unit)| Kept::new(format!("integral.{axis}"), unit));
         let of_thruster = |thruster: &Thruster<S>| {
             let parts: &[&str] = if thruster.components() == 1 { &["thrust"] } else { &["thrust_x", "thrust_y"] };
-            parts.iter().map(|part| format!("{}.{part}", thruster.name)).collect::<Vec<_>>()
+            parts.iter().map(|part| Kept::new(format!("{}.{part}", thruster.name), "N")).collect::<Vec<_>>()
         };
         let thrusts = self.allocation.thrusters().iter().flat_map(of_thruster);
-        integrals.into_iter().chain(self.filter.state_names()).chain(thrusts).collect()
+        integrals.into_iter().chain(self.filter.declared()).chain(thrusts).collect()
     }
 
     fn declared_outputs(&self) -> Vec<Output> {

@@ -1,5 +1,6 @@
 //! What keeps thrusters from answering each wave.
 
+use crate::elements::Kept;
 use crate::scalar::Scalar;
 
 /// Notches in cascade with a low pass of second order,
@@ -86,11 +87,14 @@ impl<S: Scalar> WaveFilter<S> {
         }
     }
 
-    /// Names of its states: a and b of each section.
-    pub fn state_names(&self) -> impl Iterator<Item = String> + '_ {
+    /// Its states, as an element declares them: a and b of each section.
+    pub fn declared(&self) -> impl Iterator<Item = Kept> + '_ {
         let of_section = |section: usize| {
-            let signals = ["surge", "sway", "yaw"].into_iter();
-            signals.flat_map(move |signal| ["a", "b"].map(|part| format!("filter_{section}.{signal}.{part}")))
+            let signals = [("surge", "N"), ("sway", "N"), ("yaw", "N m")].into_iter();
+            let pair = move |(signal, unit)| {
+                ["a", "b"].map(|part| Kept::new(format!("filter_{section}.{signal}.{part}"), unit))
+            };
+            signals.flat_map(pair)
         };
         (1..=self.sections.len()).flat_map(of_section)
     }

@@ -6,25 +6,31 @@
 mod added_mass;
 mod by_heading;
 mod excitation;
+mod linear_limits;
 mod mesh_in_waves;
 mod place;
 mod radiation;
 mod slow_filter;
+mod wave_data;
 
 pub use added_mass::QuadraticTerms;
-pub(crate) use by_heading::ByHeading;
+use by_heading::ByHeading;
 pub use excitation::{Excitation, Parts};
+pub use linear_limits::LinearLimits;
 pub use mesh_in_waves::MeshInWaves;
 pub use place::{HullFrame, HullMotion, SeaAxes, SlowFrame};
 pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
-use super::{Declaration, Element, Frame, Moment, Output, Own};
+use super::{AnyWatcher, Declaration, Element, Frame, Moment, Output, Own, RegularWaves};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
+use crate::sea::database::Database;
 use crate::sea::hull::{FloatingPosition, HullMesh, LinearHydrostatics, WettedHull};
 use crate::sea::waves::WaveField;
 use crate::spatial::{Twist, Wrench};
+use std::sync::Arc;
+use wave_data::InRegularWaves;
 
 /// How buoyancy is computed.
 #[derive(Clone, Debug)]
@@ -84,8 +90,12 @@ pub struct Hull<S = f64> {
     pub radiation: Option<Radiation>,
     /// What the world's waves do to it.
     pub excitation: Option<Excitation<S>>,
+    /// The database, where its excitation acts whenever there are waves.
+    pub wave_data: Option<Arc<Database>>,
     /// Their own pressure on the mesh of the hydrostatics, if it acts.
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
+    /// What watches it, where linear hydrodynamics bound it.
+    pub limits: Option<LinearLimits>,
     /// Which quadratic terms of the added mass act.
     pub quadratic_terms: QuadraticTerms,
     /// Where the filter of the slow frame cuts off, rad/s.
@@ -98,9 +108,9 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let of_radiation = self.radiation.iter().flat_map(Radiation::state_names);
+        let of_radiation = self.radiation.iter().flat_map(Radiation::declared);
         Declaration {
-            states: SlowFilter::<S>::state_names().chain(of_radiation).collect(),
+            states: SlowFilter::<S>::declared().chain(of_radiation).collect(),
             outputs: outputs(&self.name),
             ..Declaration::default()
         }
@@ -190,6 +200,15 @@ impl<S: Scalar> Element<S> for Hull<S> {
         vec![[Some(self.frame.body), None]]
     }
 
+    fn watchers(&self) -> Vec<AnyWatcher> {
+        self.limits.iter().map(|limits| -> AnyWatcher { Box::new(limits.clone()) }).collect()
+    }
+
+    fn regular_waves(&self) -> Option<Box<dyn RegularWaves<S> + '_>> {
+        let database = self.wave_data.as_ref()?;
+        Some(Box::new(InRegularWaves::new(self, database)))
+    }
+
     fn keeps_afloat(&self) -> Option<usize> {
         Some(self.frame.body)
     }
@@ -252,7 +271,7 @@ impl<S: Scalar> Hull<S> {
 
     /// Velocity and angular velocity of the reference point along those axes, by the twist of the body about its centre of
     /// mass. The lever between the two is that of the hull on average.
-    pub(crate) fn along(&self, axes: &SeaAxes<S>, of_body: &Twist<S>) -> [S; 6] {
+    fn along(&self, axes: &SeaAxes<S>, of_body: &Twist<S>) -> [S; 6] {
         let Twist { angular, linear } = self.frame.in_body().twist_to_child(&axes.twist(of_body));
         axes.modes(linear, angular)
     }

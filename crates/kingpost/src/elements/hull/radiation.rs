@@ -1,7 +1,8 @@
 //! The memory of the water: waves that the hull has made act on it later.
 
+use crate::elements::Kept;
 use crate::scalar::Scalar;
-use crate::sea::database::RadiationModel;
+use crate::sea::database::{MODES, RadiationModel};
 
 /// Radiation as a linear system in state-space form.
 ///
@@ -60,15 +61,17 @@ impl Radiation {
         2 * self.complex.len() + self.real.len()
     }
 
-    /// Names of the states, by mode and pole.
-    pub fn state_names(&self) -> Vec<String> {
-        let of = |mode: usize| crate::sea::database::MODES[mode];
-        let mut names = Vec::with_capacity(self.state_count());
+    /// The states by mode and pole, as an element declares them; of a translation they are lengths.
+    pub fn declared(&self) -> Vec<Kept> {
+        let of = |mode: usize, rest: String| {
+            Kept::memory(format!("radiation.{}.{rest}", MODES[mode]), if mode < 3 { "m" } else { "rad" })
+        };
+        let mut states = Vec::with_capacity(self.state_count());
         for (k, pole) in self.complex.iter().enumerate() {
-            names.extend(["re", "im"].map(|part| format!("radiation.{}.{k}.{part}", of(pole.mode))));
+            states.extend(["re", "im"].map(|part| of(pole.mode, format!("{k}.{part}"))));
         }
-        names.extend(self.real.iter().enumerate().map(|(k, pole)| format!("radiation.{}.real_{k}", of(pole.mode))));
-        names
+        states.extend(self.real.iter().enumerate().map(|(k, pole)| of(pole.mode, format!("real_{k}"))));
+        states
     }
 
     /// The force (N) and moment (N m) of the waves made so far.

@@ -1,6 +1,7 @@
 //! The filter between where a hull is and where its loads of first order are taken.
 
 use super::place::SlowFrame;
+use crate::elements::Kept;
 use crate::scalar::Scalar;
 
 /// How many filters stand in a row.
@@ -31,9 +32,10 @@ impl<S: Scalar> SlowFilter<S> {
         Self { stages: [[x, y, place.heading, roll, pitch]; ORDER] }
     }
 
-    /// Names of its states.
-    pub fn state_names() -> impl Iterator<Item = String> {
-        let of = |stage: usize| ["x", "y", "heading", "roll", "pitch"].map(|name| format!("slow.{name}.{stage}"));
+    /// Its states, as an element declares them.
+    pub fn declared() -> impl Iterator<Item = Kept> {
+        let signals = [("x", "m"), ("y", "m"), ("heading", "rad"), ("roll", "rad"), ("pitch", "rad")];
+        let of = move |stage: usize| signals.map(|(name, unit)| Kept::memory(format!("slow.{name}.{stage}"), unit));
         (1..=ORDER).flat_map(of)
     }
 

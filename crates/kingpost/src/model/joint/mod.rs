@@ -203,6 +203,12 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
+    /// Whether it leaves its body to swing to all sides about a point.
+    pub fn swings(&self) -> bool {
+        let turns = |axis: usize| self.axis_motion(axis) == Some(AxisMotion::Rotation);
+        matches!(self, JointKind::Spherical(_)) || (self.velocity_count() == 2 && turns(0) && turns(1))
+    }
+
     /// Where in the joint's entries of q a unit quaternion begins, and where in those of v the body
     /// rates that turn it.
     pub fn quaternion(&self) -> Option<(usize, usize)> {

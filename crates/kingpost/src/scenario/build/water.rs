@@ -4,7 +4,7 @@ use super::super::schema::{self, Force as ForceSchema, Hydrostatics as Hydrostat
 use super::damping::from_centre;
 use super::{FieldError, known, world};
 use crate::elements::hull::{
-    Excitation, FloatingMesh, HullFrame, Hydrostatics, MeshInWaves, Parts, QuadraticTerms, Radiation,
+    Excitation, FloatingMesh, HullFrame, Hydrostatics, LinearLimits, MeshInWaves, Parts, QuadraticTerms, Radiation,
 };
 use crate::elements::{AnyElement, Hull};
 use crate::model::{JointKind, Model};
@@ -44,11 +44,13 @@ pub fn build<S: Quantity>(
             wave_pressure: wave_pressure(given, &field("wave_pressure"), &hydrostatics, waves)?,
             hydrostatics,
             radiation: radiation(given, &field("radiation"), database)?,
+            limits: limits(given, database, origin.0.map(Scalar::value)),
             quadratic_terms: QuadraticTerms {
                 of_slow_motion: excitation.is_some(),
                 munk_by_table: has_current_table(scenario, given),
             },
             cutoff_rad_s: given.slow_motion_cutoff_rad_s.get(),
+            wave_data: given.excitation.then(|| std::sync::Arc::clone(database)),
             excitation,
         };
         hulls.push(Box::new(hull));
@@ -117,6 +119,14 @@ fn hydrostatics<S: Quantity>(
             Ok(Hydrostatics::Mesh(Box::new(FloatingMesh::new(mesh))))
         }
     }
+}
+
+/// What linear hydrodynamics hold for, where the hull floats by them.
+fn limits<S>(given: &schema::Hydrodynamics<S>, database: &Database, origin: [f64; 3]) -> Option<LinearLimits> {
+    let mesh = database.hull.mesh.as_ref().map_or(&[][..], |mesh| &mesh.vertices_m);
+    let points: Vec<[f64; 3]> = mesh.iter().map(|point| core::array::from_fn(|k| point[k] + origin[k])).collect();
+    let is_linear = given.hydrostatics != HydrostaticsSchema::Mesh;
+    is_linear.then(|| LinearLimits::new(&given.body, database.hull.draught_m, &points))
 }
 
 /// The mesh in the waves that excite the hull.

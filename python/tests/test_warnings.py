@@ -1,6 +1,8 @@
-"""Where a rod stands for a rope and does what no rope does: `kingpost run` and the data set say so."""
+"""What the engine warns of in a run, in the data set, in a batch and in what `kingpost run` prints."""
 
 from __future__ import annotations
+
+import json
 
 import kingpost
 import pytest
@@ -45,16 +47,23 @@ forces: {{gravity: {{gravity: {{}}}}}}
 """
 
 
+def texts(results) -> list[str]:
+    return [f"{warning['name']}: {warning['text']}" for warning in json.loads(results.attrs["warnings"])]
+
+
 @pytest.mark.parametrize("angle", [60, 122])
 def test_a_pendant_that_goes_over_the_top_is_told_of(tmp_path, capsys, angle) -> None:
     """A pendulum let go from rest at an angle carries m g cos(angle) first: it pushes beyond 90 degrees."""
     path = tmp_path / "pendulum.yaml"
     path.write_text(PENDULUM.format(angle=angle))
-    warning = kingpost.run(path).attrs.get("warning", "")
-    assert ("pendant of load pushes with" in warning) == (angle > 90)
-    assert (f"load swings to {angle:.1f} deg" in warning) == (angle > 90)
+    found = texts(kingpost.run(path))
+    assert any("pendant: the pendant of load pushes with" in text for text in found) == (angle > 90)
+    assert any(f"pendant: load swings to {angle:.1f} deg" in text for text in found) == (angle > 90)
     assert main(["run", str(path)]) == 0
-    assert ("warning: pendant" in capsys.readouterr().out) == (angle > 90)
+    shown = capsys.readouterr().out
+    assert [line for line in shown.splitlines() if line.startswith("warning: pendant")] == [
+        f"warning: {text}" for text in found
+    ]
 
 
 @pytest.mark.parametrize("height", [6.5, 12.5])
@@ -63,5 +72,25 @@ def test_a_massless_rod_that_holds_its_load_up_is_told_of(tmp_path, height) -> N
     with the weight; or it is 3 m below: the rod pulls."""
     path = tmp_path / "rod.yaml"
     path.write_text(ROD.format(height=height))
-    warning = kingpost.run(path).attrs.get("warning", "")
-    assert (warning.startswith("rope: the rod pushes with 980.6")) == (height > 10), warning
+    found = texts(kingpost.run(path))
+    assert [text[: len("rope: the rod pushes with 980.6")] for text in found] == (
+        ["rope: the rod pushes with 980.6"] if height > 10 else []
+    )
+
+
+def test_a_simulation_that_is_stepped_and_a_batch_have_the_warnings_of_the_run(tmp_path) -> None:
+    """Source: the same rows, recorded in one go, by hand, and beside another run."""
+    path = tmp_path / "pendulum.yaml"
+    path.write_text(PENDULUM.format(angle=122))
+    recorded = json.loads(kingpost.run(path).attrs["warnings"])
+    simulation = kingpost.Simulation(kingpost.load(path))
+    assert simulation.warnings == []
+    for _ in range(300):
+        simulation.row()
+        simulation.step(5)
+    assert [warning.text for warning in simulation.warnings] == [warning["text"] for warning in recorded]
+    simulation.reset()
+    assert simulation.warnings == []
+    angle = "bodies.load.joint.universal.first.initial_angle_rad"
+    batch = kingpost.Batch(path, {angle: [1.0, 2.129301687433082, 1.1]}).run()
+    assert json.loads(batch.attrs["warnings"]) == [[], recorded, []]

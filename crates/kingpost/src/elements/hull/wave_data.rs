@@ -1,0 +1,64 @@
+//! A hull in regular waves, by its database.
+
+use super::{ByHeading, Hull, SeaAxes, SlowFrame};
+use crate::dynamics::Kinematics;
+use crate::elements::{RegularWaves, WavePlace};
+use crate::scalar::Scalar;
+use crate::sea::database::Database;
+use crate::sea::waves::Water;
+use crate::spatial::{Frame, Twist};
+use std::sync::Arc;
+
+/// A hull and the database that its excitation is of.
+#[derive(Debug)]
+pub struct InRegularWaves<'a, S: Scalar> {
+    hull: &'a Hull<S>,
+    database: &'a Arc<Database>,
+}
+
+/// Real and imaginary part of six modes.
+const PARTS: usize = 12;
+
+impl<'a, S: Scalar> InRegularWaves<'a, S> {
+    pub(super) fn new(hull: &'a Hull<S>, database: &'a Arc<Database>) -> Self {
+        Self { hull, database }
+    }
+
+    fn frame(&self, bodies: &Kinematics<S>) -> Frame<S> {
+        bodies.world[self.hull.frame.body].times(&Frame::translation(self.hull.frame.origin))
+    }
+}
+
+impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
+    fn frequencies_rad_s(&self) -> &[f64] {
+        &self.database.frequencies_rad_s
+    }
+
+    fn water(&self) -> Water {
+        let given = self.database.water;
+        Water { gravity_m_s2: given.gravity_m_s2, depth_m: given.depth_m, ..Water::default() }
+    }
+
+    fn place(&self, bodies: &Kinematics<S>) -> WavePlace<S> {
+        let SlowFrame { position, heading, .. } = SlowFrame::of(&self.frame(bodies));
+        WavePlace { position, heading }
+    }
+
+    /// Along the axes of the sea's loads, about the database's origin.
+    fn along(&self, bodies: &Kinematics<S>, twists: &[Twist<S>]) -> [S; 6] {
+        let frame = self.frame(bodies);
+        let axes = SeaAxes::of(&frame, &SlowFrame::of(&frame));
+        self.hull.along(&axes, &twists[self.hull.frame.body])
+    }
+
+    /// X at the hull's heading.
+    fn amplitudes(&self, omega: f64, directions_rad: &[f64], heading: S) -> Vec<[[S; 2]; 6]> {
+        let on_grid = self.database.excitation(omega, true);
+        let part = |part: usize, _| on_grid.iter().map(|x| x[part / 2][part % 2]).collect();
+        let mut table = ByHeading::new(PARTS, directions_rad, part);
+        let values = table.at(heading);
+        let at = |part: usize, wave: usize| values[part * directions_rad.len() + wave];
+        let of = |wave: usize| core::array::from_fn(|mode| [at(2 * mode, wave), at(2 * mode + 1, wave)]);
+        (0..directions_rad.len()).map(of).collect()
+    }
+}

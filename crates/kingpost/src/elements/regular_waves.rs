@@ -1,0 +1,37 @@
+//! The answer to regular waves, by which the response of a whole model is found.
+
+use crate::dynamics::Kinematics;
+use crate::scalar::Scalar;
+use crate::sea::waves::Water;
+use crate::spatial::Twist;
+
+/// An element that regular waves act on in proportion to their amplitude, about rest: a hull with data of diffraction, say.
+///
+/// Its loads are up to six forces, each along a rate that is linear in the twists of the bodies. All amplitudes are complex,
+/// of phases `e^(-i w t)`.
+pub trait RegularWaves<S: Scalar = f64> {
+    /// The frequencies that its data are for, in rising order, rad/s.
+    fn frequencies_rad_s(&self) -> &[f64];
+
+    /// The water that they are for.
+    fn water(&self) -> Water;
+
+    /// Where it is and heads.
+    fn place(&self, bodies: &Kinematics<S>) -> WavePlace<S>;
+
+    /// The rates that its forces act along, by the twists of all bodies.
+    fn along(&self, bodies: &Kinematics<S>, twists: &[Twist<S>]) -> [S; 6];
+
+    /// Its forces for each metre of amplitude of waves of a frequency (rad/s) that go to these directions (rad), with their
+    /// crest at its place: real and imaginary part of each.
+    fn amplitudes(&self, omega: f64, directions_rad: &[f64], heading: S) -> Vec<[[S; 2]; 6]>;
+}
+
+/// Where waves meet an element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WavePlace<S = f64> {
+    /// x and y in the world, m.
+    pub position: [S; 2],
+    /// From the world's x counter-clockwise, rad.
+    pub heading: S,
+}

@@ -1,0 +1,160 @@
+//! Rods without mass that stand for ropes: where they do what no rope does.
+
+use super::watcher::{Extreme, Warning, Watcher, significant};
+use crate::model::Attachment;
+use crate::spatial::{Frame, Matrix3, Quaternion, Vector3};
+
+/// Of the largest force that a rod carries in the run: a push of less is rounding.
+const SMALLEST_PUSH: f64 = 1e-6;
+/// Where a rope would go slack, degrees from hanging.
+const LARGEST_SWING_DEG: f64 = 90.0;
+
+/// How a rod pulls.
+#[derive(Clone, Copy, Debug, Default)]
+struct Pull {
+    /// The strongest push, N, negative, and when.
+    least: Extreme,
+    /// N, of pulls and pushes.
+    largest: f64,
+}
+
+impl Pull {
+    fn see(&mut self, time_s: f64, pull: f64) {
+        self.least.see(time_s, pull.min(0.0));
+        self.largest = self.largest.max(pull.abs());
+    }
+
+    fn warning(&self, name: &str, what: &str) -> Option<Warning> {
+        let Extreme { value, time_s } = self.least;
+        let text = format!(
+            "{what} pushes with {} N, at {} s: a rope would go slack; from there on this run is not that of a load on a rope",
+            significant(-value, 5),
+            significant(time_s, 6)
+        );
+        (value < -SMALLEST_PUSH * self.largest).then(|| Warning { time_s, name: name.to_owned(), text })
+    }
+}
+
+/// A load that swings to all sides about a joint off its centre, as on a rope: it should pull, and hang.
+#[derive(Clone, Debug)]
+pub struct Pendant {
+    joint: String,
+    body: String,
+    /// Unit vector from the centre of mass to the joint, body axes.
+    up: Vector3,
+    pull: Pull,
+    /// The largest angle from hanging, degrees.
+    swing: Extreme,
+    beyond_s: Option<f64>,
+}
+
+impl Pendant {
+    /// Of a body by its joint; `up` points from the centre of mass to the joint, in body axes, of any length but 0.
+    pub fn new(joint: &str, body: &str, up: Vector3) -> Self {
+        let up = up * (1.0 / up.norm());
+        let (pull, swing) = (Pull::default(), Extreme::default());
+        Self { joint: joint.to_owned(), body: body.to_owned(), up, pull, swing, beyond_s: None }
+    }
+}
+
+impl Watcher for Pendant {
+    fn columns(&self) -> Vec<String> {
+        let force = ["x", "y", "z"].map(|axis| format!("{}.joint_reaction.force_{axis}", self.joint));
+        force.into_iter().chain(orientation_columns(&self.body)).collect()
+    }
+
+    fn see(&mut self, time_s: f64, values: &[f64]) {
+        let (force, quaternion) = values.split_at(3);
+        self.pull.see(time_s, Vector3::from_slice(force).dot(self.up));
+        let height = (Quaternion::from_slice(quaternion).to_matrix() * self.up)[2].clamp(-1.0, 1.0);
+        let angle_deg = libm::acos(height).to_degrees();
+        self.swing.see(time_s, angle_deg);
+        if angle_deg > LARGEST_SWING_DEG {
+            self.beyond_s = self.beyond_s.or(Some(time_s));
+        }
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        let over = self.beyond_s.map(|time_s| Warning {
+            time_s,
+            name: self.joint.clone(),
+            text: format!(
+                "{} swings to {:.1} deg from where it hangs, beyond {LARGEST_SWING_DEG} deg first at {} s: a rope would go \
+                 slack; this rod does not",
+                self.body,
+                self.swing.value,
+                significant(time_s, 6)
+            ),
+        });
+        let push = self.pull.warning(&self.joint, &format!("the pendant of {}", self.body));
+        push.into_iter().chain(over).collect()
+    }
+}
+
+/// A closed loop that is one distance.
+#[derive(Clone, Debug)]
+pub struct Rod {
+    name: String,
+    ends: [End; 2],
+    pull: Pull,
+}
+
+/// Where a rod is tied to a body; to the world without one.
+#[derive(Clone, Debug)]
+struct End {
+    body: Option<String>,
+    in_body: Frame,
+}
+
+impl Rod {
+    /// A loop of this name, its attachments and the bodies that they are on.
+    pub fn new(name: &str, ends: [(&Attachment, Option<&str>); 2]) -> Self {
+        let ends = ends.map(|(tie, body)| End { body: body.map(str::to_owned), in_body: tie.in_body });
+        Self { name: name.to_owned(), ends, pull: Pull::default() }
+    }
+}
+
+impl End {
+    fn columns(&self) -> Vec<String> {
+        let of = |body: &String| {
+            let place = ["x", "y", "z"].map(|axis| format!("{body}.position.{axis}"));
+            place.into_iter().chain(orientation_columns(body)).collect()
+        };
+        self.body.as_ref().map_or_else(Vec::new, of)
+    }
+
+    /// In the world, by the numbers of its columns.
+    fn frame(&self, values: &[f64]) -> Frame {
+        if self.body.is_none() {
+            return self.in_body;
+        }
+        let rotation: Matrix3 = Quaternion::from_slice(&values[3..]).to_matrix();
+        Frame { rotation, position: Vector3::from_slice(values) }.times(&self.in_body)
+    }
+}
+
+impl Watcher for Rod {
+    fn columns(&self) -> Vec<String> {
+        let force = ["x", "y", "z"].map(|axis| format!("{}.loop_reaction.force_{axis}", self.name));
+        force.into_iter().chain(self.ends.iter().flat_map(End::columns)).collect()
+    }
+
+    /// The loop's force on its second body is along the axes of the first attachment.
+    fn see(&mut self, time_s: f64, values: &[f64]) {
+        let (force, rest) = values.split_at(3);
+        let (of_first, of_second) = rest.split_at(self.ends[0].columns().len());
+        let (first, second) = (self.ends[0].frame(of_first), self.ends[1].frame(of_second));
+        let way = second.position - first.position;
+        let length = way.norm();
+        let along = (first.rotation * Vector3::from_slice(force)).dot(way);
+        self.pull.see(time_s, if length > 0.0 { -along / length } else { 0.0 });
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        self.pull.warning(&self.name, "the rod").into_iter().collect()
+    }
+}
+
+fn orientation_columns(body: &str) -> [String; 4] {
+    ["w", "x", "y", "z"].map(|part| format!("{body}.orientation.{part}"))
+}

@@ -1,0 +1,88 @@
+//! What watches a run for what a person should know of it.
+
+use core::fmt::Debug;
+use serde::Serialize;
+
+/// What a person should know of a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Warning {
+    /// When it was so, s.
+    pub time_s: f64,
+    /// Whose it is: a joint, a closed loop, a body or an element.
+    pub name: String,
+    /// What was so.
+    pub text: String,
+}
+
+/// Sees every row of a run, and warns of what it saw: of a joint, a closed loop or an element.
+pub trait Watcher: Debug + Send + Sync + BoxedWatcher {
+    /// The columns that it sees, as `slew.joint_position`.
+    fn columns(&self) -> Vec<String>;
+
+    /// Sees the numbers of those columns in a row, and its time.
+    fn see(&mut self, time_s: f64, values: &[f64]);
+
+    /// What there is to warn of so far.
+    fn warnings(&self) -> Vec<Warning>;
+}
+
+/// A watcher of any kind.
+pub type AnyWatcher = Box<dyn Watcher>;
+
+/// What every watcher can do because it is `Clone` and `'static`; nothing to write.
+pub trait BoxedWatcher {
+    /// A copy in a box.
+    fn boxed_clone(&self) -> AnyWatcher;
+}
+
+impl<T: Watcher + Clone + 'static> BoxedWatcher for T {
+    fn boxed_clone(&self) -> AnyWatcher {
+        Box::new(self.clone())
+    }
+}
+
+impl Clone for AnyWatcher {
+    fn clone(&self) -> Self {
+        (**self).boxed_clone()
+    }
+}
+
+/// The number that was largest in size, with its sign, and when.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Extreme {
+    /// 0 where nothing was seen.
+    pub value: f64,
+    /// s.
+    pub time_s: f64,
+}
+
+impl Extreme {
+    /// Sees a number.
+    pub fn see(&mut self, time_s: f64, value: f64) {
+        if value.abs() > self.value.abs() {
+            *self = Self { value, time_s };
+        }
+    }
+}
+
+/// A number as a person reads it: so many digits, without the zeros behind them; with a power of ten where it is very
+/// large or very small.
+///
+/// ```
+/// use kingpost::elements::significant;
+/// assert_eq!([980.665, 0.30000000000000004, 3.0e8].map(|x| significant(x, 5)), ["980.66", "0.3", "3e+08"]);
+/// ```
+pub fn significant(value: f64, digits: usize) -> String {
+    let scientific = format!("{:.*e}", digits - 1, value + 0.0);
+    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
+    let exponent: i32 = exponent.parse().unwrap_or_default();
+    let trimmed = |text: &str| {
+        let whole = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text };
+        whole.to_owned()
+    };
+    match usize::try_from(digits as i32 - 1 - exponent) {
+        Ok(decimals) if exponent >= -4 => trimmed(&format!("{:.*}", decimals, value + 0.0)),
+        _ => format!("{}e{}{:02}", trimmed(mantissa), if exponent < 0 { '-' } else { '+' }, exponent.abs()),
+    }
+}

@@ -1,0 +1,35 @@
+//! What watches the joints and closed loops of a run.
+
+use crate::elements::{AnyWatcher, JointSpring, Pendant, Rod, of_kind};
+use crate::model::{Attachment, Constraint, Loop, Mode, Model};
+use crate::simulation::Setup;
+
+/// Of joints and loops that stand for ropes.
+pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
+    let Setup { model, world, elements, .. } = setup;
+    let springs: Vec<usize> = of_kind(elements).map(|spring: &JointSpring| spring.coordinate).collect();
+    let has_gravity = world.gravity != 0.0;
+    let pendants = (0..model.bodies.len()).filter(|&body| has_gravity && hangs(model, &springs, body));
+    let pendants = pendants.map(|body| -> AnyWatcher {
+        let joint = &model.joints[body];
+        Box::new(Pendant::new(&joint.name, &model.bodies[body].name, -joint.kind.to_child()))
+    });
+    pendants.chain(model.loops.iter().filter_map(|closed| rod(model, closed))).collect()
+}
+
+/// Whether a body that carries no other swings to all sides about a point of its parent off its centre, and no spring
+/// keeps it.
+fn hangs(model: &Model, springs: &[usize], body: usize) -> bool {
+    let node = &model.tree.nodes[body];
+    let own = node.velocities..node.velocities + node.kind.velocity_count();
+    let carries = model.tree.nodes.iter().any(|other| other.parent == Some(body));
+    let is_free = own.clone().all(|i| model.modes[i] == Mode::Free && !springs.contains(&i));
+    node.parent.is_some() && node.kind.swings() && is_free && !carries && node.kind.to_child().norm() > 0.0
+}
+
+fn rod(model: &Model, closed: &Loop) -> Option<AnyWatcher> {
+    let [(_, Constraint::Distance(_))] = closed.constraints.as_slice() else { return None };
+    let end = |tie: &Attachment| tie.body.map(|body| model.bodies[body].name.as_str());
+    let ends = [(&closed.first, end(&closed.first)), (&closed.second, end(&closed.second))];
+    Some(Box::new(Rod::new(&closed.name, ends)))
+}

@@ -1,0 +1,102 @@
+//! What is given of forces, drives and prescribed motions, ready to print.
+
+use crate::elements::significant;
+use crate::scenario::schema::{Joint, Scenario};
+use crate::scenario::units::si_ending;
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+/// One of the things that act on the model, or read it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ElementDescription {
+    /// Name.
+    pub name: String,
+    /// Where the scenario has it: `forces` or `drives`.
+    pub group: &'static str,
+    /// What it is, in words.
+    pub kind: String,
+    /// Whether it is on.
+    pub enabled: bool,
+    /// What is given of it.
+    pub facts: Vec<Fact>,
+}
+
+/// Something that is given, ready to print.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Fact {
+    /// What it is, in words.
+    pub label: String,
+    /// Its value.
+    pub value: String,
+    /// SI unit; empty where it has none.
+    pub unit: &'static str,
+}
+
+/// Digits of a number.
+const DIGITS: usize = 6;
+/// Fields of a history, of which the one counts that `history` names.
+const HISTORIES: [&str; 2] = ["pulse", "list"];
+
+/// The forces and the drives, in the order of the scenario.
+pub fn elements(scenario: &Scenario) -> Vec<ElementDescription> {
+    let forces = scenario.forces.iter().filter_map(|(name, force)| described(name.as_str(), "forces", force));
+    let drives = scenario.drives.iter().filter_map(|(name, drive)| described(name.as_str(), "drives", drive));
+    forces.chain(drives).collect()
+}
+
+/// Of what stands under its kind, as in a scenario file.
+fn described(name: &str, group: &'static str, tagged: &impl Serialize) -> Option<ElementDescription> {
+    let Value::Object(tagged) = serde_json::to_value(tagged).ok()? else { return None };
+    let (kind, Value::Object(fields)) = tagged.into_iter().next()? else { return None };
+    let enabled = fields.get("enabled").and_then(Value::as_bool).unwrap_or(true);
+    let facts = facts(&fields, "");
+    Some(ElementDescription { name: name.to_owned(), group, kind: words(&kind), enabled, facts })
+}
+
+/// What is given of how a joint's coordinates are prescribed; nothing where none is.
+pub fn prescribed(joint: &Joint) -> Vec<Fact> {
+    let Ok(Value::Object(tagged)) = serde_json::to_value(joint) else { return Vec::new() };
+    let Some(Value::Object(fields)) = tagged.into_iter().next().map(|(_, fields)| fields) else { return Vec::new() };
+    let motion = |of: &Map<String, Value>, lead: &str| match of.get("mode").and_then(Value::as_object) {
+        Some(mode) => mode.values().filter_map(Value::as_object).flat_map(|given| facts(given, lead)).collect(),
+        None => Vec::new(),
+    };
+    let of_axes = fields.iter().filter_map(|(axis, of)| Some(motion(of.as_object()?, &words(axis))));
+    motion(&fields, "").into_iter().chain(of_axes.flatten()).collect()
+}
+
+/// The fields of a thing; those of a field that has some are led by its name.
+fn facts(fields: &Map<String, Value>, lead: &str) -> Vec<Fact> {
+    let history = fields.get("history").and_then(Value::as_str);
+    let counts = |name: &str| name != "enabled" && (!HISTORIES.contains(&name) || history == Some(name));
+    let mut all = Vec::new();
+    for (name, value) in fields.iter().filter(|(name, value)| counts(name) && !value.is_null()) {
+        let (stem, unit) = si_ending(name)
+            .map_or((name.as_str(), ""), |(ending, unit)| (name.strip_suffix(ending).unwrap_or(name), unit));
+        let label = [lead, &words(stem)].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ");
+        match value {
+            Value::Object(inner) => all.extend(facts(inner, &label)),
+            value => all.push(Fact { label, value: written(value), unit }),
+        }
+    }
+    all
+}
+
+fn words(name: &str) -> String {
+    name.replace('_', " ")
+}
+
+fn written(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), |x| significant(x, DIGITS)),
+        Value::Array(entries) => format!("[{}]", entries.iter().map(written).collect::<Vec<_>>().join(", ")),
+        Value::Object(fields) => {
+            let each = |fact: Fact| [fact.label, fact.value, fact.unit.to_owned()].join(" ").trim_end().to_owned();
+            facts(fields, "").into_iter().map(each).collect::<Vec<_>>().join(", ")
+        }
+        Value::Bool(_) | Value::Null => value.to_string(),
+    }
+}

@@ -1,0 +1,50 @@
+//! The watchers of a run.
+
+use crate::elements::{AnyWatcher, Warning};
+use crate::results::Channels;
+use crate::scalar::Scalar;
+
+/// Watchers, each with the places of its columns in a row.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Watching {
+    watched: Vec<(Vec<usize>, AnyWatcher)>,
+    /// As they were before the first row.
+    fresh: Vec<(Vec<usize>, AnyWatcher)>,
+    values: Vec<f64>,
+}
+
+impl Watching {
+    /// Those whose columns are all among the channels.
+    pub(super) fn new(watchers: Vec<AnyWatcher>, channels: &Channels) -> Self {
+        let names: Vec<&String> = channels.list.iter().flat_map(|channel| &channel.columns).collect();
+        let place = |column: String| names.iter().position(|name| **name == column);
+        let placed = |watcher: AnyWatcher| {
+            let places: Option<Vec<usize>> = watcher.columns().into_iter().map(place).collect();
+            Some((places?, watcher))
+        };
+        let watched: Vec<_> = watchers.into_iter().filter_map(placed).collect();
+        Self { fresh: watched.clone(), watched, values: Vec::new() }
+    }
+
+    /// Sees a row.
+    pub(super) fn see<S: Scalar>(&mut self, row: &[S]) {
+        let Self { watched, values, .. } = self;
+        for (places, watcher) in watched {
+            values.clear();
+            values.extend(places.iter().map(|&place| row[place].value()));
+            watcher.see(row[0].value(), values);
+        }
+    }
+
+    /// Forgets what was seen.
+    pub(super) fn begin_anew(&mut self) {
+        self.watched.clone_from(&self.fresh);
+    }
+
+    /// What there is to warn of so far, in order of time.
+    pub(super) fn warnings(&self) -> Vec<Warning> {
+        let mut warnings: Vec<Warning> = self.watched.iter().flat_map(|(_, watcher)| watcher.warnings()).collect();
+        warnings.sort_by(|one, other| one.time_s.total_cmp(&other.time_s));
+        warnings
+    }
+}

@@ -1,0 +1,127 @@
+//! What the engine warns of in a run: rods that stand for ropes, and hulls beyond linear theory.
+
+use kingpost::elements::Watcher;
+use kingpost::elements::hull::LinearLimits;
+use kingpost::scenario;
+use kingpost::simulation::{Run, Simulation, Warning};
+use serde_json::{Value, json};
+
+/// Weight of 100 kg, N.
+const WEIGHT_N: f64 = 980.665;
+
+fn run(mut scenario: Value) -> Run {
+    scenario["version"] = json!(1);
+    scenario["title"] = json!("warned of");
+    scenario["simulation"] = json!({"step_s": 0.002, "duration_s": 3, "record_every_s": 0.01});
+    scenario["forces"]["weight"] = json!({"gravity": {"acceleration_m_s2": 9.80665}});
+    let scenario = scenario::read(&scenario.to_string(), "warned.json", &[]).expect("it reads");
+    Simulation::new(scenario.setup().expect("it builds")).run(|_| true)
+}
+
+/// A load of 100 kg, 2 m below its pendant's joint, let go from rest at an angle.
+fn pendant(angle_rad: f64, spring: Option<Value>) -> Run {
+    let mut first = json!({"initial_angle_rad": angle_rad});
+    if let Some(spring) = spring {
+        first["spring"] = spring;
+    }
+    let joint = json!({"name": "pendant", "first_axis": [1, 0, 0], "second_axis": [0, 1, 0],
+        "child_position_m": [0, 0, 2], "first": first});
+    run(json!({"bodies": {
+        "post": {"mass_kg": 1, "shape": {"point": {}}, "joint": {"fixed": {"position_m": [0, 0, 10]}}},
+        "load": {"parent": "post", "mass_kg": 100, "shape": {"sphere": {"radius_m": 0.1}}, "joint": {"universal": joint}},
+    }}))
+}
+
+fn pushed_n(warning: &Warning) -> f64 {
+    let words = warning.text.split("pushes with ").nth(1).expect("it pushes");
+    words.split(' ').next().and_then(|word| word.parse().ok()).expect("a number")
+}
+
+/// Let go from rest it carries m g cos(angle) along the rod first, to the share that the sphere's own inertia changes, at the
+/// angle itself none: beyond 90 degrees it pushes.
+#[test]
+fn a_pendant_that_goes_over_the_top_is_warned_of() {
+    let angle = f64::to_radians(122.0);
+    let warnings = pendant(angle, None).warnings;
+    let [push, over] = warnings.as_slice() else { panic!("{warnings:?}") };
+    assert_eq!((push.name.as_str(), over.name.as_str()), ("pendant", "pendant"));
+    // Five digits are written.
+    assert!((pushed_n(push) / (-WEIGHT_N * angle.cos()) - 1.0).abs() < 1e-4, "{}", push.text);
+    assert!(push.time_s == 0.0 && over.time_s == 0.0);
+    assert!(over.text.contains("load swings to 122.0 deg from where it hangs, beyond 90 deg first at 0 s"), "{over:?}");
+}
+
+#[test]
+fn a_pendant_that_hangs_is_not_warned_of_and_what_a_spring_keeps_is_none() {
+    assert!(pendant(f64::to_radians(60.0), None).warnings.is_empty());
+    let spring = json!({"stiffness_N_m_per_rad": 1.0, "rest_angle_rad": 0.0});
+    assert!(pendant(f64::to_radians(122.0), Some(spring)).warnings.is_empty());
+}
+
+/// A load of 100 kg whose eye, 0.5 m over its centre, is tied to the world 10 m up by a rod of 3 m; the rod's axes turn with
+/// its first attachment.
+fn rod(height_m: f64, orientation_rad: [f64; 3]) -> Run {
+    run(json!({
+        "bodies": {"load": {"mass_kg": 100, "centre_of_mass_m": [0, 0, -0.5],
+            "inertia": {"radii_of_gyration": {"radii_m": [0.2, 0.2, 0.2]}},
+            "joint": {"floating": {"initial": {"position_m": [0, 0, height_m]}}}}},
+        "loops": {"rope": {"first": {"body": "world", "position_m": [0, 0, 10], "orientation_rad": orientation_rad},
+            "second": {"body": "load"}, "constraints": [{"distance": {"length_m": 3}}]}},
+    }))
+}
+
+/// It carries the weight: from above it pulls, from below it pushes, whatever its axes are.
+#[test]
+fn a_massless_rod_that_holds_its_load_up_is_warned_of() {
+    for orientation in [[0.0; 3], [0.7, -0.4, 1.2]] {
+        assert!(rod(6.5, orientation).warnings.is_empty());
+        let warnings = rod(12.5, orientation).warnings;
+        let [push] = warnings.as_slice() else { panic!("{warnings:?}") };
+        assert!(push.text.starts_with("the rod pushes with "), "{}", push.text);
+        assert!((pushed_n(push) / WEIGHT_N - 1.0).abs() < 1e-4, "{}", push.text);
+        assert_eq!(push.name, "rope");
+    }
+}
+
+/// A box of 12 m by 6 m whose deck is 3 m over its centre of mass, of 2 m draught.
+fn limits() -> LinearLimits {
+    let corners = [-6.0, 6.0].into_iter().flat_map(|x| [-3.0, 3.0].map(|y| (x, y)));
+    let points: Vec<[f64; 3]> = corners.flat_map(|(x, y)| [[x, y, -2.0], [x, y, 3.0]]).collect();
+    LinearLimits::new("hull", 2.0, &points)
+}
+
+/// Rows of roll (deg), pitch (deg) and height of the centre (m), a second apart.
+fn warned(rows: &[[f64; 3]]) -> Vec<Warning> {
+    let mut limits = limits();
+    for (second, [roll, pitch, z]) in rows.iter().enumerate() {
+        limits.see(second as f64, &[roll.to_radians(), pitch.to_radians(), *z]);
+    }
+    limits.warnings()
+}
+
+#[test]
+fn a_hull_by_linear_theory_is_warned_of_where_it_heels_or_trims_too_far() {
+    let found = warned(&[[0.0, 0.0, 5.0], [-21.0, 5.0, 5.0], [3.0, 25.0, 5.0]]);
+    let [heel, trim] = found.as_slice() else { panic!("{found:?}") };
+    assert!(heel.text.starts_with("it heeled to -21.00 deg, at 1 s") && heel.time_s == 1.0, "{}", heel.text);
+    assert!(trim.text.starts_with("it trimmed to 25.00 deg, at 2 s") && trim.name == "hull", "{}", trim.text);
+    assert!(warned(&[[0.0, 0.0, 5.0], [19.0, -19.0, 5.5]]).is_empty());
+}
+
+/// Sunk by 4 m upright the deck, 3 m over the centre of mass, is 0.5 m under where the centre is at -3.5 m.
+#[test]
+fn a_hull_by_linear_theory_is_warned_of_where_it_sinks_and_its_deck_goes_under() {
+    let found = warned(&[[0.0, 0.0, 0.5], [0.0, 0.0, -1.0], [0.0, 0.0, -3.5], [0.0, 0.0, -3.2]]);
+    let [sank, deck] = found.as_slice() else { panic!("{found:?}") };
+    assert!(sank.text.starts_with("it sank by 4.00 m, at 2 s"), "{}", sank.text);
+    assert!(deck.text.contains("deck went 0.50 m under still water, first at 2 s"), "{}", deck.text);
+}
+
+/// At a heel of 30 degrees the deck's edge is 3 sin 30 under and 3 cos 30 over the centre of mass.
+#[test]
+fn the_edge_of_a_deck_goes_under_on_the_side_that_heels() {
+    let lowest = 3.0 * (f64::to_radians(30.0).cos() - f64::to_radians(30.0).sin());
+    let under =
+        |centre: f64| warned(&[[0.0, 0.0, centre], [30.0, 0.0, centre]]).iter().any(|w| w.text.contains("deck"));
+    assert!(!under(1e-9 - lowest) && under(-1e-9 - lowest));
+}

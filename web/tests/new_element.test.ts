@@ -1,0 +1,29 @@
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { expect, it } from "vitest";
+import { Columns } from "../src/engine/columns";
+import { readModel } from "../src/engine/engine";
+import type { Channel } from "../src/engine/engine";
+import { kindsOf } from "../src/plots/quantities";
+import { FakeEngine } from "./fake";
+
+/** The table that the engine gives for an element that only a test of it has: crates/kingpost/tests/new_element.rs holds the file to the engine. */
+const file = fileURLToPath(new URL("../../crates/kingpost/tests/golden/new_element.channels.json", import.meta.url));
+const channels = JSON.parse(readFileSync(file, "utf8")) as Channel[];
+
+it("offers what an element of a new kind shows among the plots, in its unit", () => {
+  const { rates } = kindsOf(readModel(new FakeEngine().model_json()), channels);
+  const own = rates.filter(({ title }) => title.startsWith("governor"));
+  expect(own.map(({ title, units, quantities }) => [title, units.deg, quantities.map(({ column }) => column)])).toEqual([
+    ["governor: rate behind the lag of a governor", "rad/s", ["governor.governor_rate"]],
+    ["governor: moment of a governor", "kN m", ["x", "y", "z"].map((axis) => `governor.governor_moment.${axis}`)],
+  ]);
+});
+
+it("reads every column of it from where the table says that it stands", () => {
+  const columns = new Columns(channels);
+  const row = Float64Array.from({ length: columns.width }, (_, at) => at + 0.5);
+  for (const channel of channels) {
+    channel.columns.forEach((name, k) => expect(columns.read(row, name)).toBe(channel.offset + k + 0.5));
+  }
+});
