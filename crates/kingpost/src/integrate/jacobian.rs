@@ -80,14 +80,14 @@ impl<S: Scalar> Jacobian<S> {
         self.xi.copy_from_slice(xi);
         self.v.copy_from_slice(at.v);
         self.s.copy_from_slice(at.s);
-        for j in 0..xi.len() {
+        for (j, &place) in xi.iter().enumerate() {
             if !system.is_free(j) {
                 continue;
             }
-            let step = step_from(xi[j]);
+            let step = step_from(place);
             self.xi[j] += step;
             system.retract(base, &self.xi, &mut self.q);
-            self.xi[j] = xi[j];
+            self.xi[j] = place;
             system.rates(Stage { q: &self.q, ..at }, &mut self.moved.v_dot, &mut self.moved.s_dot);
             difference(&self.moved, &self.here, self.passive, step, &mut self.by_xi[j * self.rows..]);
             let step = step_from(at.v[j]);
