@@ -323,3 +323,26 @@ fn a_dead_centre_leaves_nothing_behind_in_a_simulation_that_is_put_back() {
         }
     }
 }
+
+/// Dormand-Prince's inner steps go on over the closing of loops after each step: how often the state is asked for hardly
+/// changes how often the rates are, and the motion is the same within the tolerances.
+#[test]
+fn asking_for_the_state_ten_times_as_often_costs_hardly_more_evaluations() {
+    let run = |step_s: f64| {
+        let settings = format!(
+            "{{integrator: dormand_prince, step_s: {step_s}, duration_s: 2, dormand_prince: {{absolute_tolerance: 1.0e-7, relative_tolerance: 1.0e-7, largest_step_s: 0.1}}}}"
+        );
+        let text = four_bar("initial_angle_rad: 1", "x, z", "forces: {gravity: {gravity: {}}}");
+        let mut simulation =
+            simulation(&text.replace("{step_s: 0.005, duration_s: 600, record_every_s: 1}", &settings));
+        simulation.step((2.0 / step_s).round() as usize).unwrap();
+        let gap = values(&mut simulation, "loop_error").iter().fold(0.0_f64, |most, gap| most.max(gap.abs()));
+        assert!(gap < 1e-11, "{gap:e} m");
+        (simulation.evaluations(), simulation.state().q.clone())
+    };
+    let ((few, coarse), (many, fine)) = (run(0.02), run(0.002));
+    assert!(many < few + few / 4, "{few} evaluations with 100 states, {many} with 1000");
+    // Some hundred steps of 1e-7 each.
+    let apart = coarse.iter().zip(&fine).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    assert!(apart < 1e-5, "{apart:e}");
+}

@@ -56,7 +56,7 @@ const INTEGRATORS: [&str; 5] = ["rk4", "dormand_prince", "generalized_alpha", "i
 fn a_run_goes_on_as_one_of_the_other_scenario_that_begins_from_here() {
     for integrator in INTEGRATORS {
         let scheme = ("simulation.integrator", json!(integrator));
-        let (mut scenario, mut live) = boat(&[scheme.clone()]);
+        let (mut scenario, mut live) = boat(std::slice::from_ref(&scheme));
         live.step(100).unwrap();
         scenario.set_parameter(&mut live, "wind_m_s", &json!(20)).unwrap();
         scenario.set_parameter(&mut live, "push", &json!(-150)).unwrap();

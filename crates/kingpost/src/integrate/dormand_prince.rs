@@ -47,8 +47,9 @@ const HEAD: usize = 4;
 
 /// The scheme takes inner steps as long as its tolerances allow, and hands out the state at the end
 /// of each interval by dense output, of order 4. An inner step may reach beyond the interval, but
-/// never beyond the next edge; it goes on at the next interval where the state was left as it is
-/// and begins anew where it was changed: a lever, a projection, another state. The state's memory
+/// never beyond the next edge; it goes on at the next interval where the state was left as it is,
+/// its closed loops closed, and begins anew where it was changed: a lever, another state. Loops are
+/// closed at the end of each inner step, whose last stage is then evaluated again. The state's memory
 /// holds the inner step, so that a snapshot resumes to the same bits. Extra states take the same
 /// weights; they have no part in the error.
 #[derive(Clone, Debug)]
@@ -125,15 +126,17 @@ impl<S: Scalar> DormandPrince<S> {
 
     /// Whether the state is where the last inner step has it. The rates of coordinates that are not free are given over time;
     /// that they differ by rounding changes no law.
-    fn continues<Y: System<S>>(&mut self, system: &Y, time_s: f64, state: &State<S>) -> bool {
+    fn continues<Y: System<S>>(&mut self, system: &mut Y, time_s: f64, state: &State<S>) -> bool {
         let Interval { start_s, end_s } = self.inner;
         if start_s == end_s || !(start_s..=end_s).contains(&time_s) || !self.same_discrete(state) {
             return false;
         }
         self.dense_output(system, time_s);
-        let [_, v, s] = self.stages.place.parts();
+        let Stages { q, place, .. } = &mut self.stages;
+        let [_, v, s] = place.parts_mut();
+        system.close(q, v);
         let same_rates = (0..v.len()).all(|i| v[i] == state.v[i] || !system.is_free(i));
-        same_rates && self.stages.q == state.q && s == state.s
+        same_rates && q[..] == state.q[..] && s[..] == state.s[..]
     }
 
     /// Whether the discrete numbers and modes are those that the memory was written with.
@@ -157,7 +160,7 @@ impl<S: Scalar> DormandPrince<S> {
 
     /// The next inner step: tried shorter and shorter until its error is within the tolerances.
     fn inner_step<Y: System<S>>(&mut self, system: &mut Y, edge_s: f64, state: &State<S>) -> Result<(), StepError> {
-        self.move_to_end(system);
+        self.move_to_end(system, state);
         let Self { controller, inner, q, v, s, stages } = self;
         let start_s = inner.end_s;
         loop {
@@ -177,13 +180,19 @@ impl<S: Scalar> DormandPrince<S> {
     }
 
     /// Makes the end of the last inner step the base of the next; its last stage the first.
-    fn move_to_end<Y: System<S>>(&mut self, system: &Y) {
+    fn move_to_end<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>) {
         if self.inner.start_s == self.inner.end_s {
             return;
         }
         self.dense_output(system, self.inner.end_s);
-        let Self { q, v, s, stages, .. } = self;
+        let Self { inner, q, v, s, stages, .. } = self;
         stages.hand_out(q, v, s);
+        if system.close(q, v) {
+            let (time_s, interval) = (inner.end_s, Interval { start_s: inner.end_s, end_s: inner.end_s });
+            stages.begin(system, Stage { time_s, interval, q, v, s, d: &state.d, m: &state.m });
+            system.accept();
+            return;
+        }
         let (first, last) = stages.rates.split_at_mut(STAGES - 1);
         first[0].copy_from(&last[0]);
         first[0].parts_mut()[0].copy_from_slice(v);

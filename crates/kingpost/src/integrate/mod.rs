@@ -88,6 +88,12 @@ pub trait System<S: Scalar = f64> {
     /// The evaluations since then do not: they were a trial that the step does not take.
     fn reject(&mut self) {}
 
+    /// Brings q and v back to where what ties the system together holds; returns whether anything does. The same q and v,
+    /// under loads that leave the inertia alone, come back to the same bits.
+    fn close(&mut self, _q: &mut [S], _v: &mut [S]) -> bool {
+        false
+    }
+
     /// `out = q` moved by the local coordinates `xi`.
     fn retract(&self, q: &[S], xi: &[S], out: &mut [S]);
 

@@ -392,6 +392,12 @@ impl<S: Scalar> System<S> for Plant<S> {
         self.loops.reject();
     }
 
+    /// A loop that cannot be closed is told of after the step.
+    fn close(&mut self, q: &mut [S], v: &mut [S]) -> bool {
+        let _ = self.close_loops(q, v);
+        !self.model.loops.is_empty()
+    }
+
     fn retract(&self, q: &[S], xi: &[S], out: &mut [S]) {
         self.model.charts.retract(q, xi, out);
     }

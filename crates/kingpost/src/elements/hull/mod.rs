@@ -27,7 +27,6 @@ use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::sea::database::Database;
 use crate::sea::hull::{FloatingPosition, HullMesh, LinearHydrostatics, WettedHull};
-use crate::sea::waves::WaveField;
 use crate::spatial::{Twist, Wrench};
 use std::sync::Arc;
 use wave_data::InRegularWaves;
@@ -174,12 +173,14 @@ impl<S: Scalar> Element<S> for Hull<S> {
     fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let slow = slow_frame(at);
         let (none, time_s, specific_weight) = ([S::ZERO; 6], at.clock.time_s, at.world.specific_weight());
-        let mut in_waves = self.excitation.as_mut().zip(at.world.waves.as_ref());
-        let mut seen = |of: fn(&mut Excitation<S>, &WaveField<S>, f64, &SlowFrame<S>) -> [S; 6]| {
-            in_waves.as_mut().map_or(none, |(excitation, waves)| of(excitation, waves, time_s, &slow))
+        let (elevation, mut excitation_force, drift) = match (&mut self.excitation, &at.world.waves) {
+            (Some(excitation), Some(waves)) => (
+                excitation.elevation(waves, time_s, &slow),
+                excitation.force(waves, time_s, &slow),
+                excitation.drift(waves, time_s, &slow),
+            ),
+            _ => (S::ZERO, none, none),
         };
-        let (mut excitation_force, drift) = (seen(Excitation::force), seen(Excitation::drift));
-        let elevation = in_waves.map_or(S::ZERO, |(excitation, waves)| excitation.elevation(waves, time_s, &slow));
         if let (Some(mesh), Some(waves)) = (&mut self.wave_pressure, &at.world.waves) {
             let motion = self.frame.motion(at);
             let still = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), specific_weight);

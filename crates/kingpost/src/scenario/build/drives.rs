@@ -68,7 +68,7 @@ fn offset<S>(scenario: &Scenario<S>, name: &str, motion: AxisMotion) -> Option<I
     let name = sensors::offset_of(name);
     let unit = if motion == Rotation { "rad" } else { "m" };
     let (lower, upper) = (-FARTHEST_OFFSET, FARTHEST_OFFSET);
-    sensors::leads_to(scenario, &name).then(|| Input { name, unit, lower, upper, value: 0.0, signal: None })
+    sensors::leads_to(scenario, &name).then_some(Input { name, unit, lower, upper, value: 0.0, signal: None })
 }
 
 /// Of a servo's target, rad or m.
