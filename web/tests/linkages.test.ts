@@ -21,6 +21,7 @@ const MODEL: ModelInfo = {
     { ...BODY, name: "boom" },
   ],
   joints: [],
+  elements: [],
   loops: [
     {
       name: "pin",

@@ -7,6 +7,7 @@ use serde_json::Value;
 
 const WRITTEN: &str = include_str!("../../../schema/scenario.schema.json");
 const WRITTEN_OF_MODELS: &str = include_str!("../../../schema/model.schema.json");
+const WRITTEN_OF_HYDROSTATICS: &str = include_str!("../../../schema/hydrostatics.schema.json");
 
 #[test]
 fn the_written_schema_is_that_of_the_types() {
@@ -23,6 +24,15 @@ fn the_written_schema_of_models_is_that_of_the_types() {
     assert!(
         text == WRITTEN_OF_MODELS,
         "schema/model.schema.json has drifted; run: cargo run -p kingpost --features schema --example write_schema"
+    );
+}
+
+#[test]
+fn the_written_schema_of_hydrostatics_is_that_of_the_types() {
+    let text = serde_json::to_string_pretty(&kingpost::hydrostatics::json_schema()).unwrap() + "\n";
+    assert!(
+        text == WRITTEN_OF_HYDROSTATICS,
+        "schema/hydrostatics.schema.json has drifted; run: cargo run -p kingpost --features schema --example write_schema"
     );
 }
 

@@ -25,6 +25,7 @@ export interface Published {
   channels: Channel[];
   lines: DrawnLine[];
   inputs: Input[];
+  warnings: Warning[];
 }
 /**
  * A scenario as a view shows it.
@@ -78,6 +79,10 @@ export interface Description {
    * The closed loops, in the order of results.
    */
   loops: LoopDescription[];
+  /**
+   * The forces and the drives.
+   */
+  elements: ElementDescription[];
   /**
    * Acceleration of gravity, m/s^2; 0 where it is off.
    */
@@ -234,6 +239,27 @@ export interface JointDescription {
    * Names of its coordinates that move freely.
    */
   free_coordinates: string[];
+  /**
+   * What is given of its prescribed motion.
+   */
+  prescribed: Fact[];
+}
+/**
+ * Something that is given, ready to print.
+ */
+export interface Fact {
+  /**
+   * What it is, in words.
+   */
+  label: string;
+  /**
+   * Its value.
+   */
+  value: string;
+  /**
+   * SI unit; empty where it has none.
+   */
+  unit: string;
 }
 /**
  * A closed loop to draw.
@@ -281,6 +307,31 @@ export interface PointDescription1 {
    * @maxItems 3
    */
   position_m: [number, number, number];
+}
+/**
+ * One of the things that act on the model, or read it.
+ */
+export interface ElementDescription {
+  /**
+   * Name.
+   */
+  name: string;
+  /**
+   * Where the scenario has it: `forces` or `drives`.
+   */
+  group: string;
+  /**
+   * What it is, in words.
+   */
+  kind: string;
+  /**
+   * Whether it is on.
+   */
+  enabled: boolean;
+  /**
+   * What is given of it.
+   */
+  facts: Fact[];
 }
 /**
  * The sea to draw.
@@ -458,6 +509,10 @@ export interface Channel {
    */
   columns: string[];
   /**
+   * Whether elements show it; else it is of the model, or of the ledger.
+   */
+  of_elements: boolean;
+  /**
    * First entry in a row.
    */
   offset: number;
@@ -515,4 +570,21 @@ export interface Input {
    * The sampled output that it takes, as a flat column (`mru.heave_rate`); `None` where a hand sets it.
    */
   signal: string | null;
+}
+/**
+ * What a person should know of a run.
+ */
+export interface Warning {
+  /**
+   * When it was so, s.
+   */
+  time_s: number;
+  /**
+   * Whose it is: a joint, a closed loop, a body or an element.
+   */
+  name: string;
+  /**
+   * What was so.
+   */
+  text: string;
 }
