@@ -36,8 +36,9 @@ FEWEST_FREQUENCIES = 8
 PASSIVE_TRIALS = 4
 # Frequencies of the tail that the fit sees, over the highest of the data.
 TAIL = np.array([1.15, 1.4, 1.8, 2.5, 4.0, 7.0])
-# A guess must not outweigh data: a frequency of the tail counts a hundredth of one of the data, in squares.
-TAIL_WEIGHT = 0.1
+# Weights of the tail, tried in turn: where no order meets the limit with the first, the guess gives way to
+# the data, and each frequency of it counts a hundredth of one of theirs, in squares.
+TAIL_WEIGHTS = (1.0, 0.1)
 # A motion is measured by its peak of K, or by this share of rho V l^2 sqrt(g / l) where that is more:
 # the yaw of a body of revolution is noise, and is not fitted as if it were large.
 LEAST_PEAK = 1e-3
@@ -65,7 +66,8 @@ def fit(
     highest_rad_s
         Frequencies above it are left out: where the panels are too large for the waves.
     accept
-        Whether the best passive fit is taken where none meets the limit; `misfits` says which motions miss it.
+        Whether the best passive fit is taken where none meets the limit; `misfits` says which
+        motions miss it.
 
     Returns
     -------
@@ -104,7 +106,8 @@ def evaluate(radiation: Radiation, omega: Array) -> ComplexArray:
 
 @dataclass(frozen=True)
 class Misfit:
-    """How far a motion's fit is from its data: K as `fit` measures it, A and B over the largest of each, all of the
+    """How far a motion's fit is from its data: K as `fit` measures it, A and B over the largest of
+    each, all of the
     diagonal, and the frequency at which K misses most."""
 
     motion: str
@@ -119,7 +122,8 @@ def misfits(
 ) -> list[Misfit]:
     """Of each motion with a memory, in order.
 
-    A of the fit is A_inf + Im K / w: the error of K that is small beside the peak of K is large in A where w is
+    A of the fit is A_inf + Im K / w: the error of K that is small beside the peak of K is large in
+    A where w is
     small, and the other way round.
     """
     database = _up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
@@ -239,21 +243,25 @@ def _fit_group(
     data: _Data, group: list[int], limit: float, most_states: int, accept: bool
 ) -> tuple[ComplexArray, ComplexArray]:
     """Poles and residues (pole, force, motion) of a group, scaled; the fewest that meet the limit."""
-    problem = _problem(data, group, limit)
     target = data.scaled[:, group][:, :, group]
     tried: list[tuple[float, int, ComplexArray]] = []
-    for states in range(2, min(most_states, len(data.omega)) + 1):
-        poles = common_poles(problem.responses, problem.omega, problem.weights, states)
-        error = _values(poles, best_residues(poles, problem), data.omega) - target
-        # What misses the limit without passivity misses it with it.
-        if data.largest(error) <= limit:
-            passive = passive_residues(poles, problem)
-            if passive is None:
-                continue
-            error = _values(poles, passive, data.omega) - target
-            if data.largest(error) <= limit:
-                return poles, passive
-        tried.append((data.largest(error), int(data.by_frequency(error).argmax()), poles))
+    for tail_weight in TAIL_WEIGHTS:
+        problem = _problem(data, group, limit, tail_weight)
+        for states in range(2, min(most_states, len(data.omega)) + 1):
+            poles = common_poles(problem.responses, problem.omega, problem.weights, states)
+            residues = best_residues(poles, problem)
+            # What misses the limit without passivity misses it with it.
+            if data.largest(_values(poles, residues, data.omega) - target) <= limit:
+                passive = passive_residues(poles, problem)
+                if passive is None:
+                    continue
+                residues = passive
+                if data.largest(_values(poles, passive, data.omega) - target) <= limit:
+                    return poles, passive
+            error = _values(poles, residues, data.omega) - target
+            tried.append((data.largest(error), int(data.by_frequency(error).argmax()), poles))
+        if not len(problem.tail_omega):
+            break
     tried.sort(key=lambda one: one[0])
     found = _best_passive(data, problem, target, tried) if accept else None
     if found is not None:
@@ -265,7 +273,8 @@ def _fit_group(
         f"an error of {least:.3g} at {omega[worst]:.4g} rad/s with up to {states} poles",
         f"at most {limit:.3g} of the peak; compute more frequencies or a wider range ({len(omega)} from "
         f"{omega[0]:.3g} to {omega[-1]:.3g} rad/s here), remove irregular frequencies with a lid, leave "
-        "out those above which the panels are too large (highest_rad_s), or take the best fit as it is (accept_fit)",
+        "out those above which the panels are too large (highest_rad_s), or take the best fit as it "
+        "is (accept_fit)",
     )
 
 
@@ -292,7 +301,7 @@ def _values(poles: ComplexArray, residues: ComplexArray, omega: Array) -> Comple
     return np.tensordot(partial_fractions(poles, 1j * omega), unknowns, axes=1)
 
 
-def _problem(data: _Data, group: list[int], limit: float) -> Problem:
+def _problem(data: _Data, group: list[int], limit: float, tail_weight: float) -> Problem:
     """Each interval of frequencies counts by its width, and none by less than a third of the mean.
 
     Where damping has not fallen to the limit at the last frequency, its asymptote is asked for beyond.
@@ -305,5 +314,5 @@ def _problem(data: _Data, group: list[int], limit: float) -> Problem:
     decayed = np.abs(responses[-1].real).max() <= limit
     beyond = omega[-1] * (TAIL[:0] if decayed else TAIL)
     damping = np.array([tail(omega, one, beyond) for one in responses.real.T]).T
-    faint = np.full(len(beyond), TAIL_WEIGHT)
+    faint = np.full(len(beyond), tail_weight)
     return Problem(n, tuple(entries), omega, responses, weights, beyond, damping, faint)

@@ -53,7 +53,8 @@ def load(
     title: str | None = None,
     highest_rad_s: float | None = None,
 ) -> Database:
-    """Read a foreign file as a database, without the fitted memory; frequencies above a limit are left out first.
+    """Read a foreign file as a database, without the fitted memory; frequencies above a limit are
+    left out first.
 
     Raises
     ------

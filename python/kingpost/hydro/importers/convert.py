@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 def convert(foreign: Foreign, options: Options, title: str, highest_rad_s: float | None = None) -> Database:
     """Cut, repair, settle what the file leaves open, move all to the origin, take the weight out, check.
 
-    What is not as a hull's coefficients are is repaired where that is known to be right, and noted with how much
+    What is not as a hull's coefficients are is repaired where that is known to be right, and noted
+    with how much
     was changed (`repair`); only what cannot be used is refused.
 
     Raises
@@ -78,7 +79,8 @@ def _with_haskind(database: Database) -> Database:
     if found is None or found.largest <= HASKIND:
         return database
     note = (
-        f"excitation and damping miss Haskind's relation by up to {found.largest:.1%} of the largest damping, in "
+        f"excitation and damping miss Haskind's relation by up to {found.largest:.1%} of the "
+        f"largest damping, in "
         f"{found.motion} at {found.frequency_rad_s:.4g} rad/s: not changed"
     )
     provenance = replace(database.provenance, notes=(*database.provenance.notes, note))

@@ -1,4 +1,5 @@
-"""What is amiss with another program's coefficients, put right where physics says how, with a note of how much.
+"""What is amiss with another program's coefficients, put right where physics says how, with a note
+of how much.
 
 Panel methods keep A = A^T and B = B^T only nearly, at the highest frequencies worst; damping of motions that
 make hardly any waves comes out a little negative; at irregular frequencies both jump. A and B are replaced by
@@ -80,7 +81,8 @@ def repaired(foreign: Foreign, notes: list[str]) -> Foreign:
 
 
 def _without_useless(foreign: Foreign, notes: list[str]) -> Foreign:
-    """Without frequencies at which B takes far more from the water than any hull gives it, if they are few."""
+    """Without frequencies at which B takes far more from the water than any hull gives it, if they
+    are few."""
     lowest = _lowest_eigenvalues(foreign.radiation_damping)
     useless = lowest < -USELESS
     if not useless.any() or useless.sum() > MOST_USELESS * len(useless):
@@ -147,13 +149,17 @@ def _taking_energy(damping: NDArray[np.float64], foreign: Foreign, notes: list[s
     k = int(np.argmin(values[:, 0]))
     lowest, at = float(values[k, 0]), foreign.frequencies_rad_s[k]
     if lowest < -USELESS:
-        found = f"an eigenvalue of {lowest:.3g} of its symmetric part, over the diagonal's largest, at {at:.4g} rad/s"
+        found = (
+            f"an eigenvalue of {lowest:.3g} of its symmetric part, over the diagonal's largest, "
+            f"at {at:.4g} rad/s"
+        )
         allowed = f"{-USELESS:g} or more; check units, or leave such frequencies out with --highest_rad_s"
         raise HydrodynamicsError("radiation_damping", found, allowed, foreign.file)
     if lowest < -WORTH_SAYING:
         count = int((values[:, 0] < -WORTH_SAYING).sum())
         notes.append(
-            f"repaired: negative damping at {count} frequencies made 0, by up to {-lowest:.2%} of the diagonal's "
+            f"repaired: negative damping at {count} frequencies made 0, by up to {-lowest:.2%} of "
+            f"the diagonal's "
             f"largest, at {at:.4g} rad/s"
         )
         notes.extend(_advice(values[:, 0], foreign.frequencies_rad_s))
@@ -172,7 +178,8 @@ def _advice(lowest: NDArray[np.float64], omega: NDArray[np.float64]) -> list[str
         return []
     last = omega[wrong[0] - 1]
     return [
-        f"above {last:.4g} rad/s the panels seem too large for the waves: --highest_rad_s {last:.4g} cuts there"
+        f"above {last:.4g} rad/s the panels seem too large for the waves: --highest_rad_s "
+        f"{last:.4g} cuts there"
     ]
 
 
@@ -213,7 +220,8 @@ def _without_jumps(foreign: Foreign, notes: list[str]) -> Foreign:
 
 
 def _jumps(omega: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Where a value alone leaves its neighbours: they agree with each other, and with theirs, far better than it
+    """Where a value alone leaves its neighbours: they agree with each other, and with theirs, far
+    better than it
     does with them. A resonance has flanks; an irregular frequency between regular ones has none."""
     near = values[:-4], values[1:-3], values[3:-1], values[4:]
     part = (omega[2:-2] - omega[1:-3]) / (omega[3:-1] - omega[1:-3])

@@ -107,7 +107,8 @@ def _centre(text: str, name: str, about: NDArray[np.float64]) -> NDArray[np.floa
 
 
 def _gravity_centre(text: str, about: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """All three, or, of a hull that floats freely, its height alone: it is then over the centre of buoyancy."""
+    """All three, or, of a hull that floats freely, its height alone: it is then over the centre of
+    buoyancy."""
     whole = _centre(text, r"Center of Gravity", about)
     height, buoyancy = (
         _single(text, r"Center of Gravity\s*\([^)]*\)\s*:?\s*"),
