@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from .meshes import HullMeshes
+    from .partial import Partial
 
 FREQUENCIES, PANELS = 40, 900
 DEFAULT_PANELS_PER_WAVE = 6
@@ -54,6 +55,7 @@ def build(
     with_lid: bool | None = None,
     loading: Loading | None = None,
     update: Callable[[float], None] = lambda _done: None,
+    partial: Partial | None = None,
 ) -> Database:
     """Run the panel method and check what it gives.
 
@@ -65,6 +67,8 @@ def build(
         `None` puts a lid where the draught allows one.
     loading
         Gives the mean drift of the hull so loaded; without it there is none.
+    partial
+        Keeps what is solved before it is checked, and goes on from what a stopped run has left.
 
     Raises
     ------
@@ -86,7 +90,7 @@ def build(
         notes = (*notes, loading.note)
     if hull.hull is None:
         notes = (*notes, f"no hull mesh: {hull.why_no_hull}")
-    found = solve(hull, water, frequencies_rad_s, directions, lid_wanted, update)
+    found = solve(hull, water, frequencies_rad_s, directions, lid_wanted, update, partial)
     database = Database(
         title=title,
         provenance=Provenance(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -95,20 +96,35 @@ def check_haskind(database: Database, remedy: str = REMEDY) -> None:
 
     Only frequencies for which the grid of directions resolves the integral are compared.
     """
+    found = haskind_difference(database)
+    if found is not None and found.largest > HASKIND:
+        raise HydrodynamicsError(
+            "radiation_damping",
+            f"a difference of {found.largest:.1%} of its largest from Haskind's relation in {found.motion} "
+            f"at {found.frequency_rad_s:g} rad/s",
+            f"at most {HASKIND:.0%}: {remedy}",
+        )
+
+
+@dataclass(frozen=True)
+class Difference:
+    """The largest difference of damping from Haskind's relation, over its largest, and where it is."""
+
+    largest: float
+    motion: str
+    frequency_rad_s: float
+
+
+def haskind_difference(database: Database) -> Difference | None:
+    """`None` where the directions resolve the integral at no frequency."""
     resolved = database.frequencies_rad_s <= highest_resolved(database)
     if not resolved.any():
-        return
+        return None
     frequencies = database.frequencies_rad_s[resolved]
     damping = np.diagonal(database.radiation_damping, axis1=1, axis2=2)
     difference = np.abs(damping[resolved] - haskind_damping(database)[resolved]) / damping_scale(database)
     n, i = np.unravel_index(np.argmax(difference), difference.shape)
-    if difference[n, i] > HASKIND:
-        raise HydrodynamicsError(
-            "radiation_damping",
-            f"a difference of {difference[n, i]:.1%} of its largest from Haskind's relation in {MOTIONS[i]} "
-            f"at {frequencies[n]:g} rad/s",
-            f"at most {HASKIND:.0%}: {remedy}",
-        )
+    return Difference(float(difference[n, i]), MOTIONS[i], float(frequencies[n]))
 
 
 def haskind_damping(database: Database) -> NDArray[np.float64]:

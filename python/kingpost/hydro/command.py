@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import os
 from dataclasses import MISSING, fields, replace
 from pathlib import Path
 
@@ -18,9 +19,10 @@ from .database_file import check_output, rounded, write
 from .drift import Loading
 from .hull_files import HullFile
 from .meshes import HullMeshes, parametric
-from .radiation_fit import FEWEST_FREQUENCIES, fit
+from .partial import ENDING, Partial
+from .radiation_fit import FEWEST_FREQUENCIES, LIMIT, Misfit, fit, misfits
 from .shapes import Box, Hemisphere, Shape, Sphere, Wigley
-from .solve import capytaine
+from .solve import capytaine, memory_needed
 from .vessel import OffshoreVessel
 
 SHAPES: dict[str, type[Shape]] = {
@@ -63,8 +65,15 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--flip_normals", action="store_true", default=None, help="turn a mesh file's normals round"
     )
-    command.add_argument("--highest_rad_s", metavar="W", type=float,
-                         help="frequencies above it are left out of the fit of the memory")  # fmt: skip
+    command.add_argument(
+        "--highest_rad_s", "--highest-rad-s", metavar="W", type=float,
+        help="frequencies above it are left out: of another program's file before all else, of a hull's "
+        "computed ones of the fit of the memory",
+    )  # fmt: skip
+    command.add_argument(
+        "--accept_fit", "--accept-fit", action="store_true",
+        help="where no fit of the memory meets 2 %%, take the best one and say which motions miss it",
+    )  # fmt: skip
     import_command.add_options(command)
 
 
@@ -76,7 +85,7 @@ def run(options: argparse.Namespace) -> Database:
         _refuse_for_a_file(options)
         imported = import_command.run(options)
         _warn(resolution.of_database(imported))
-        return _fitted(imported, options.highest_rad_s, target)
+        return _fitted(imported, options, target)
     import_command.refuse(options)
     water = _water(options)
     given = options.frequencies_rad_s
@@ -92,19 +101,50 @@ def run(options: argparse.Namespace) -> Database:
     print(summary(hull, water))
     print(f"{'wave directions':<20}{directions}")
     _warn(resolution.warnings(length_m, frequencies, directions, water))
+    partial = Partial(target.with_name(target.name + ENDING))
+    print(_demand(hull))
     with progress.bar(len(frequencies) + 1, "frequencies") as update:
         title = options.title or hull.source
-        database = build(hull, water, title, frequencies, directions, options.lid, loading, update)
-    return _fitted(database, options.highest_rad_s, target)
+        database = build(hull, water, title, frequencies, directions, options.lid, loading, update, partial)
+    database = _fitted(database, options, target)
+    partial.done()
+    return database
 
 
-def _fitted(database: Database, highest_rad_s: float | None, target: Path) -> Database:
+def _demand(hull: HullMeshes) -> str:
+    """What the panel method will take, before it starts."""
+    count = len(hull.panels.faces)
+    needed = memory_needed(count, len(hull.reflections)) / 1e9
+    threads = os.environ.get("OMP_NUM_THREADS") or os.cpu_count()
+    return (
+        f"{'to be solved':<20}{count} panels, {needed:.2g} GB a frequency, one at a time, {threads} "
+        f"threads; a lid "
+        "takes more by its panels. A run that is stopped goes on from what it has"
+    )
+
+
+def _fitted(database: Database, options: argparse.Namespace, target: Path) -> Database:
     database = rounded(database)
-    radiation = fit(database, highest_rad_s=highest_rad_s)
-    database = replace(database, radiation=radiation)
+    radiation = fit(database, highest_rad_s=options.highest_rad_s, accept=options.accept_fit)
+    found = misfits(database, radiation, highest_rad_s=options.highest_rad_s)
     print(f"{'memory of the water':<20}{_states(radiation)} states, fitted to {radiation.fit_error:.2%}")
+    for one in found:
+        print(
+            f"{'  ' + one.motion:<20}{one.memory:.2%} of K, {one.added_mass:.2%} of A, {one.damping:.2%} of B"
+        )
+    notes = [_missed(one) for one in found if one.memory > LIMIT]
+    _warn(notes)
+    provenance = replace(database.provenance, notes=(*database.provenance.notes, *notes))
+    database = replace(database, radiation=radiation, provenance=provenance)
     print(f"{'written':<20}{write(database, target)}")
     return database
+
+
+def _missed(one: Misfit) -> str:
+    return (
+        f"the memory of {one.motion} is fitted to {one.memory:.1%} only, at {one.frequency_rad_s:.4g} rad/s "
+        f"({one.added_mass:.1%} of its added mass, {one.damping:.1%} of its damping)"
+    )
 
 
 def _warn(warnings: list[str]) -> None:

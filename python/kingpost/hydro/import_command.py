@@ -30,7 +30,10 @@ def run(options: argparse.Namespace) -> Database:
         for field in fields(importers.Options)
         if getattr(options, field.name) is not None
     }
-    return importers.load(options.hull, importers.Options(**given), options.title)
+    database = importers.load(options.hull, importers.Options(**given), options.title, options.highest_rad_s)
+    for note in database.provenance.notes:
+        print(f"{'note':<20}{note}")
+    return database
 
 
 def refuse(options: argparse.Namespace) -> None:

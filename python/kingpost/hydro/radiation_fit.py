@@ -33,8 +33,12 @@ if TYPE_CHECKING:
 LIMIT = 0.02
 MOST_STATES = 24
 FEWEST_FREQUENCIES = 8
+PASSIVE_TRIALS = 4
 # Frequencies of the tail that the fit sees, over the highest of the data.
 TAIL = np.array([1.15, 1.4, 1.8, 2.5, 4.0, 7.0])
+# Weights of the tail, tried in turn: where no order meets the limit with the first, the guess gives way to
+# the data, and each frequency of it counts a hundredth of one of theirs, in squares.
+TAIL_WEIGHTS = (1.0, 0.1)
 # A motion is measured by its peak of K, or by this share of rho V l^2 sqrt(g / l) where that is more:
 # the yaw of a body of revolution is noise, and is not fitted as if it were large.
 LEAST_PEAK = 1e-3
@@ -45,6 +49,7 @@ def fit(
     limit: float = LIMIT,
     most_states: int = MOST_STATES,
     highest_rad_s: float | None = None,
+    accept: bool = False,
 ) -> Radiation:
     """Fit the memory with the fewest poles that meet a limit.
 
@@ -60,6 +65,9 @@ def fit(
         For a group of coupled motions.
     highest_rad_s
         Frequencies above it are left out: where the panels are too large for the waves.
+    accept
+        Whether the best passive fit is taken where none meets the limit; `misfits` says which
+        motions miss it.
 
     Returns
     -------
@@ -75,7 +83,7 @@ def fit(
     data = _Data.of(database, limit)
     modes = [RadiationMode(np.zeros(0, complex), np.zeros((0, 6), complex)) for _ in MOTIONS]
     for group in _groups(data.coupled):
-        poles, matrices = _fit_group(data, group, limit, most_states)
+        poles, matrices = _fit_group(data, group, limit, most_states, accept)
         for column, motion in enumerate(group):
             residues = np.zeros((len(poles), 6), complex)
             residues[:, group] = matrices[:, :, column] * np.sqrt(data.peaks[group] * data.peaks[motion])
@@ -93,6 +101,47 @@ def evaluate(radiation: Radiation, omega: Array) -> ComplexArray:
             found[:, :, motion] += residue / (1j * omega[:, None] - pole)
             if pole.imag != 0.0:
                 found[:, :, motion] += np.conj(residue) / (1j * omega[:, None] - np.conj(pole))
+    return found
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """How far a motion's fit is from its data: K as `fit` measures it, A and B over the largest of
+    each, all of the
+    diagonal, and the frequency at which K misses most."""
+
+    motion: str
+    memory: float
+    added_mass: float
+    damping: float
+    frequency_rad_s: float
+
+
+def misfits(
+    database: Database, radiation: Radiation, limit: float = LIMIT, highest_rad_s: float | None = None
+) -> list[Misfit]:
+    """Of each motion with a memory, in order.
+
+    A of the fit is A_inf + Im K / w: the error of K that is small beside the peak of K is large in
+    A where w is
+    small, and the other way round.
+    """
+    database = _up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
+    data, found = _Data.of(database, limit), []
+    error = evaluate(radiation, data.omega) - frequency_response(database)
+    for motion, name in enumerate(MOTIONS):
+        if not data.coupled[motion, motion]:
+            continue
+        one = error[:, motion, motion]
+        weighted = data.importance * np.abs(one) / data.peaks[motion]
+        largest = [np.abs(values[:, motion, motion]).max() for values in
+                   (database.added_mass, database.radiation_damping)]  # fmt: skip
+        found.append(Misfit(
+            name, float(weighted.max()),
+            float(np.abs(one.imag / data.omega).max() / max(largest[0], 1e-300)),
+            float(np.abs(one.real).max() / max(largest[1], 1e-300)),
+            float(data.omega[weighted.argmax()]),
+        ))  # fmt: skip
     return found
 
 
@@ -191,34 +240,57 @@ def _groups(coupled: Array) -> list[list[int]]:
 
 
 def _fit_group(
-    data: _Data, group: list[int], limit: float, most_states: int
+    data: _Data, group: list[int], limit: float, most_states: int, accept: bool
 ) -> tuple[ComplexArray, ComplexArray]:
     """Poles and residues (pole, force, motion) of a group, scaled; the fewest that meet the limit."""
-    problem = _problem(data, group, limit)
     target = data.scaled[:, group][:, :, group]
-    least, worst = np.inf, 0
-    for states in range(2, min(most_states, len(data.omega)) + 1):
-        poles = common_poles(problem.responses, problem.omega, problem.weights, states)
-        residues = best_residues(poles, problem)
-        error = _values(poles, residues, data.omega) - target
-        # What misses the limit without passivity misses it with it.
-        if data.largest(error) <= limit:
-            passive = passive_residues(poles, problem)
-            if passive is None:
-                continue
-            error = _values(poles, passive, data.omega) - target
-            if data.largest(error) <= limit:
-                return poles, passive
-        if data.largest(error) < least:
-            least, worst = data.largest(error), int(data.by_frequency(error).argmax())
+    tried: list[tuple[float, int, ComplexArray]] = []
+    for tail_weight in TAIL_WEIGHTS:
+        problem = _problem(data, group, limit, tail_weight)
+        for states in range(2, min(most_states, len(data.omega)) + 1):
+            poles = common_poles(problem.responses, problem.omega, problem.weights, states)
+            residues = best_residues(poles, problem)
+            # What misses the limit without passivity misses it with it.
+            if data.largest(_values(poles, residues, data.omega) - target) <= limit:
+                passive = passive_residues(poles, problem)
+                if passive is None:
+                    continue
+                residues = passive
+                if data.largest(_values(poles, passive, data.omega) - target) <= limit:
+                    return poles, passive
+            error = _values(poles, residues, data.omega) - target
+            tried.append((data.largest(error), int(data.by_frequency(error).argmax()), poles))
+        if not len(problem.tail_omega):
+            break
+    tried.sort(key=lambda one: one[0])
+    found = _best_passive(data, problem, target, tried) if accept else None
+    if found is not None:
+        return found
+    least, worst = tried[0][:2] if tried else (np.inf, 0)
     omega, names = data.omega, ", ".join(MOTIONS[motion] for motion in group)
     raise HydrodynamicsError(
         f"radiation of {names}",
         f"an error of {least:.3g} at {omega[worst]:.4g} rad/s with up to {states} poles",
         f"at most {limit:.3g} of the peak; compute more frequencies or a wider range ({len(omega)} from "
-        f"{omega[0]:.3g} to {omega[-1]:.3g} rad/s here), remove irregular frequencies with a lid, or leave "
-        "out those above which the panels are too large (highest_rad_s)",
+        f"{omega[0]:.3g} to {omega[-1]:.3g} rad/s here), remove irregular frequencies with a lid, leave "
+        "out those above which the panels are too large (highest_rad_s), or take the best fit as it "
+        "is (accept_fit)",
     )
+
+
+def _best_passive(
+    data: _Data, problem: Problem, target: ComplexArray, tried: list[tuple[float, int, ComplexArray]]
+) -> tuple[ComplexArray, ComplexArray] | None:
+    """The passive fit of least error with the poles that came nearest without passivity."""
+    best, least = None, np.inf
+    for _, _, poles in tried[:PASSIVE_TRIALS]:
+        passive = passive_residues(poles, problem)
+        if passive is None:
+            continue
+        error = data.largest(_values(poles, passive, data.omega) - target)
+        if error < least:
+            best, least = (poles, passive), error
+    return best
 
 
 def _values(poles: ComplexArray, residues: ComplexArray, omega: Array) -> ComplexArray:
@@ -229,7 +301,7 @@ def _values(poles: ComplexArray, residues: ComplexArray, omega: Array) -> Comple
     return np.tensordot(partial_fractions(poles, 1j * omega), unknowns, axes=1)
 
 
-def _problem(data: _Data, group: list[int], limit: float) -> Problem:
+def _problem(data: _Data, group: list[int], limit: float, tail_weight: float) -> Problem:
     """Each interval of frequencies counts by its width, and none by less than a third of the mean.
 
     Where damping has not fallen to the limit at the last frequency, its asymptote is asked for beyond.
@@ -242,5 +314,5 @@ def _problem(data: _Data, group: list[int], limit: float) -> Problem:
     decayed = np.abs(responses[-1].real).max() <= limit
     beyond = omega[-1] * (TAIL[:0] if decayed else TAIL)
     damping = np.array([tail(omega, one, beyond) for one in responses.real.T]).T
-    ones = np.ones(len(beyond))
-    return Problem(n, tuple(entries), omega, responses, weights, beyond, damping, ones)
+    faint = np.full(len(beyond), tail_weight)
+    return Problem(n, tuple(entries), omega, responses, weights, beyond, damping, faint)

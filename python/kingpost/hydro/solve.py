@@ -20,6 +20,7 @@ from .database import Water
 from .far_field import FarField, angle_count, ring_waves
 from .meshes import HullMeshes, whole
 from .panels import Panels, lid
+from .partial import Partial, digest
 from .symmetry import allowed_couplings, independent_directions, whole_circle
 
 if TYPE_CHECKING:
@@ -69,8 +70,9 @@ def solve(
     directions: int,
     with_lid: bool,
     update: Callable[[float], None] = lambda _done: None,
+    partial: Partial | None = None,
 ) -> Coefficients:
-    """Solve radiation and diffraction.
+    """Solve radiation and diffraction, a frequency at a time.
 
     Parameters
     ----------
@@ -86,6 +88,8 @@ def solve(
         Whether to close the inner water plane, which shifts irregular frequencies away.
     update
         Called with the number of frequencies done.
+    partial
+        Keeps each frequency when it is solved, and has those of a run that was stopped.
     """
     module = capytaine()
     cover = lid(hull.panels, hull.panel_size_m) if with_lid else None
@@ -94,11 +98,21 @@ def solve(
     problem = _Problem(module, hull, water, cover, rings)
     chosen = independent_directions(directions, hull.reflections)
     angles = 2 * np.pi * np.array(chosen) / directions
-    infinite = problem.infinite()
+    partial = partial or Partial(None)
+    partial.open(_settings(module, hull, water, cover, frequencies_rad_s, directions, rings))
+    kept = partial.get("infinite")
+    if kept is None:
+        kept = (problem.infinite(),)
+        partial.put("infinite", kept)
+    infinite = kept[0]
     update(1)
     rows = []
     for done, frequency in enumerate(frequencies_rad_s):
-        rows.append(problem.at(frequency, angles))
+        row = partial.get(str(done))
+        if row is None:
+            row = problem.at(frequency, angles)
+            partial.put(str(done), row)
+        rows.append(row)
         update(done + 2)
     parts = (np.array(part) for part in zip(*rows, strict=True))
     added_mass, damping, diffraction, radiated, scattered = parts
@@ -114,6 +128,32 @@ def solve(
         lid_panels=0 if cover is None else len(cover.faces) * 2 ** len(hull.reflections),
         solver=f"Capytaine {module.__version__}, direct boundary integral equation",
     )
+
+
+def _settings(
+    module: Any, hull: HullMeshes, water: Water, cover: Panels | None, frequencies_rad_s: NDArray[np.float64],
+    directions: int, rings: int,
+) -> str:  # fmt: skip
+    """The digest of all that the coefficients depend on."""
+    lids = () if cover is None else (cover.vertices, cover.faces)
+    return digest([
+        module.__version__, hull.reflections, hull.panels.vertices, hull.panels.faces, *lids,
+        water.density_kg_m3, water.gravity_m_s2, water.depth_m, frequencies_rad_s, directions, rings,
+    ])  # fmt: skip
+
+
+def memory_needed(unknowns: int, reflections: int) -> float:
+    """Bytes that one frequency takes, beside Python and its packages.
+
+    S and D are full matrices of 16 bytes an entry of the part that is solved, as many of each as
+    there are mirror
+    images; D is factored in a copy, and with two planes S is written out once more in twice as
+    many. Matrices of
+    the frequency before are gone when the next are built.
+    """
+    images = 2**reflections
+    matrices = 3 * images + (2 * images if reflections == 2 else 0)
+    return 16.0 * unknowns**2 * matrices
 
 
 class _Problem:
@@ -142,6 +182,7 @@ class _Problem:
         damping = self._matrix([result.radiation_dampings for result in radiated])
         forces = np.array([[result.forces[motion] for motion in self.motions] for result in scattered])
         waves = self._ring_waves([*radiated, *scattered], frequency)
+        self._forget()
         return added_mass, damping, forces, waves[:6], waves[6:]
 
     def _ring_waves(self, results: Sequence[Any], frequency: float) -> NDArray[np.complex128]:
@@ -153,7 +194,24 @@ class _Problem:
     def infinite(self) -> NDArray[np.float64]:
         """Added mass at infinite frequency, where the potential vanishes on the water plane."""
         problems = [self._radiation(self.bare, motion, np.inf) for motion in self.motions]
-        return self._matrix([self._solve(problem).added_masses for problem in problems])
+        found = self._matrix([self._solve(problem).added_masses for problem in problems])
+        self._forget()
+        return found
+
+    def _forget(self) -> None:
+        """Let the matrices of a frequency go.
+
+        Capytaine 3.0 keeps, of hulls with two planes of symmetry, up to 128 matrices that it has
+        written out, by a
+        cache of its class: 12 times the solved part's matrix, twice a frequency.
+        """
+        self.solver.engine.last_computed_inputs = self.solver.engine.last_computed_matrices = None
+        from capytaine.tools import block_circulant_matrices
+
+        for name in ("NestedBlockCirculantMatrix", "BlockCirculantMatrix"):
+            kept = getattr(getattr(block_circulant_matrices, name, None), "to_BlockCirculantMatrix", None)
+            if hasattr(kept, "cache_clear"):
+                kept.cache_clear()
 
     def _radiation(self, body: Any, motion: str, frequency: float) -> Any:
         return self.module.RadiationProblem(

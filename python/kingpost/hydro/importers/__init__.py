@@ -1,4 +1,4 @@
-"""Databases from other programs' files: Capytaine's NetCDF, WAMIT's numeric output, BEMIO's HDF5.
+"""Databases from other programs' files: Capytaine, WAMIT, BEMIO, ShipX (VERES), AQWA and Nemoh.
 
 What a file does not say is asked for, never assumed; weight is taken out of the restoring matrix; moments
 are carried to the origin; phases become those of exp(-i w t).
@@ -9,29 +9,52 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..database import Database
-from . import bemio, capytaine_file, wamit
+from . import aqwa, bemio, capytaine_file, nemoh, veres, wamit
 from .convert import convert
 from .foreign import ALLOWED, CHOICES, VECTORS, Options, reading_error
 
 __all__ = ["ALLOWED", "CHOICES", "KINDS", "VECTORS", "Options", "load", "recognise"]
 
 HDF5, CLASSIC = b"\x89HDF\r\n\x1a\n", b"CDF"
-READERS = {"bemio": bemio.read, "capytaine": capytaine_file.read, "wamit": wamit.read}
-ENDINGS = {".h5": "bemio", ".nc": "capytaine", ".1": "wamit", ".3": "wamit", ".hst": "wamit"}
-KINDS = "Capytaine's .nc, WAMIT's .1, .3 or .hst, BEMIO's .h5"
+READERS = {
+    "bemio": bemio.read,
+    "capytaine": capytaine_file.read,
+    "wamit": wamit.read,
+    "veres": veres.read,
+    "aqwa": aqwa.read,
+    "nemoh": nemoh.read,
+}
+ENDINGS = {
+    ".h5": "bemio",
+    ".nc": "capytaine",
+    **dict.fromkeys((".1", ".2", ".3", ".3fk", ".3sc", ".8", ".9", ".hst", ".out", ".mmx"), "wamit"),
+    **dict.fromkeys((".re7", ".re8"), "veres"),
+    ".ah1": "aqwa",
+    ".cal": "nemoh",
+}
+KINDS = (
+    "Capytaine's .nc, WAMIT's .1, .3, .hst or .out, BEMIO's .h5, ShipX's .re7 or .re8, AQWA's .AH1, "
+    "Nemoh's Nemoh.cal"
+)
 
 
 def recognise(path: str | Path) -> str | None:
-    """``bemio``, ``capytaine`` or ``wamit`` by the name's ending; `None` of any other file.
+    """``bemio``, ``capytaine``, ``wamit`` and so on by the name's ending; `None` of any other file.
 
-    >>> recognise("hull.stl") is None, recognise("out/buoy.hst")
-    (True, 'wamit')
+    >>> recognise("hull.stl") is None, recognise("out/buoy.hst"), recognise("hull.AH1")
+    (True, 'wamit', 'aqwa')
     """
     return ENDINGS.get(Path(path).suffix.lower())
 
 
-def load(path: str | Path, options: Options | None = None, title: str | None = None) -> Database:
-    """Read a foreign file as a database, without the fitted memory.
+def load(
+    path: str | Path,
+    options: Options | None = None,
+    title: str | None = None,
+    highest_rad_s: float | None = None,
+) -> Database:
+    """Read a foreign file as a database, without the fitted memory; frequencies above a limit are
+    left out first.
 
     Raises
     ------
@@ -44,7 +67,7 @@ def load(path: str | Path, options: Options | None = None, title: str | None = N
         raise reading_error("a file of another kind", KINDS, name)
     _check_signature(kind, name)
     options = options or Options()
-    return convert(READERS[kind](name, options), options, title or Path(path).stem)
+    return convert(READERS[kind](name, options), options, title or Path(path).stem, highest_rad_s)
 
 
 def _check_signature(kind: str, name: str) -> None:
@@ -53,6 +76,6 @@ def _check_signature(kind: str, name: str) -> None:
             head = file.read(8)
     except OSError as error:
         raise reading_error(str(error.strerror), KINDS, name) from None
-    signatures = {"bemio": (HDF5,), "capytaine": (HDF5, CLASSIC), "wamit": (b"",)}[kind]
+    signatures = {"bemio": (HDF5,), "capytaine": (HDF5, CLASSIC)}.get(kind, (b"",))
     if not head.startswith(signatures) or not head:
         raise reading_error("a file that is empty or of another kind", f"a file of {kind}'s", name)

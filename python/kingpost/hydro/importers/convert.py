@@ -9,12 +9,13 @@ import numpy as np
 
 from ... import __version__
 from ...errors import HydrodynamicsError
-from ..checks import check
+from ..checks import HASKIND, haskind_difference
 from ..database import Database, Hull, Provenance, Water, Waterplane
-from ..memory import added_mass_infinite
-from .directions import whole_circle
+from ..infinite_mass import joint_added_mass_infinite
+from .directions import Circle
 from .foreign import ASKED
 from .long_waves import check_long_waves
+from .repair import positive, repaired, up_to
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,21 +23,25 @@ if TYPE_CHECKING:
     from .foreign import Foreign, Options
 
 
-def convert(foreign: Foreign, options: Options, title: str) -> Database:
-    """Settle what the file leaves open, move all to the origin, take the weight out, check.
+def convert(foreign: Foreign, options: Options, title: str, highest_rad_s: float | None = None) -> Database:
+    """Cut, repair, settle what the file leaves open, move all to the origin, take the weight out, check.
+
+    What is not as a hull's coefficients are is repaired where that is known to be right, and noted
+    with how much
+    was changed (`repair`); only what cannot be used is refused.
 
     Raises
     ------
     HydrodynamicsError
         When something is neither in the file nor given, or what was given cannot be right.
     """
-    notes = ["zero forward speed"]
-    foreign, file = _finite(foreign, notes), foreign.file
+    notes = ["zero forward speed", *foreign.notes]
+    foreign, file = repaired(_finite(up_to(foreign, highest_rad_s, notes), notes), notes), foreign.file
     options.asked_together([name for name in ASKED if getattr(foreign, name, None) is None], file)
     water = _water(foreign, options)
     reference = np.array(options.settled("reference_m", foreign.reference_m, file), float)
     motion = about_origin(reference)
-    infinite = _infinite(foreign, options, notes)
+    infinite = motion.T @ _infinite(foreign, options, notes) @ motion
     hull = _hull(foreign, options, water, reference)
     excitation = foreign.excitation @ motion
     if foreign.froude_krylov is None:
@@ -45,8 +50,9 @@ def convert(foreign: Foreign, options: Options, title: str) -> Database:
     else:
         froude_krylov = foreign.froude_krylov @ motion
         diffraction = excitation - froude_krylov
-    directions, froude_krylov = whole_circle(foreign.directions_rad, froude_krylov, options, file)
-    _, diffraction = whole_circle(foreign.directions_rad, diffraction, options, file)
+    circle = Circle(foreign, options)
+    directions, froude_krylov = circle.whole(froude_krylov)
+    _, diffraction = circle.whole(diffraction)
     database = Database(
         title=title,
         provenance=Provenance(
@@ -58,13 +64,40 @@ def convert(foreign: Foreign, options: Options, title: str) -> Database:
         wave_directions_rad=directions,
         added_mass=motion.T @ foreign.added_mass @ motion,
         radiation_damping=motion.T @ foreign.radiation_damping @ motion,
-        added_mass_infinite=motion.T @ infinite @ motion,
+        added_mass_infinite=infinite,
         froude_krylov=froude_krylov,
         diffraction=diffraction,
+        mean_drift=_mean_drift(foreign, circle, reference),
     )  # fmt: skip
-    check_long_waves(database, file)
-    check(database)
-    return database
+    check_long_waves(database, file, alone=not foreign.others_about)
+    return _with_haskind(database)
+
+
+def _with_haskind(database: Database) -> Database:
+    """With a note where the excitation makes other waves than the damping takes: not to be repaired."""
+    found = haskind_difference(database)
+    if found is None or found.largest <= HASKIND:
+        return database
+    note = (
+        f"excitation and damping miss Haskind's relation by up to {found.largest:.1%} of the "
+        f"largest damping, in "
+        f"{found.motion} at {found.frequency_rad_s:.4g} rad/s: not changed"
+    )
+    provenance = replace(database.provenance, notes=(*database.provenance.notes, note))
+    return replace(database, provenance=provenance)
+
+
+def _mean_drift(
+    foreign: Foreign, circle: Circle, reference: NDArray[np.float64]
+) -> NDArray[np.float64] | None:
+    """About the origin, round the circle: as forces mirror and turn, so does their mean."""
+    if foreign.mean_drift is None:
+        return None
+    surge, sway, yaw = np.moveaxis(foreign.mean_drift, 2, 0)
+    moment = yaw + reference[0] * sway - reference[1] * surge
+    nothing = np.zeros_like(surge)
+    six = np.stack([surge, sway, nothing, nothing, nothing, moment], axis=2)
+    return circle.whole(six)[1][:, :, [0, 1, 5]].real
 
 
 def _finite(foreign: Foreign, notes: list[str]) -> Foreign:
@@ -88,6 +121,7 @@ def _finite(foreign: Foreign, notes: list[str]) -> Foreign:
         radiation_damping=foreign.radiation_damping[kept],
         excitation=foreign.excitation[kept],
         froude_krylov=None if apart is None else apart[kept],
+        mean_drift=None if foreign.mean_drift is None else foreign.mean_drift[kept],
     )
 
 
@@ -119,8 +153,11 @@ def _infinite(foreign: Foreign, options: Options, notes: list[str]) -> NDArray[n
     if foreign.added_mass_infinite is not None:
         return foreign.added_mass_infinite
     options.asked("added_mass_infinite", foreign.file)
-    notes.append("added mass at infinite frequency by Ogilvie's relation from A and B")
-    return added_mass_infinite(foreign.frequencies_rad_s, foreign.added_mass, foreign.radiation_damping)
+    notes.append("added mass at infinite frequency from A and B, fitted together with the memory")
+    found = joint_added_mass_infinite(
+        foreign.frequencies_rad_s, foreign.added_mass, foreign.radiation_damping
+    )
+    return positive(found, "added mass at infinite frequency", notes)
 
 
 def _hull(foreign: Foreign, options: Options, water: Water, reference: NDArray[np.float64]) -> Hull:
@@ -150,9 +187,9 @@ def _hull(foreign: Foreign, options: Options, water: Water, reference: NDArray[n
     second += [2 * x * first[0] + x * x * area, x * first[1] + y * first[0] + x * y * area,
                2 * y * first[1] + y * y * area]  # fmt: skip
     hull = Hull(
-        draught_m=float(options.settled("draught_m", foreign.draught_m, file)),
-        length_m=float(options.asked("length_m", file)),
-        beam_m=float(options.asked("beam_m", file)),
+        draught_m=float(options.preferred("draught_m", foreign.draught_m, file)),
+        length_m=float(options.preferred("length_m", foreign.length_m, file)),
+        beam_m=float(options.preferred("beam_m", foreign.beam_m, file)),
         volume_m3=volume,
         centre_of_buoyancy_m=buoyancy,
         waterplane=Waterplane(float(area), first + area * np.array([x, y]), second),

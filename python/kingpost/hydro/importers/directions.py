@@ -7,6 +7,7 @@ answers a wave turned by an angle with its forces turned by that angle.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,13 +17,26 @@ from ...errors import HydrodynamicsError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from .foreign import Options
+    from .foreign import Foreign, Options
 
 SIDES = np.array([1.0, -1.0, 1.0, -1.0, 1.0, -1.0])
 ENDS = np.array([-1.0, 1.0, 1.0, 1.0, -1.0, -1.0])
 # Directions of a body of revolution, every 15 degrees.
 OF_REVOLUTION = 24
 TOLERANCE = 1e-4
+
+
+class Circle:
+    """The directions of a file, and the symmetry that fills the circle: as given, else as the file says."""
+
+    def __init__(self, foreign: Foreign, options: Options) -> None:
+        self.directions, self.options, self.file = foreign.directions_rad, options, foreign.file
+        if options.hull_symmetry is None and foreign.hull_symmetry is not None:
+            self.options = replace(options, hull_symmetry=foreign.hull_symmetry)
+
+    def whole(self, forces: NDArray) -> tuple[NDArray[np.float64], NDArray]:
+        """Directions of the whole circle and forces (frequency, direction, 6) on them."""
+        return whole_circle(self.directions, forces, self.options, self.file)
 
 
 def whole_circle(

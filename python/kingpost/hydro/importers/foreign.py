@@ -40,7 +40,7 @@ CHOICES = {
     "hull_symmetry": ("none", "port_starboard", "both_planes", "revolution"),
     "added_mass_infinite": ("from_damping",),
 }
-# What every database needs; length and beam are in no file.
+# What every database needs; length and beam are in few files.
 ASKED = ("density_kg_m3", "gravity_m_s2", "water_depth_m", "reference_m", "volume_m3", "centre_of_buoyancy_m",
          "draught_m", "length_m", "beam_m", "restoring_includes_weight")  # fmt: skip
 VECTORS = ("centre_of_gravity_m", "centre_of_buoyancy_m", "reference_m")
@@ -101,6 +101,13 @@ class Options:
             found = f"no {', '.join(missing)} in the file"
             allowed = f"each as an option, --{missing[0]} and so on; `kingpost hydro --help` says what it is"
             raise HydrodynamicsError("", found, allowed, file)
+
+    def preferred(self, name: str, said: object, file: str) -> object:
+        """The option, or else what was measured on a file beside, which may be of another water line."""
+        given = getattr(self, name)
+        return (
+            self.asked(name, file) if given is None and said is None else given if given is not None else said
+        )
 
     def settled(self, name: str, said: object, file: str) -> object:
         """What the file says, or else the option; both only where they agree."""
@@ -165,6 +172,14 @@ class Foreign:
     centre_of_buoyancy_m: NDArray[np.float64] | None = None
     volume_m3: float | None = None
     draught_m: float | None = None
+    length_m: float | None = None
+    beam_m: float | None = None
+    hull_symmetry: str | None = None
+    mean_drift: NDArray[np.float64] | None = None
+    """(frequency, direction, 3): surge, sway and yaw about `reference_m` per metre squared of amplitude."""
+    notes: tuple[str, ...] = ()
+    others_about: bool = False
+    """Whether other bodies are held still beside it: they bend the longest waves too."""
 
 
 def reading_error(found: str, allowed: str, file: str, field: str = "") -> HydrodynamicsError:

@@ -29,8 +29,10 @@ LONGEST_COUNT = 0.4
 HEAVE_ERROR, SLOPE_ERROR = 0.2, 0.1
 
 
-def check_long_waves(database: Database, file: str) -> None:
-    """Refuse what cannot be; waves that are not long against the hull say nothing, and are not looked at.
+def check_long_waves(database: Database, file: str, *, alone: bool = True) -> None:
+    """Refuse what cannot be; waves that are not long against the hull say nothing, and are not
+    looked at. Roll and
+    pitch are those of a hull alone.
 
     Raises
     ------
@@ -48,7 +50,8 @@ def check_long_waves(database: Database, file: str) -> None:
             "excitation", f"a surge force that leads by {np.degrees(np.angle(surge)):.3g} deg in long waves",
             "-90 deg for exp(-i w t): the sign of time or of the wave directions is the other one", file,
         )  # fmt: skip
-    _check_slope(database, omega, file)
+    if alone:
+        _check_slope(database, omega, file)
 
 
 def _check_heave(database: Database, omega: float, file: str) -> None:

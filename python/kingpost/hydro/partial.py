@@ -1,0 +1,90 @@
+"""What a panel method has solved so far, in a file beside the output: a run that was stopped goes
+on from there.
+
+The file belongs to one set of settings: hull, lid, water, frequencies, directions and solver. Their SHA-256
+stands in it, and a file of other settings is not looked at. It is written after each frequency, whole or not
+at all, and taken away when the database stands.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import zipfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from numpy.typing import NDArray
+
+ENDING = ".partial.npz"
+
+
+def digest(parts: Iterable[Any]) -> str:
+    """SHA-256 of arrays, numbers and texts in this order.
+
+    >>> digest([1.0, "a"]) == digest([1.0, "a"]), digest([1.0]) == digest([2.0])
+    (True, False)
+    """
+    found = hashlib.sha256()
+    for part in parts:
+        if isinstance(part, np.ndarray):
+            found.update(f"{part.dtype} {part.shape}".encode())
+            found.update(np.ascontiguousarray(part).tobytes())
+        else:
+            found.update(repr(part).encode())
+        found.update(b"\0")
+    return found.hexdigest()
+
+
+class Partial:
+    """Arrays by frequency; the key of infinite frequency is ``infinite``."""
+
+    def __init__(self, path: Path | None) -> None:
+        self.path, self.settings = path, ""
+        self.arrays: dict[str, tuple[NDArray, ...]] = {}
+
+    def open(self, settings: str) -> int:
+        """Take up what is there for these settings; how many frequencies it has."""
+        self.settings, self.arrays = settings, {}
+        if self.path is None or not self.path.is_file():
+            return 0
+        try:
+            with np.load(self.path, allow_pickle=False) as stored:
+                if str(stored["settings"]) != settings:
+                    return 0
+                for name in stored.files:
+                    if name != "settings":
+                        key, place = name.rsplit("/", 1)
+                        self.arrays.setdefault(key, ())
+                        self.arrays[key] += (stored[f"{key}/{int(place)}"],)
+        except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+            # A file that cannot be read is as none: all is computed anew.
+            self.arrays = {}
+        return len(self.arrays)
+
+    def get(self, key: str) -> tuple[NDArray, ...] | None:
+        return self.arrays.get(key)
+
+    def put(self, key: str, values: tuple[NDArray, ...]) -> None:
+        """Keep and write."""
+        self.arrays[key] = values
+        if self.path is None:
+            return
+        beside = self.path.with_name(f".{self.path.name}.{os.getpid()}.npz")
+        named = {f"{name}/{k}": value for name, some in self.arrays.items() for k, value in enumerate(some)}
+        try:
+            np.savez(beside, settings=np.array(self.settings), **named)
+            os.replace(beside, self.path)
+        except OSError:
+            # Without a place to keep it the work still goes on.
+            beside.unlink(missing_ok=True)
+
+    def done(self) -> None:
+        """The database stands: the file is no longer wanted."""
+        if self.path is not None:
+            self.path.unlink(missing_ok=True)
