@@ -54,7 +54,7 @@ fn a_pendant_that_goes_over_the_top_is_warned_of() {
 #[test]
 fn a_pendant_that_hangs_is_not_warned_of_and_what_a_spring_keeps_is_none() {
     assert!(pendant(f64::to_radians(60.0), None).warnings.is_empty());
-    let spring = json!({"stiffness_N_m_per_rad": 1.0, "rest_angle_rad": 0.0});
+    let spring = json!({"stiffness_N_m_per_rad": 1.0, "rest_rad": 0.0});
     assert!(pendant(f64::to_radians(122.0), Some(spring)).warnings.is_empty());
 }
 
