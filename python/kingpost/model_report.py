@@ -15,8 +15,8 @@ WORLD = "world"
 
 
 def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
-    """What a scenario builds: bodies, joints, closed loops, parameters, drives and forces, and how its
-    hulls float."""
+    """What a scenario builds: bodies, joints, closed loops, parameters, drives, forces and
+    sensors, and how its hulls float."""
     described = scenario.model
     settings = scenario.resolved["simulation"]
     mass = sum(body["mass_kg"] for body in described["bodies"])
@@ -30,6 +30,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         _elements(described, "drives"),
         _prescribed(described["joints"]),
         _elements(described, "forces"),
+        _elements(described, "sensors"),
         _sea(described["sea"]),
         *hydrostatics_report.sections(scenario),
         [f"warning: {words}" for words in described["warnings"]],
@@ -93,13 +94,15 @@ def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
 
 
 def _elements(described: dict[str, Any], group: str) -> list[str]:
-    """Forces or drives, with what is given of them."""
+    """Forces, drives or sensors, with what is given of them. A model without sensors says nothing of them."""
     rows = [(group, "", "", "")]
     for element in described["elements"]:
         if element["group"] == group:
             on = "on" if element["enabled"] else "off"
             rows.append((element["name"], element["kind"], on, facts(element["facts"])))
-    return table(rows, "<<<<") if len(rows) > 1 else [f"{group}: none"]
+    if len(rows) > 1:
+        return table(rows, "<<<<")
+    return [] if group == "sensors" else [f"{group}: none"]
 
 
 def facts(given: list[dict[str, str]]) -> str:

@@ -87,7 +87,7 @@ def test_check_prints_loops_and_cylinders(capsys):
         ("longest", law["longest_m"], "m"),
         ("push limit", law["push_limit_N"], "N"),
         ("speed limit", law["speed_limit_m_s"], "m/s"),
-        ("target length length", law["target"]["length"]["length_m"], "m"),
+        ("target length", law["target"]["length"]["length_m"], "m"),
     ):
         assert f", {label} {value:g} {unit}" in line, label
 

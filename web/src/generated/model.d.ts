@@ -317,7 +317,7 @@ export interface ElementDescription {
    */
   name: string;
   /**
-   * Where the scenario has it: `forces` or `drives`.
+   * Where the scenario has it: `forces`, `drives` or `sensors`.
    */
   group: string;
   /**

@@ -1,4 +1,4 @@
-//! What is given of forces, drives and prescribed motions, ready to print.
+//! What is given of forces, drives, sensors and prescribed motions, ready to print.
 
 use crate::elements::significant;
 use crate::scenario::schema::{Joint, Scenario};
@@ -12,7 +12,7 @@ use serde_json::{Map, Value};
 pub struct ElementDescription {
     /// Name.
     pub name: String,
-    /// Where the scenario has it: `forces` or `drives`.
+    /// Where the scenario has it: `forces`, `drives` or `sensors`.
     pub group: &'static str,
     /// What it is, in words.
     pub kind: String,
@@ -39,11 +39,12 @@ const DIGITS: usize = 6;
 /// Fields of a history, of which the one counts that `history` names.
 const HISTORIES: [&str; 2] = ["pulse", "list"];
 
-/// The forces and the drives, in the order of the scenario.
+/// The forces, the drives and the sensors, in the order of the scenario.
 pub fn elements(scenario: &Scenario) -> Vec<ElementDescription> {
     let forces = scenario.forces.iter().filter_map(|(name, force)| described(name.as_str(), "forces", force));
     let drives = scenario.drives.iter().filter_map(|(name, drive)| described(name.as_str(), "drives", drive));
-    forces.chain(drives).collect()
+    let sensors = scenario.sensors.iter().filter_map(|(name, sensor)| described(name.as_str(), "sensors", sensor));
+    forces.chain(drives).chain(sensors).collect()
 }
 
 /// Of what stands under its kind, as in a scenario file.
@@ -75,13 +76,21 @@ fn facts(fields: &Map<String, Value>, lead: &str) -> Vec<Fact> {
     for (name, value) in fields.iter().filter(|(name, value)| counts(name) && !value.is_null()) {
         let (stem, unit) = si_ending(name)
             .map_or((name.as_str(), ""), |(ending, unit)| (name.strip_suffix(ending).unwrap_or(name), unit));
-        let label = [lead, &words(stem)].into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ");
+        let label = led_by(lead, &words(stem));
         match value {
             Value::Object(inner) => all.extend(facts(inner, &label)),
             value => all.push(Fact { label, value: written(value), unit }),
         }
     }
     all
+}
+
+/// A label behind the name of what it is part of, which it does not say again.
+fn led_by(lead: &str, label: &str) -> String {
+    if lead == label || lead.ends_with(&format!(" {label}")) {
+        return lead.to_owned();
+    }
+    if lead.is_empty() { label.to_owned() } else { format!("{lead} {label}") }
 }
 
 fn words(name: &str) -> String {
