@@ -1,11 +1,10 @@
 """Added mass at infinite frequency, found together with the memory where a file does not have it.
 
-Ogilvie's relation (`memory.added_mass_infinite`) integrates the damping to infinity; where data
-end before the
-damping has gone, a guessed tail decides it. T. Perez and T. I. Fossen, "Joint identification of infinite-
-frequency added mass and fluid-memory models of marine structures", Modeling, Identification and
-Control 29(3),
-2008, fit B + j w A = K(j w) + j w A_inf with both unknown: the data themselves then say where A tends to.
+Ogilvie's relation (`memory.added_mass_infinite`) integrates the damping to infinity; where data end before
+the damping has gone, a guessed tail decides it. T. Perez and T. I. Fossen, "Joint identification of infinite-
+frequency added mass and fluid-memory models of marine structures", Modeling, Identification and Control
+29(3), 2008, fit B + j w A = K(j w) + j w A_inf with both unknown: the data themselves then say where A tends
+to.
 """
 
 from __future__ import annotations
@@ -28,9 +27,8 @@ GONE = 0.15
 
 
 def joint_added_mass_infinite(omega: Array, added_mass: Array, damping: Array) -> Array:
-    """A_inf (6, 6) of symmetric A and B (frequency, 6, 6): Ogilvie's, but where damping has not
-    gone at the last
-    frequency."""
+    """A_inf (6, 6) of symmetric A and B (frequency, 6, 6): Ogilvie's, but where damping has not gone at the
+    last frequency."""
     found = added_mass_infinite(omega, added_mass, damping)
     found = 0.5 * (found + found.T)
     scale = np.sqrt(np.abs(np.diagonal(added_mass, axis1=1, axis2=2)).max(axis=0))

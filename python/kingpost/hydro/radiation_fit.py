@@ -106,9 +106,8 @@ def evaluate(radiation: Radiation, omega: Array) -> ComplexArray:
 
 @dataclass(frozen=True)
 class Misfit:
-    """How far a motion's fit is from its data: K as `fit` measures it, A and B over the largest of
-    each, all of the
-    diagonal, and the frequency at which K misses most."""
+    """How far a motion's fit is from its data: K as `fit` measures it, A and B over the largest of each, all
+    of the diagonal, and the frequency at which K misses most."""
 
     motion: str
     memory: float
@@ -122,9 +121,8 @@ def misfits(
 ) -> list[Misfit]:
     """Of each motion with a memory, in order.
 
-    A of the fit is A_inf + Im K / w: the error of K that is small beside the peak of K is large in
-    A where w is
-    small, and the other way round.
+    A of the fit is A_inf + Im K / w: the error of K that is small beside the peak of K is large in A where w
+    is small, and the other way round.
     """
     database = _up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
     data, found = _Data.of(database, limit), []

@@ -15,7 +15,7 @@ from ..infinite_mass import joint_added_mass_infinite
 from .directions import Circle
 from .foreign import ASKED
 from .long_waves import check_long_waves
-from .repair import positive, repaired, up_to
+from .repair import at_frequencies, positive, repaired, up_to
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -26,9 +26,8 @@ if TYPE_CHECKING:
 def convert(foreign: Foreign, options: Options, title: str, highest_rad_s: float | None = None) -> Database:
     """Cut, repair, settle what the file leaves open, move all to the origin, take the weight out, check.
 
-    What is not as a hull's coefficients are is repaired where that is known to be right, and noted
-    with how much
-    was changed (`repair`); only what cannot be used is refused.
+    What is not as a hull's coefficients are is repaired where that is known to be right, and noted with how
+    much was changed (`repair`); only what cannot be used is refused.
 
     Raises
     ------
@@ -113,16 +112,7 @@ def _finite(foreign: Foreign, notes: list[str]) -> Foreign:
     notes.append(
         f"{len(lost)} frequencies left out for which the file has no numbers, from {lost[0]:.4g} rad/s"
     )
-    apart = foreign.froude_krylov
-    return replace(
-        foreign,
-        frequencies_rad_s=foreign.frequencies_rad_s[kept],
-        added_mass=foreign.added_mass[kept],
-        radiation_damping=foreign.radiation_damping[kept],
-        excitation=foreign.excitation[kept],
-        froude_krylov=None if apart is None else apart[kept],
-        mean_drift=None if foreign.mean_drift is None else foreign.mean_drift[kept],
-    )
+    return at_frequencies(foreign, kept)
 
 
 def about_origin(reference_m: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -30,9 +30,8 @@ HEAVE_ERROR, SLOPE_ERROR = 0.2, 0.1
 
 
 def check_long_waves(database: Database, file: str, *, alone: bool = True) -> None:
-    """Refuse what cannot be; waves that are not long against the hull say nothing, and are not
-    looked at. Roll and
-    pitch are those of a hull alone.
+    """Refuse what cannot be; waves that are not long against the hull say nothing, and are not looked at.
+    Roll and pitch are those of a hull alone.
 
     Raises
     ------

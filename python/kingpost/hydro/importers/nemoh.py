@@ -1,12 +1,10 @@
-"""Nemoh's folder, of its versions 2 and 3, by its Nemoh.cal: Mesh/KH.dat, Mesh/Hydrostatics.dat
-and in Results
-RadiationCoefficients.tec, ExcitationForce.tec and FKForce.tec.
+"""Nemoh's folder, of its versions 2 and 3, by its Nemoh.cal: Mesh/KH.dat, Mesh/Hydrostatics.dat and in
+Results RadiationCoefficients.tec, ExcitationForce.tec and FKForce.tec.
 
-Nemoh.cal has density, gravity and depth (0 is infinite), the points that rotations are about, and
-the ranges of
-frequencies and directions. Coefficients are in SI units, waves go to their directions, phases are radians of
-exp(-i w t) (readNEMOH.m of WEC-Sim conjugates them for exp(+i w t)). KH is the stiffness about the centre of
-gravity that Nemoh's mesh tool was given, its weight in it. Of several bodies the first is taken. The
+Nemoh.cal has density, gravity and depth (0 is infinite), the points that rotations are about, and the ranges
+of frequencies and directions. Coefficients are in SI units, waves go to their directions, phases are radians
+of exp(-i w t) (readNEMOH.m of WEC-Sim conjugates them for exp(+i w t)). KH is the stiffness about the centre
+of gravity that Nemoh's mesh tool was given, its weight in it. Of several bodies the first is taken. The
 versions have no infinite frequency.
 """
 

@@ -220,9 +220,8 @@ def _without_jumps(foreign: Foreign, notes: list[str]) -> Foreign:
 
 
 def _jumps(omega: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Where a value alone leaves its neighbours: they agree with each other, and with theirs, far
-    better than it
-    does with them. A resonance has flanks; an irregular frequency between regular ones has none."""
+    """Where a value alone leaves its neighbours: they agree with each other, and with theirs, far better than
+    it does with them. A resonance has flanks; an irregular frequency between regular ones has none."""
     near = values[:-4], values[1:-3], values[3:-1], values[4:]
     part = (omega[2:-2] - omega[1:-3]) / (omega[3:-1] - omega[1:-3])
     off = np.abs(values[2:-2] - ((1.0 - part) * near[1] + part * near[2]))

@@ -1,17 +1,13 @@
 """ShipX's files of VERES: STEM.re7 (coefficients) and STEM.re8 (exciting forces), at zero speed.
 
 Six lines of text; density and gravity; Lpp, breadth and draught; LCG aft of Lpp/2 and VCG above the keel;
-numbers of speeds, headings, frequencies and motions; in `.re7` the mass matrix. For each speed a
-line with the
-speed, sinkage, trim and the point of the motions (x aft of Lpp/2, z above the keel), for each heading and
-frequency A, B and C, in version 2 each followed by what was added to it (the user's own), and a
-line of viscous
-roll damping; in `.re8` motion, real and imaginary part. x is aft and z up there, so y is to starboard; phases
-are those of exp(+i w t) and of the wave at the point of the motions, a heading of 0 is a head sea
-and one of 90
-goes to +y. C has the weight in it (read_veres_ABC.m and read_veres_TF.m of the Marine Systems
-Simulator read them
-so). The origin here is on the water plane at the point's place along the hull.
+numbers of speeds, headings, frequencies and motions; in `.re7` the mass matrix. For each speed a line with
+the speed, sinkage, trim and the point of the motions (x aft of Lpp/2, z above the keel), for each heading and
+frequency A, B and C, in version 2 each followed by what was added to it (the user's own), and a line of
+viscous roll damping; in `.re8` motion, real and imaginary part. x is aft and z up there, so y is to
+starboard; phases are those of exp(+i w t) and of the wave at the point of the motions, a heading of 0 is a
+head sea and one of 90 goes to +y. C has the weight in it (read_veres_ABC.m and read_veres_TF.m of the Marine
+Systems Simulator read them so). The origin here is on the water plane at the point's place along the hull.
 
 Strip theory gives surge no added mass and no damping, and does not keep Haskind's relation.
 """
