@@ -254,7 +254,7 @@ fn an_equilibrium_beyond_the_thrusters_is_refused_by_name() {
     let error = read_with(&weak, "test.yaml", &[], &barge::files()).unwrap_err().to_string();
     assert!(
         error.contains(
-            "begin_at_equilibrium: found true, and no equilibrium: dp would have to give 1.144 times the most"
+            "begin_at_equilibrium: found true, and no equilibrium: dp would have to give 1.101 times the most"
         ),
         "{error}"
     );

@@ -5,7 +5,7 @@ use super::righting::{RightingArmCurve, Side};
 use super::{HullAfloat, HydrostaticsError};
 use crate::dynamics::Kinematics;
 use crate::elements::SlackTank;
-use crate::elements::hull::{Hull, Hydrostatics};
+use crate::elements::hull::{Hull, Hydrostatics, LARGEST_LIST_DEG};
 use crate::model::Model;
 use crate::sea::database::Database;
 use crate::sea::hull::{FloatingPosition, HullMesh, HullTank, Loading, StabilityError, WettedHull};
@@ -15,8 +15,7 @@ use crate::world::World;
 /// Linear hydrodynamics about a draught that differs from the database's by more than this share of it
 /// are warned of.
 const LARGEST_DRAUGHT_CHANGE: f64 = 0.05;
-/// Linear hydrodynamics about a heel or trim beyond this are warned of, and a bottom that comes out of
-/// the water before, deg.
+/// A bottom that comes out of the water before this heel or trim is warned of, deg.
 const LARGEST_ANGLE_DEG: f64 = 3.0;
 /// A displacement that differs from the mass by more than this share of it is warned of.
 const LARGEST_PULL: f64 = 1e-3;
@@ -142,8 +141,8 @@ impl Floating<'_> {
             displacement_m3: water.volume,
             draught_m: vertical[2] * draught - position.height,
             database_draught_m: draught,
-            heel_rad: libm::atan2(vertical[1], vertical[2]),
-            trim_rad: libm::atan2(-vertical[0], libm::hypot(vertical[1], vertical[2])),
+            heel_rad: heel_and_trim(vertical)[0],
+            trim_rad: heel_and_trim(vertical)[1],
             keel_to_buoyancy_m: water.centre[2] + draught,
             metacentric_radius_m: water.metacentric_radius,
             keel_to_metacentre_m: water.metacentric_radius.map(|radius| water.centre[2] + draught + radius),
@@ -197,7 +196,10 @@ impl Floating<'_> {
         let mut warnings = Vec::new();
         let (body, draught, database) = (&hull.body, hull.draught_m, hull.database_draught_m);
         let change = (draught - database).abs() / database;
-        let about = "linear hydrodynamics are about the database's draught, upright";
+        let about = match self.database.hull.attitude {
+            Some(_) => "linear hydrodynamics are about the database's draught and attitude",
+            None => "linear hydrodynamics are about the database's draught, upright",
+        };
         if change > LARGEST_DRAUGHT_CHANGE {
             warnings.push(format!(
                 "{body}: draught {draught:.4} m, the database's is {database:.4} m, {:.1} % apart: {about} (warned of \
@@ -206,12 +208,14 @@ impl Floating<'_> {
                 100.0 * LARGEST_DRAUGHT_CHANGE
             ));
         }
-        let end = if hull.trim_rad < 0.0 { "by the stern" } else { "by the bow" };
-        let side = format!("to {}", Side::of(hull.heel_rad).name());
-        for (what, angle, sense) in [("heel", hull.heel_rad, side.as_str()), ("trim", hull.trim_rad, end)] {
+        let of_coefficients = self.at.world[self.hull.frame.body].times(&self.hull.coefficients.in_body);
+        let [heel, trim] = heel_and_trim(FloatingPosition::of(&of_coefficients).vertical);
+        let end = if trim < 0.0 { "by the stern" } else { "by the bow" };
+        let side = format!("to {}", Side::of(heel).name());
+        for (what, angle, sense) in [("heel", heel, side.as_str()), ("trim", trim, end)] {
             let angle = angle.to_degrees().abs();
-            if angle > LARGEST_ANGLE_DEG {
-                let limit = format!("warned of beyond {LARGEST_ANGLE_DEG} deg");
+            if angle > LARGEST_LIST_DEG {
+                let limit = format!("warned of beyond {LARGEST_LIST_DEG} deg");
                 warnings.push(format!("{body}: {what} {angle:.2} deg {sense}: {about} ({limit})"));
             }
         }
@@ -236,6 +240,11 @@ impl Floating<'_> {
         let heel_rad = libm::atan2(position.vertical[1], position.vertical[2]);
         RightingArmCurve::of(mesh, &loading, &tanks, heel_rad)
     }
+}
+
+/// Of a vertical in hull axes, rad.
+fn heel_and_trim(vertical: Vector3) -> [f64; 2] {
+    [libm::atan2(vertical[1], vertical[2]), libm::atan2(-vertical[0], libm::hypot(vertical[1], vertical[2]))]
 }
 
 /// How far hanging loads raise the centre of gravity of all, for heel and for trim, m.

@@ -116,6 +116,22 @@ pub struct HullAtRest {
     /// The whole hull with its deck, closed.
     #[serde(default)]
     pub mesh: Option<Mesh>,
+    /// In which attitude the coefficients were computed, if not upright at that draught. All else here is of the upright hull.
+    #[serde(default)]
+    pub attitude: Option<Attitude>,
+}
+
+/// How the axes of the upright hull stand in those of the coefficients: turned by `Ry(pitch) Rx(roll)`, their origin over or
+/// under that of the coefficients, which is on the water plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Attitude {
+    /// To starboard, rad.
+    pub roll_rad: f64,
+    /// By the bow, rad.
+    pub pitch_rad: f64,
+    /// Of the upright hull's origin over the water plane, m.
+    pub height_m: f64,
 }
 
 /// Moments of the water plane's area about the origin.

@@ -3,13 +3,14 @@
 //! The added mass A stands in the inertia of the hull's body, which moves by Kirchhoff's equations for the body's own twist
 //! nu: the water pushes with `-(A nu' + nu x* A nu)`. What is different is added here as a load.
 
-use super::{Hull, SeaAxes, SlowFilter};
+use super::{CoefficientFrame, Hull, Radiation, SeaAxes, SlowFilter};
 use crate::dynamics::Loads;
 use crate::elements::Moment;
 use crate::scalar::Scalar;
-use crate::spatial::{Matrix3, SpatialInertia, Twist, Vector3, Wrench};
+use crate::sea::database::SixBySix;
+use crate::spatial::{Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 
-/// What velocity the terms of the added mass take that are quadratic in it, and whether Munk's moment in yaw is one of them.
+/// Which velocity the quadratic terms of the added mass take, and whether Munk's moment in yaw is one of them.
 ///
 /// Of motions with the waves these terms are of second order: one part of a whole that `wave_drift` stands for. By
 /// themselves they have a mean as large as the drift, and roll a slender ship by differences of the waves' frequencies as
@@ -23,47 +24,91 @@ pub struct QuadraticTerms {
     pub munk_by_table: bool,
 }
 
+/// The added mass of a hull about the origin of its coefficients, in their axes.
+#[derive(Clone, Copy, Debug)]
+pub struct AddedMass<S = f64> {
+    /// At infinite frequency: the inertia of quick motions.
+    infinite: SpatialInertia<S>,
+    /// At frequency zero, that of slow ones: what the memory has taken up is with it.
+    slow: SpatialInertia<S>,
+    /// That at infinite frequency about the body's centre of mass, in its axes, as it stands in the model.
+    pub in_body: SpatialInertia<S>,
+}
+
+impl<S: Scalar> AddedMass<S> {
+    /// From that at infinite frequency, and the memory, if it acts.
+    pub fn new(infinite: &SixBySix, radiation: Option<&Radiation>, on: &CoefficientFrame<S>) -> Self {
+        let remembered = radiation.map_or([[0.0; 6]; 6], Radiation::added_mass);
+        let slow: SixBySix = core::array::from_fn(|i| core::array::from_fn(|j| infinite[i][j] + remembered[i][j]));
+        let (infinite, slow) = (inertia(infinite), inertia(&slow));
+        Self { infinite, slow, in_body: infinite.to_parent(&on.in_body) }
+    }
+}
+
+/// The whole 6x6, force first in a database, moment first here.
+fn inertia<S: Scalar>(added: &SixBySix) -> SpatialInertia<S> {
+    let entry = |i: usize, j: usize| S::constant(0.5 * (added[i][j] + added[j][i]));
+    let block = |row: usize, column: usize| Matrix3::from_fn(|i, j| entry(row + i, column + j));
+    SpatialInertia {
+        angular: Symmetric3::from_upper(&block(3, 3)),
+        coupling: block(3, 0),
+        linear: Symmetric3::from_upper(&block(0, 0)),
+    }
+}
+
 impl<S: Scalar> Hull<S> {
-    /// The load about the body's centre of mass, in its axes, that makes of Kirchhoff's terms for nu those in the water; in
-    /// waves, what changes of the inertia goes to `loads`.
-    pub(super) fn in_flowing_water(&self, at: &Moment<'_, S>, axes: &SeaAxes<S>, loads: &mut Loads<S>) -> Wrench<S> {
-        let own = at.model.added_inertias.iter().filter(|(body, _)| *body == self.frame.body);
-        own.fold(Wrench::zero(), |sum, (_, added)| {
-            if self.quadratic_terms.of_slow_motion {
-                sum + self.in_waves(added, at, axes, loads)
-            } else {
-                sum + self.in_current(added, at)
+    /// The load about the body's centre of mass, in its axes, that makes of Kirchhoff's terms for nu those in the water;
+    /// what changes of the inertia goes to `loads`.
+    pub(super) fn in_flowing_water(
+        &self,
+        at: &Moment<'_, S>,
+        axes: &SeaAxes<S>,
+        off_rate: [S; 2],
+        loads: &mut Loads<S>,
+    ) -> Wrench<S> {
+        match &self.added_mass {
+            None => Wrench::zero(),
+            Some(added) if self.quadratic_terms.of_slow_motion => self.in_waves(added, at, axes, off_rate, loads),
+            Some(added) if self.radiation.is_some() => {
+                let listing = axes.listing(&added.infinite, &self.coefficients);
+                loads.added_inertia.push((self.frame.body, listing - added.in_body));
+                self.in_current(&listing, &axes.listing(&added.slow, &self.coefficients), at)
             }
-        })
+            Some(added) => self.in_current(&added.in_body, &added.in_body, at),
+        }
     }
 
     /// A current u, constant in the world, is seen as `nu_r = nu - R^T u`, and `d(R^T u)/dt = -omega x R^T u`:
-    /// `F = -(A (nu' + omega x R^T u) + nu_r x* A nu_r)`. A hull that drifts with the current moves as one in still water.
-    fn in_current(&self, added: &SpatialInertia<S>, at: &Moment<'_, S>) -> Wrench<S> {
+    /// `F = -(A (nu' + omega x R^T u) + nu_r x* A_0 nu_r)`. A hull that drifts with the current moves as one in still water.
+    /// A_0, of slow motions, is what turns a hull that is towed obliquely; it does no work.
+    fn in_current(&self, added: &SpatialInertia<S>, slow: &SpatialInertia<S>, at: &Moment<'_, S>) -> Wrench<S> {
         let twist = at.links.body_twist(at.model, self.frame.body);
         let stream = at.links.to_body_axes(at.model, self.frame.body, at.world.surface_current());
         let relative = Twist { linear: twist.linear - stream, ..twist };
         let turned = Twist { linear: twist.angular.cross(stream), angular: Vector3::zero() };
-        twist.cross_momentum(&added.times(&twist)) - added.times(&turned) - self.cross_momentum(added, &relative)
+        twist.cross_momentum(&added.times(&twist)) - added.times(&turned) - self.cross_momentum(slow, &relative)
     }
 
     /// To first order A belongs to the axes of the sea's loads, w = T nu, and what moves with the waves has no quadratic
     /// terms: `F = -T^T (A (T nu' + T' nu) + Q)`. The inertia becomes `T^T A T`; its Kirchhoff terms are given back. Of the
-    /// slow velocity are `Q(nu) = nu x* A nu - A (omega x v)`, since w' is the acceleration in the world.
+    /// slow velocity are `Q(nu) = nu x* A_0 nu - A_0 (omega x v)`, since w' is the acceleration in the world.
     fn in_waves(
         &self,
-        added: &SpatialInertia<S>,
+        added: &AddedMass<S>,
         at: &Moment<'_, S>,
         axes: &SeaAxes<S>,
+        off_rate: [S; 2],
         loads: &mut Loads<S>,
     ) -> Wrench<S> {
-        let seen = axes.inertia_in_body(added);
-        loads.added_inertia.push((self.frame.body, seen - *added));
-        let slow = self.slow_twist(at, &axes.mean);
-        let turned = Twist { linear: slow.angular.cross(slow.linear), angular: Vector3::zero() };
-        let quadratic = self.cross_momentum(added, &slow) - added.times(&turned);
+        let seen = axes.inertia_in_body(&added.infinite);
+        loads.added_inertia.push((self.frame.body, seen - added.in_body));
+        let slow = self.slow_motion(at);
+        let level = self.slow_frame(at).rotation();
+        let through_water = Twist { linear: level.transpose_times(slow.linear - at.world.surface_current()), ..slow };
+        let turned = Twist { linear: slow.angular.cross(through_water.linear), angular: Vector3::zero() };
+        let quadratic = self.cross_momentum(&added.slow, &through_water) - added.slow.times(&turned);
         let twist = at.links.body_twist(at.model, self.frame.body);
-        let to_first_order = added.times(&axes.drift(&twist));
+        let to_first_order = added.infinite.times(&axes.drift(&twist, off_rate));
         twist.cross_momentum(&seen.times(&twist)) - axes.wrench_to_body(&(to_first_order + quadratic))
     }
 
@@ -77,11 +122,9 @@ impl<S: Scalar> Hull<S> {
         terms
     }
 
-    /// The slow motion of the body's centre of mass through the water, in the axes of the hull on average.
-    fn slow_twist(&self, at: &Moment<'_, S>, mean: &Matrix3<S>) -> Twist<S> {
+    /// How the slow frame moves, in the world.
+    fn slow_motion(&self, at: &Moment<'_, S>) -> Twist<S> {
         let [x, y, turning] = SlowFilter::read(at.states).output_rates(self.cutoff_rad_s);
-        let angular = mean.transpose_times(Vector3::new(S::ZERO, S::ZERO, turning));
-        let drift = mean.transpose_times(Vector3::new(x, y, S::ZERO) - at.world.surface_current());
-        Twist { linear: drift - angular.cross(self.frame.origin), angular }
+        Twist { linear: Vector3::new(x, y, S::ZERO), angular: Vector3::new(S::ZERO, S::ZERO, turning) }
     }
 }

@@ -5,29 +5,34 @@
 
 mod added_mass;
 mod by_heading;
+mod carried;
 mod excitation;
 mod linear_limits;
+mod mean_attitude;
 mod mesh_in_waves;
 mod place;
 mod radiation;
 mod slow_filter;
 mod wave_data;
 
-pub use added_mass::QuadraticTerms;
+pub use added_mass::{AddedMass, QuadraticTerms};
 use by_heading::ByHeading;
+pub use carried::Carried;
+use carried::CarriedFilter;
 pub use excitation::{Excitation, Parts};
 pub use linear_limits::LinearLimits;
+pub use mean_attitude::{LARGEST_LIST_DEG, MeanAttitude};
 pub use mesh_in_waves::MeshInWaves;
-pub use place::{HullFrame, HullMotion, SeaAxes, SlowFrame};
+pub use place::{CoefficientFrame, HullFrame, HullMotion, SeaAxes, SlowFrame};
 pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
-use super::{AnyWatcher, Declaration, Element, Frame, Moment, Output, Own, RegularWaves};
+use super::{AnyWatcher, Declaration, Element, Frame, Moment, Output, Own, RegularWaves, Situation};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::sea::database::Database;
 use crate::sea::hull::{FloatingPosition, HullMesh, LinearHydrostatics, WettedHull};
-use crate::spatial::{Twist, Wrench};
+use crate::spatial::{Twist, Vector3, Wrench};
 use std::sync::Arc;
 use wave_data::InRegularWaves;
 
@@ -81,8 +86,14 @@ impl<S: Scalar> Hydrostatics<S> {
 pub struct Hull<S = f64> {
     /// Name of the force in the scenario.
     pub name: String,
-    /// Where it is.
+    /// Where the hull is, upright on its body: what floats, and what is drawn.
     pub frame: HullFrame<S>,
+    /// The axes that radiation, added mass and excitation are of: those of the hull in the attitude that they were computed in.
+    pub coefficients: CoefficientFrame<S>,
+    /// What the ship carries.
+    pub carried: Carried<S>,
+    /// The water that moves with it, if it acts.
+    pub added_mass: Option<AddedMass<S>>,
     /// Buoyancy.
     pub hydrostatics: Hydrostatics<S>,
     /// The memory of the waves that it makes.
@@ -93,8 +104,8 @@ pub struct Hull<S = f64> {
     pub wave_data: Option<Arc<Database>>,
     /// Their own pressure on the mesh of the hydrostatics, if it acts.
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
-    /// What watches it, where linear hydrodynamics bound it.
-    pub limits: Option<LinearLimits>,
+    /// What watches it.
+    pub watchers: Vec<AnyWatcher>,
     /// Which quadratic terms of the added mass act.
     pub quadratic_terms: QuadraticTerms,
     /// Where the filter of the slow frame cuts off, rad/s.
@@ -109,7 +120,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
     fn declare(&self) -> Declaration {
         let of_radiation = self.radiation.iter().flat_map(Radiation::declared);
         Declaration {
-            states: SlowFilter::<S>::declared().chain(of_radiation).collect(),
+            states: SlowFilter::<S>::declared().chain(CarriedFilter::<S>::declared()).chain(of_radiation).collect(),
             outputs: outputs(&self.name),
             ..Declaration::default()
         }
@@ -118,35 +129,41 @@ impl<S: Scalar> Element<S> for Hull<S> {
     /// The hull has always been here, and has always moved through the water as it does in the plane; of heave, roll,
     /// pitch and yaw the water has no memory yet.
     fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
-        let motion = self.frame.motion_of(at.model, at.links);
-        let place = SlowFrame::of(&motion.frame);
-        let (of_filter, of_radiation) = own.states.split_at_mut(SlowFilter::<S>::LEN);
-        SlowFilter::at_rest(&place).write(of_filter);
+        let in_world = self.coefficients.frame(at.model, at.links);
+        let place = SlowFrame::of(&in_world);
+        let States { place: of_place, carried, radiation: of_radiation } = States::of_mut(own.states);
+        let rates = SeaAxes::of(&self.coefficients, &in_world, &place, [S::ZERO; 2])
+            .rates(&at.links.body_twist(at.model, self.frame.body));
+        let [x, y, _] = (place.rotation() * rates.linear).0;
+        SlowFilter::steady(&place, [x, y], self.cutoff_rad_s).write(of_place);
+        let [centre, _] = self.carried.centre(at, self.frame.body, &place);
+        CarriedFilter::at_rest(centre).write(carried);
         if let Some(radiation) = &self.radiation {
-            let [x, y, ..] = self.velocity_through_water(at, &motion, &place);
+            let [x, y, ..] = self.through_water(at, &place, &rates);
             radiation.steady(&[x, y, S::ZERO, S::ZERO, S::ZERO, S::ZERO], of_radiation);
         }
     }
 
     /// Adds what the water does, and its work.
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
-        let motion = self.frame.motion(at);
-        let specific_weight = at.world.specific_weight();
-        let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), specific_weight);
-        let slow = slow_frame(at);
+        let (hull, specific_weight) = (self.frame.frame(at.model, at.links), at.world.specific_weight());
+        let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&hull), specific_weight);
+        let slow = self.slow_frame(at);
         let mut by_the_sea = [S::ZERO; 6];
         if let Some(radiation) = &self.radiation {
-            by_the_sea = radiation.force(radiation_states(at));
+            by_the_sea = radiation.force(States::of(at.states).radiation);
         }
         let (waves, time_s) = (at.world.waves.as_ref().filter(|_| at.situation.has_waves()), at.clock.time_s);
         if let (Some(excitation), Some(waves)) = (&mut self.excitation, waves) {
             let (first, drift) = (excitation.force(waves, time_s, &slow), excitation.drift(waves, time_s, &slow));
             by_the_sea = core::array::from_fn(|mode| by_the_sea[mode] + first[mode] + drift[mode]);
         }
-        let axes = SeaAxes::of(&motion.frame, &slow);
-        let mut by_the_sea = self.about_centre(by_the_sea, &axes) + self.in_flowing_water(at, &axes, loads);
+        let off = self.off(at, &slow);
+        let axes = self.axes(at, &slow, off);
+        let mut by_the_sea =
+            axes.wrench_to_body(&of_modes(by_the_sea)) + self.in_flowing_water(at, &axes, off[1], loads);
         if let (Some(mesh), Some(waves)) = (&mut self.wave_pressure, waves) {
-            let pressure = mesh.pressure(waves, &motion.frame, specific_weight, time_s, &buoyancy);
+            let pressure = mesh.pressure(waves, &hull, specific_weight, time_s, &buoyancy);
             by_the_sea += self.frame.about_centre(&pressure);
         }
         loads.power.outside += by_the_sea.dot(&at.links.body_twist(at.model, self.frame.body));
@@ -154,13 +171,17 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 
     fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
-        let motion = self.frame.motion(at);
-        let (of_filter, of_radiation) = rates.split_at_mut(SlowFilter::<S>::LEN);
-        let filter = SlowFilter::read(at.states);
-        filter.rates(&SlowFrame::of(&motion.frame), self.cutoff_rad_s).write(of_filter);
+        let in_world = self.coefficients.frame(at.model, at.links);
+        let (now, of) = (States::of(at.states), States::of_mut(rates));
+        let filter = SlowFilter::read(now.place);
+        filter.rates(&SlowFrame::of(&in_world), self.cutoff_rad_s).write(of.place);
+        let slow = filter.frame();
+        let [centre, _] = self.carried.centre(at, self.frame.body, &slow);
+        CarriedFilter::read(now.carried).rates(centre, self.cutoff_rad_s).write(of.carried);
         if let Some(radiation) = &self.radiation {
-            let velocity = self.velocity_through_water(at, &motion, &filter.frame());
-            radiation.rates(&velocity, radiation_states(at), of_radiation);
+            let rates =
+                self.axes(at, &slow, self.off(at, &slow)).rates(&at.links.body_twist(at.model, self.frame.body));
+            radiation.rates(&self.through_water(at, &slow, &rates), now.radiation, of.radiation);
         }
     }
 
@@ -171,7 +192,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 
     fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
-        let slow = slow_frame(at);
+        let slow = self.slow_frame(at);
         let (none, time_s, specific_weight) = ([S::ZERO; 6], at.clock.time_s, at.world.specific_weight());
         let (elevation, mut excitation_force, drift) = match (&mut self.excitation, &at.world.waves) {
             (Some(excitation), Some(waves)) => (
@@ -182,18 +203,17 @@ impl<S: Scalar> Element<S> for Hull<S> {
             _ => (S::ZERO, none, none),
         };
         if let (Some(mesh), Some(waves)) = (&mut self.wave_pressure, &at.world.waves) {
-            let motion = self.frame.motion(at);
-            let still = self.hydrostatics.wrench(&FloatingPosition::of(&motion.frame), specific_weight);
-            let by_pressure = mesh.pressure(waves, &motion.frame, specific_weight, time_s, &still);
-            let axes = SeaAxes::of(&motion.frame, &slow);
-            let Wrench { moment, force } = axes.wrench_of_body(&by_pressure);
-            let along = axes.modes(force, moment);
-            excitation_force.iter_mut().zip(along).for_each(|(sum, force)| *sum += force);
+            let hull = self.frame.frame(at.model, at.links);
+            let still = self.hydrostatics.wrench(&FloatingPosition::of(&hull), specific_weight);
+            let by_pressure = mesh.pressure(waves, &hull, specific_weight, time_s, &still);
+            let along =
+                self.axes(at, &slow, self.off(at, &slow)).wrench_of_body(&self.frame.about_centre(&by_pressure));
+            excitation_force.iter_mut().zip(modes(along.force, along.moment)).for_each(|(sum, force)| *sum += force);
         }
         out.push(elevation);
         out.extend(excitation_force);
         out.extend(drift);
-        out.extend(self.radiation.as_ref().map_or(none, |radiation| radiation.force(radiation_states(at))));
+        out.extend(self.radiation.as_ref().map_or(none, |radiation| radiation.force(States::of(at.states).radiation)));
         out.push(self.water_kinetic_energy(at));
     }
 
@@ -202,7 +222,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 
     fn watchers(&self) -> Vec<AnyWatcher> {
-        self.limits.iter().map(|limits| -> AnyWatcher { Box::new(limits.clone()) }).collect()
+        self.watchers.clone()
     }
 
     fn regular_waves(&self) -> Option<Box<dyn RegularWaves<S> + '_>> {
@@ -245,40 +265,69 @@ fn outputs(name: &str) -> Vec<Output> {
     ]
 }
 
-/// Where the hull is on average: its first states are the filter's.
-fn slow_frame<S: Scalar>(at: &Moment<'_, S>) -> SlowFrame<S> {
-    SlowFilter::read(at.states).frame()
+/// The states of a hull, or their rates: of the filter of its place, of that of what it carries, and of its radiation.
+struct States<T> {
+    place: T,
+    carried: T,
+    radiation: T,
 }
 
-/// The states of its radiation, behind those of the filter.
-fn radiation_states<'a, S: Scalar>(at: &Moment<'a, S>) -> &'a [S] {
-    at.states.get(SlowFilter::<S>::LEN..).unwrap_or_default()
+impl<'a, S: Scalar> States<&'a [S]> {
+    fn of(states: &'a [S]) -> Self {
+        let (place, rest) = states.split_at(SlowFilter::<S>::LEN);
+        let (carried, radiation) = rest.split_at(CarriedFilter::<S>::LEN);
+        Self { place, carried, radiation }
+    }
+}
+
+impl<'a, S: Scalar> States<&'a mut [S]> {
+    fn of_mut(states: &'a mut [S]) -> Self {
+        let (place, rest) = states.split_at_mut(SlowFilter::<S>::LEN);
+        let (carried, radiation) = rest.split_at_mut(CarriedFilter::<S>::LEN);
+        Self { place, carried, radiation }
+    }
 }
 
 impl<S: Scalar> Hull<S> {
     fn water_kinetic_energy(&self, at: &Moment<'_, S>) -> S {
         let twist = at.links.body_twist(at.model, self.frame.body);
-        let own = at.model.added_inertias.iter().filter(|(body, _)| *body == self.frame.body);
-        own.fold(S::ZERO, |sum, (_, added)| sum + added.quadratic(&twist) * S::constant(0.5))
+        self.added_mass.as_ref().map_or(S::ZERO, |added| added.in_body.quadratic(&twist) * S::constant(0.5))
     }
 
-    /// Velocity and angular velocity of the reference point relative to the water, along the axes of the sea's loads.
-    fn velocity_through_water(&self, at: &Moment<'_, S>, motion: &HullMotion<S>, slow: &SlowFrame<S>) -> [S; 6] {
-        let HullMotion { frame, twist } = motion;
-        let of_centre = twist.linear - twist.angular.cross(self.frame.origin);
-        let linear = of_centre - frame.rotation.transpose_times(at.world.surface_current());
-        self.along(&SeaAxes::of(frame, slow), &Twist { linear, ..*twist })
+    /// Where the hull is on average; at an equilibrium that is sought, where it is.
+    fn slow_frame(&self, at: &Moment<'_, S>) -> SlowFrame<S> {
+        match at.situation {
+            Situation::Settling => SlowFrame::of(&self.coefficients.frame(at.model, at.links)),
+            _ => SlowFilter::read(at.states).frame(),
+        }
     }
 
-    /// Velocity and angular velocity of the reference point along those axes, by the twist of the body about its centre of
-    /// mass. The lever between the two is that of the hull on average.
-    fn along(&self, axes: &SeaAxes<S>, of_body: &Twist<S>) -> [S; 6] {
-        let Twist { angular, linear } = self.frame.in_body().twist_to_child(&axes.twist(of_body));
-        axes.modes(linear, angular)
+    /// How far the centre of mass of the ship is off its mean place beside that of the hull, level, m, and the rate of that.
+    fn off(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
+        if at.situation == Situation::Settling {
+            return [[S::ZERO; 2]; 2];
+        }
+        let centre = self.carried.centre(at, self.frame.body, slow);
+        CarriedFilter::read(States::of(at.states).carried).off(centre, self.cutoff_rad_s)
     }
 
-    /// A force and moment along those axes as a wrench about the body's centre of mass, in its axes.
-    fn about_centre(&self, force: [S; 6], axes: &SeaAxes<S>) -> Wrench<S> {
-        axes.wrench_to_body(&self.frame.about_centre(&axes.of_modes(force)))
+    fn axes(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, [off, _]: [[S; 2]; 2]) -> SeaAxes<S> {
+        SeaAxes::of(&self.coefficients, &self.coefficients.frame(at.model, at.links), slow, off)
     }
+
+    /// Rates along the axes of the sea's loads, relative to the water.
+    fn through_water(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> [S; 6] {
+        modes(rates.linear - slow.rotation().transpose_times(at.world.surface_current()), rates.angular)
+    }
+}
+
+/// Surge, sway, heave, roll, pitch and yaw.
+fn modes<S: Scalar>(linear: Vector3<S>, angular: Vector3<S>) -> [S; 6] {
+    let ([x, y, z], [roll, pitch, yaw]) = (linear.0, angular.0);
+    [x, y, z, roll, pitch, yaw]
+}
+
+/// The load that has these modes.
+fn of_modes<S: Scalar>([x, y, z, roll, pitch, yaw]: [S; 6]) -> Wrench<S> {
+    Wrench { moment: Vector3([roll, pitch, yaw]), force: Vector3([x, y, z]) }
 }

@@ -4,7 +4,7 @@ use crate::dynamics::LinkKinematics;
 use crate::elements::Moment;
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::spatial::{Frame, Matrix3, SpatialInertia, Twist, Vector3, Wrench};
+use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench, hat};
 
 /// A body and the origin of its hull's hydrodynamic data.
 #[derive(Clone, Copy, Debug)]
@@ -101,79 +101,128 @@ fn heading<S: Scalar>(rotation: &Matrix3<S>) -> S {
     forward[1].atan2(forward[0])
 }
 
-/// What the loads of the sea act along: the coordinates of linear theory, about the hull's attitude on average. Forces are
-/// along axes that stand so; moments along turns from it, yaw about its vertical, pitch about the axis across the heading that
-/// the hull has come to, roll about the hull's own axis. T takes a twist in the body's axes to the rates of these, and does not
-/// move the point that it is of.
+/// The axes of a hull's coefficients on its body.
+#[derive(Clone, Copy, Debug)]
+pub struct CoefficientFrame<S = f64> {
+    /// The body.
+    pub body: usize,
+    /// In the axes of the body, about its centre of mass. Of a hull that was computed upright they are those of the hull.
+    pub in_body: Frame<S>,
+}
+
+impl<S: Scalar> CoefficientFrame<S> {
+    /// In the world.
+    pub fn frame(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Frame<S> {
+        links.body_frame(model, self.body).times(&self.in_body)
+    }
+}
+
+/// What the loads of the sea act along: the coordinates of linear theory, level, at the place where the hull is on average.
+/// Roll, pitch and yaw are turns from the hull's attitude on average: yaw about its vertical, pitch about the axis across the
+/// heading that the hull has come to, roll about the hull's own axis. T takes the twist of the body about its centre of mass,
+/// in its axes, to the rates w of these, and its transpose a load along them to one on the body.
+///
+/// Radiation, excitation and added mass of a hull that lists stay level: in waves that are long against it, the water lifts it
+/// along the vertical, whatever its list.
 ///
 /// What is left out is of second order, and makes no motion of its own. Forces in axes that yawed with the waves would have a
 /// mean, which belongs to the drift; so would a moment of yaw about an axis that tilted with them, or a lever that did. Moments
 /// of pitch in axes that did not yaw with the hull, or of yaw in axes that did not pitch, would roll a slender ship at the
 /// differences of the waves' frequencies.
+///
+/// The lever of yaw goes to the centre of mass of the whole ship, with its crane and load, that the sum of all forces
+/// accelerates: about the hull's own, from which a swinging load goes away, forces of first order have a mean moment.
 #[derive(Clone, Copy, Debug)]
 pub struct SeaAxes<S = f64> {
-    /// From the axes of the hull on average to the slow frame's.
+    /// From the hull's axes on average to the slow frame's.
     leaning: Matrix3<S>,
-    /// From these axes to the world's.
-    pub(super) mean: Matrix3<S>,
     turns: Turns<S>,
-    of_forces: Matrix3<S>,
+    /// From angular velocity in body axes to rates of roll, pitch and yaw; and back.
+    turning: Matrix3<S>,
+    turning_back: Matrix3<S>,
+    /// From the body's axes to level ones, at the hull's attitude relative to that on average.
+    level: Matrix3<S>,
+    /// From rates of turning to the velocity that they add to that of the centre of mass at the point that forces act at.
+    lever: Matrix3<S>,
+    /// From the body's axes to those of the coefficients.
+    to_data: Matrix3<S>,
 }
 
 impl<S: Scalar> SeaAxes<S> {
-    /// Of a hull that stands and heads so.
-    pub fn of(hull: &Frame<S>, slow: &SlowFrame<S>) -> Self {
-        let leaning = slow.leaning();
-        let mean = slow.rotation() * leaning;
-        let of_forces = mean.transpose() * hull.rotation;
-        Self { leaning, mean, turns: Turns::of(&of_forces), of_forces }
+    /// Of a hull whose coefficients' axes stand so in the world. The centre of mass of the whole ship is off its mean place
+    /// beside that of the hull's body by `off` (level, m).
+    pub fn of(on: &CoefficientFrame<S>, in_world: &Frame<S>, slow: &SlowFrame<S>, off: [S; 2]) -> Self {
+        let (leaning, heading) = (slow.leaning(), slow.rotation());
+        let (to_data, mean) = (on.in_body.rotation.transpose(), heading * leaning);
+        let from_mean = mean.transpose() * in_world.rotation;
+        let turns = Turns::of(&from_mean);
+        Self {
+            turning: leaning * turns.inverse() * to_data,
+            turning_back: on.in_body.rotation * turns.matrix() * leaning.transpose(),
+            level: leaning * from_mean * to_data,
+            lever: lever(leaning * (to_data * on.in_body.position), off),
+            leaning,
+            turns,
+            to_data,
+        }
     }
 
-    /// By mode, surge, sway, heave, roll, pitch and yaw along the slow frame's axes: of a force or velocity, and of a moment or
-    /// angular velocity along these.
-    pub fn modes(&self, linear: Vector3<S>, angular: Vector3<S>) -> [S; 6] {
-        let [[x, y, z], [roll, pitch, yaw]] = [linear, angular].map(|along| (self.leaning * along).0);
-        [x, y, z, roll, pitch, yaw]
+    /// w = T nu.
+    pub fn rates(&self, of_body: &Twist<S>) -> Twist<S> {
+        let angular = self.turning * of_body.angular;
+        Twist { angular, linear: self.level * of_body.linear + self.lever * angular }
     }
 
-    /// Force and moment along these of a load by mode.
-    pub fn of_modes(&self, [x, y, z, roll, pitch, yaw]: [S; 6]) -> Wrench<S> {
-        let [force, moment] = [[x, y, z], [roll, pitch, yaw]].map(|load| self.leaning.transpose_times(Vector3(load)));
-        Wrench { moment, force }
+    /// `T' nu`: what of the rates of T nu is of velocities alone. `off` changes at `off_rate`.
+    pub fn drift(&self, of_body: &Twist<S>, off_rate: [S; 2]) -> Twist<S> {
+        let turning = self.turning * of_body.angular;
+        let rates = self.leaning.transpose_times(turning);
+        let angular = -(self.leaning * (self.turns.inverse() * self.turns.drift(rates)));
+        let turned = Vector3::new(-(turning[2] * off_rate[1]), turning[2] * off_rate[0], S::ZERO);
+        let linear = self.level * of_body.angular.cross(of_body.linear) + self.lever * angular + turned;
+        Twist { angular, linear }
     }
 
-    /// T nu.
-    pub fn twist(&self, in_body: &Twist<S>) -> Twist<S> {
-        Twist { angular: self.turns.inverse() * in_body.angular, linear: self.of_forces * in_body.linear }
-    }
-
-    /// `T' nu`: what of the rates of T nu is of velocities alone.
-    pub fn drift(&self, in_body: &Twist<S>) -> Twist<S> {
-        let rates = self.turns.inverse();
-        let turned = self.turns.drift(rates * in_body.angular);
-        Twist { angular: -(rates * turned), linear: self.of_forces * in_body.angular.cross(in_body.linear) }
-    }
-
-    /// `T^T F`.
+    /// `T^T F`: about the body's centre of mass, in its axes.
     pub fn wrench_to_body(&self, wrench: &Wrench<S>) -> Wrench<S> {
-        let moment = self.turns.inverse().transpose_times(wrench.moment);
-        Wrench { moment, force: self.of_forces.transpose_times(wrench.force) }
+        let moment = wrench.moment + self.lever.transpose_times(wrench.force);
+        Wrench { moment: self.turning.transpose_times(moment), force: self.level.transpose_times(wrench.force) }
     }
 
     /// F, of `T^T F`.
     pub fn wrench_of_body(&self, wrench: &Wrench<S>) -> Wrench<S> {
-        Wrench { moment: self.turns.matrix().transpose_times(wrench.moment), force: self.of_forces * wrench.force }
+        let force = self.level * wrench.force;
+        let moment = self.turning_back.transpose_times(wrench.moment) - self.lever.transpose_times(force);
+        Wrench { moment, force }
     }
 
     /// `T^T A T`.
     pub fn inertia_in_body(&self, added: &SpatialInertia<S>) -> SpatialInertia<S> {
-        let (turns, forces) = (self.turns.inverse().transpose(), self.of_forces.transpose());
+        let (turning, level) = (self.turning.transpose(), self.level.transpose());
+        let of_linear = self.lever.transpose() * added.linear.to_matrix();
+        let coupling = added.coupling + of_linear;
+        let with_lever = added.coupling * self.lever;
+        let angular = added.angular.to_matrix() + with_lever + with_lever.transpose() + of_linear * self.lever;
         SpatialInertia {
-            angular: added.angular.rotated(&turns),
-            coupling: turns * added.coupling * self.of_forces,
-            linear: added.linear.rotated(&forces),
+            angular: Symmetric3::from_upper(&angular).rotated(&turning),
+            coupling: turning * coupling * self.level,
+            linear: added.linear.rotated(&level),
         }
     }
+
+    /// A of a hull that lists, on the body as it lies on average, about the centre of mass in the body's axes.
+    pub fn listing(&self, added: &SpatialInertia<S>, on: &CoefficientFrame<S>) -> SpatialInertia<S> {
+        let rotation = (self.leaning * self.to_data).transpose();
+        added.to_parent(&Frame { rotation, position: on.in_body.position })
+    }
+}
+
+/// What rates of turning add to the velocity of the centre of mass at the point that forces act at: it is `to_origin` from
+/// there, and of yaw `off` beside that, level.
+fn lever<S: Scalar>(to_origin: Vector3<S>, [x, y]: [S; 2]) -> Matrix3<S> {
+    let to_left = hat(to_origin).0.map(|row| row.map(|entry| -entry));
+    let [[a, b, c], [d, e, f], last] = to_left;
+    Matrix3([[a, b, c - y], [d, e, f + x], last])
 }
 
 /// Roll and pitch of an orientation: `omega = E (roll', pitch', yaw')`, omega in body axes (Fossen, *Handbook of Marine Craft
@@ -245,58 +294,98 @@ mod tests {
         Vector3::new(libm::atan2(r[2][1], r[2][2]), -libm::asin(r[2][0]), libm::atan2(r[1][0], r[0][0]))
     }
 
-    /// Central differences of a motion at a constant twist; their error is of second order in 1e-5 s.
-    #[test]
-    fn twists_become_rates_of_place_and_angles_and_drifts_their_rates() {
-        let (frame, slow, twist) = somewhere();
-        let after = |s: f64| Frame { rotation: frame.rotation * exp(twist.angular * s), position: frame.position };
-        let (h, axes) = (1e-5, SeaAxes::of(&frame, &slow));
-        let from_mean = |s: f64| angles(&(axes.mean.transpose() * after(s).rotation));
-        let rates = (from_mean(h) - from_mean(-h)) * (0.5 / h);
-        assert!((rates - axes.twist(&twist).angular).norm() < 1e-9);
-        let at = |s: f64| SeaAxes::of(&after(s), &slow).twist(&twist);
-        let (change, drift) = ((at(h) - at(-h)) * (0.5 / h), axes.drift(&twist));
-        assert!(
-            (change - drift).angular.norm() < 1e-9 && (change - drift).linear.norm() < 1e-9,
-            "{change:?} {drift:?}"
-        );
+    /// A hull whose coefficients' origin and axes are not those of its body.
+    fn on() -> CoefficientFrame {
+        let rotation = exp(Vector3::new(-0.1, 0.02, 0.0));
+        CoefficientFrame { body: 0, in_body: Frame { rotation, position: Vector3::new(1.5, -0.3, -0.8) } }
     }
 
-    /// About its attitude on average a hull's twist is what it is, seen from the slow frame.
+    /// The frame of the coefficients after moving on for a time at a constant twist of the body.
+    fn after(body: &Frame, twist: &Twist, time_s: f64) -> Frame {
+        let moved = Frame {
+            rotation: body.rotation * exp(twist.angular * time_s),
+            position: body.position + body.rotation * (twist.linear * time_s),
+        };
+        moved.times(&on().in_body)
+    }
+
+    /// Central differences of a motion at a constant twist; their error is of second order in 1e-5 s.
     #[test]
-    fn on_average_the_modes_are_those_of_the_twist() {
-        let (frame, _, twist) = somewhere();
-        let (slow, to_world) = (SlowFrame::of(&frame), |v: Vector3| frame.rotation * v);
-        let axes = SeaAxes::of(&frame, &slow);
-        let Twist { angular, linear } = axes.twist(&twist);
-        let seen = |v: Vector3| slow.rotation().transpose_times(to_world(v)).0;
-        let expected = [seen(twist.linear), seen(twist.angular)].concat();
-        for (found, expected) in axes.modes(linear, angular).iter().zip(expected) {
-            assert!((found - expected).abs() < 1e-15, "{found} {expected}");
-        }
+    fn twists_become_rates_of_angles_and_drifts_their_rates() {
+        let (body, slow, twist) = somewhere();
+        let (h, mean) = (1e-5, slow.rotation() * slow.leaning());
+        let from_mean = |s: f64| angles(&(mean.transpose() * after(&body, &twist, s).rotation));
+        let off = |s: f64| [0.4 + 0.2 * s, -0.3 + 0.5 * s];
+        let axes = |s: f64| SeaAxes::of(&on(), &after(&body, &twist, s), &slow, off(s));
+        let rates = slow.leaning() * ((from_mean(h) - from_mean(-h)) * (0.5 / h));
+        assert!((rates - axes(0.0).rates(&twist).angular).norm() < 1e-9);
+        let (ahead, astern) = (axes(h).rates(&twist), axes(-h).rates(&twist));
+        let drift = axes(0.0).drift(&twist, [0.2, 0.5]);
+        let angular = (ahead.angular - astern.angular) * (0.5 / h) - drift.angular;
+        let linear = (ahead.linear - astern.linear) * (0.5 / h) - drift.linear;
+        assert!(angular.norm() < 1e-8 && linear.norm() < 1e-8, "{angular:?} {linear:?}");
+    }
+
+    /// A push turns the hull about the whole ship's centre of mass, wherever that has swung to.
+    #[test]
+    fn a_force_follows_the_centre_of_mass_of_the_whole_ship() {
+        let (body, _, _) = somewhere();
+        let in_world = body.times(&on().in_body);
+        let (slow, off) = (SlowFrame::of(&in_world), [0.7, -0.4]);
+        let [swung, at_mean] = [off, [0.0; 2]].map(|off| SeaAxes::of(&on(), &in_world, &slow, off));
+        let push = Wrench { moment: Vector3::zero(), force: Vector3::new(3.0, -2.0, 0.0) };
+        let more = at_mean.wrench_of_body(&(swung.wrench_to_body(&push) - at_mean.wrench_to_body(&push)));
+        let expected = Vector3::new(off[0], off[1], 0.0).cross(push.force);
+        assert!((more.moment - expected).norm() < 1e-13 && more.force.norm() < 1e-14, "{more:?}");
+    }
+
+    /// About its attitude and place on average a hull's rates are its twist at the origin, seen from the slow frame.
+    #[test]
+    fn on_average_the_rates_are_the_twist_at_the_origin() {
+        let (body, _, twist) = somewhere();
+        let in_world = body.times(&on().in_body);
+        let (slow, at_origin) = (SlowFrame::of(&in_world), on().in_body.twist_to_child(&twist));
+        let found = SeaAxes::of(&on(), &in_world, &slow, [0.0; 2]).rates(&twist);
+        let seen = |v: Vector3| slow.rotation().transpose_times(in_world.rotation * v);
+        assert!((found.linear - seen(at_origin.linear)).norm() < 1e-14);
+        assert!((found.angular - seen(at_origin.angular)).norm() < 1e-14);
     }
 
     #[test]
     fn a_slow_frame_of_a_hull_has_its_attitude() {
         let (frame, ..) = somewhere();
-        let found = SeaAxes::of(&frame, &SlowFrame::of(&frame)).mean;
+        let slow = SlowFrame::of(&frame);
+        let found = slow.rotation() * slow.leaning();
         for k in 0..3 {
             assert!((found.row(k) - frame.rotation.row(k)).norm() < 1e-15, "{found:?}");
         }
     }
 
+    fn added() -> SpatialInertia {
+        SpatialInertia::rigid(2.0, Symmetric3::diagonal([3.0, 5.0, 7.0]))
+            .to_parent(&Frame::translation(Vector3::new(0.3, 0.1, -0.2)))
+    }
+
     #[test]
-    fn wrenches_do_the_work_of_their_twists_and_inertias_keep_their_energy() {
-        let (frame, slow, twist) = somewhere();
-        let axes = SeaAxes::of(&frame, &slow);
+    fn wrenches_do_the_work_of_their_rates_and_inertias_keep_their_energy() {
+        let (body, slow, twist) = somewhere();
+        let axes = SeaAxes::of(&on(), &body.times(&on().in_body), &slow, [0.4, -0.3]);
         let load = Wrench { moment: Vector3::new(3.0, -2.0, 1.0), force: Vector3::new(-1.0, 4.0, 2.0) };
         let in_body = axes.wrench_to_body(&load);
-        assert!((in_body.dot(&twist) - load.dot(&axes.twist(&twist))).abs() < 1e-14);
+        assert!((in_body.dot(&twist) - load.dot(&axes.rates(&twist))).abs() < 1e-13);
         let back = axes.wrench_of_body(&in_body) - load;
-        assert!(back.moment.norm() < 1e-14 && back.force.norm() < 1e-14);
-        let added = SpatialInertia::rigid(2.0, Symmetric3::diagonal([3.0, 5.0, 7.0]))
-            .to_parent(&Frame::translation(Vector3::new(0.3, 0.1, -0.2)));
-        let [seen, given] = [axes.inertia_in_body(&added).quadratic(&twist), added.quadratic(&axes.twist(&twist))];
-        assert!((seen - given).abs() < 1e-14 * given);
+        assert!(back.moment.norm() < 1e-13 && back.force.norm() < 1e-13);
+        let [seen, given] = [axes.inertia_in_body(&added()).quadratic(&twist), added().quadratic(&axes.rates(&twist))];
+        assert!((seen - given).abs() < 1e-13 * given);
+    }
+
+    /// At rest in its mean place a hull that lists has one added mass, level.
+    #[test]
+    fn the_added_mass_of_a_listing_hull_stands_level() {
+        let (body, _, twist) = somewhere();
+        let in_world = body.times(&on().in_body);
+        let axes = SeaAxes::of(&on(), &in_world, &SlowFrame::of(&in_world), [0.0; 2]);
+        let [listing, along] = [axes.listing(&added(), &on()), axes.inertia_in_body(&added())];
+        assert!((listing.quadratic(&twist) - along.quadratic(&twist)).abs() < 1e-13 * along.quadratic(&twist));
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::elements::Kept;
 use crate::scalar::Scalar;
-use crate::sea::database::{MODES, RadiationModel};
+use crate::sea::database::{MODES, RadiationModel, SixBySix};
 
 /// Radiation as a linear system in state-space form.
 ///
@@ -54,6 +54,25 @@ impl Radiation {
             }
         }
         Self { complex, real }
+    }
+
+    /// A(0) - A(infinity), kg, kg m, kg m^2: what slow motions find beside the added mass at infinite frequency. It is the limit
+    /// of Im K(i w) / w, `-sum 2 Re(r / p^2)`.
+    pub fn added_mass(&self) -> SixBySix {
+        let mut added = [[0.0; 6]; 6];
+        for pole in &self.complex {
+            let [re, im] = pole.pole;
+            let (square, size) = ([re * re - im * im, 2.0 * re * im], (re * re + im * im) * (re * re + im * im));
+            for (row, r) in added.iter_mut().zip(&pole.twice_residue) {
+                row[pole.mode] -= (r[0] * square[0] + r[1] * square[1]) / size;
+            }
+        }
+        for pole in &self.real {
+            for (row, r) in added.iter_mut().zip(&pole.residue) {
+                row[pole.mode] -= r / (pole.pole * pole.pole);
+            }
+        }
+        added
     }
 
     /// Number of states.

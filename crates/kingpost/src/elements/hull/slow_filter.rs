@@ -5,17 +5,17 @@ use crate::elements::Kept;
 use crate::scalar::Scalar;
 
 /// How many filters stand in a row.
-const ORDER: usize = 4;
+const ORDER: usize = 6;
 /// x, y, heading, roll and pitch.
 const COUNT: usize = 5;
 
-/// Place, heading, roll and pitch through `H(s) = (1 + 4 s/w) / (1 + s/w)^4`, w the cut-off.
+/// Place, heading, roll and pitch through `H(s) = (1 + 6 s/w) / (1 + s/w)^6`, w the cut-off.
 ///
-/// Four filters of first order stand in a row, `x1' = w (x - x1)` to `x4' = w (x3 - x4)`, and `4 x3 - 3 x4` comes out: a
+/// Six filters of first order stand in a row, `x1' = w (x - x1)` to `x6' = w (x5 - x6)`, and `6 x5 - 5 x6` comes out: a
 /// place that drifts at a steady speed without any lag, since H = 1 + O(s^2). Of a motion with the waves, at omega far
-/// above w, there remain `4 (w / omega)^3`, 0.1 % of a period of 8 s: as the phase of the loads it makes a mean force of
-/// that share of `k X a^2 / 2`, small beside the drift. One filter of first order would leave `w / omega`, 6 %, which
-/// makes more than the drift.
+/// above w, there remain `6 (w / omega)^5`, 5e-5 of a period of 8 s: as the phase of the loads it makes a mean force of
+/// that share of `k X a^2 / 2`. A free ship has nothing that holds its heading, so that within an hour even a thousandth of
+/// the drift would turn it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowFilter<S = f64> {
     /// x, y (m), heading, roll and pitch (rad) behind each filter.
@@ -26,10 +26,12 @@ impl<S: Scalar> SlowFilter<S> {
     /// Number of its states.
     pub const LEN: usize = COUNT * ORDER;
 
-    /// Where a hull has always been.
-    pub fn at_rest(place: &SlowFrame<S>) -> Self {
+    /// Where a hull is that has always moved at this velocity (world, m/s), without turning.
+    pub fn steady(place: &SlowFrame<S>, [vx, vy]: [S; 2], cutoff_rad_s: f64) -> Self {
         let ([x, y], [roll, pitch]) = (place.position, place.lean);
-        Self { stages: [[x, y, place.heading, roll, pitch]; ORDER] }
+        let behind = |stage: usize, speed: S| speed * S::constant((stage + 1) as f64 / cutoff_rad_s);
+        let stage = |k: usize| [x - behind(k, vx), y - behind(k, vy), place.heading, roll, pitch];
+        Self { stages: core::array::from_fn(stage) }
     }
 
     /// Its states, as an element declares them.
@@ -53,17 +55,17 @@ impl<S: Scalar> SlowFilter<S> {
 
     /// What comes out.
     pub fn frame(&self) -> SlowFrame<S> {
-        let [.., x3, x4] = &self.stages;
-        let [x, y, heading, roll, pitch] = combined(x3, x4);
+        let [.., before, last] = &self.stages;
+        let [x, y, heading, roll, pitch] = combined(before, last);
         SlowFrame { position: [x, y], heading, lean: [roll, pitch] }
     }
 
     /// The rate of what comes out: of x and y, world, m/s, and of the heading, rad/s.
     pub fn output_rates(&self, cutoff_rad_s: f64) -> [S; 3] {
-        let [.., x2, x3, x4] = &self.stages;
+        let [.., second, before, last] = &self.stages;
         let cutoff = S::constant(cutoff_rad_s);
         let rate = |from: &[S; COUNT], to: &[S; COUNT]| core::array::from_fn(|k| cutoff * (from[k] - to[k]));
-        let [x, y, heading, ..] = combined(&rate(x2, x3), &rate(x3, x4));
+        let [x, y, heading, ..] = combined(&rate(second, before), &rate(before, last));
         [x, y, heading]
     }
 
@@ -85,16 +87,17 @@ fn onward<S: Scalar>(last: S, now: S) -> S {
     last + sin.atan2(cos)
 }
 
-/// 4 x3 - 3 x4.
-fn combined<S: Scalar>(x3: &[S; COUNT], x4: &[S; COUNT]) -> [S; COUNT] {
-    core::array::from_fn(|k| S::constant(4.0) * x3[k] - S::constant(3.0) * x4[k])
+/// 6 x5 - 5 x6.
+fn combined<S: Scalar>(before: &[S; COUNT], last: &[S; COUNT]) -> [S; COUNT] {
+    const N: f64 = ORDER as f64;
+    core::array::from_fn(|k| S::constant(N) * before[k] - S::constant(N - 1.0) * last[k])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const CUTOFF_RAD_S: f64 = 0.05;
+    const CUTOFF_RAD_S: f64 = 0.075;
     const STEP_S: f64 = 0.05;
 
     fn place(motion: f64) -> SlowFrame {
@@ -122,7 +125,7 @@ mod tests {
 
     /// The slow frame's x and heading after each step of a motion that both make.
     fn filtered(steps: usize, motion: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
-        let mut filter = SlowFilter::at_rest(&place(motion(0.0)));
+        let mut filter = SlowFilter::steady(&place(motion(0.0)), [0.0; 2], CUTOFF_RAD_S);
         let after = |k: usize| {
             filter = stepped(&filter, k as f64 * STEP_S, STEP_S, &motion);
             [filter.frame().position[0], filter.frame().heading]
@@ -131,14 +134,23 @@ mod tests {
     }
 
     /// H(s) = 1 + O(s^2): a ramp is followed, through full turns of the heading too. RK4 is exact for it but for what is
-    /// left of the start, e^-30.
+    /// left of the start, 45^5 e^-45.
     #[test]
     fn a_steady_drift_has_no_lag() {
-        let speed = 0.1;
+        let speed = 0.03;
         let last = *filtered(12_000, |time_s| speed * time_s).last().unwrap();
         for value in last {
             assert!((value - speed * 600.0).abs() < 1e-9 * speed * 600.0, "{value}");
         }
+    }
+
+    /// What has always drifted is there from the start.
+    #[test]
+    fn a_drift_from_the_past_has_no_lag_at_the_start() {
+        let past = SlowFilter::steady(&place(2.0), [0.7, -0.3], CUTOFF_RAD_S);
+        let [x, y, _] = past.output_rates(CUTOFF_RAD_S);
+        assert!((past.frame().position[0] - 2.0).abs() < 1e-12 && (past.frame().heading - 2.0).abs() < 1e-12);
+        assert!((x - 0.7).abs() < 1e-12 && (y + 0.3).abs() < 1e-12, "{x} {y}");
     }
 
     /// |H| and its phase at a wave's frequency.
@@ -155,10 +167,10 @@ mod tests {
             parts[1] += 2.0 * x * cos / 3_200.0;
         }
         let r = omega / CUTOFF_RAD_S;
-        let size = libm::sqrt(1.0 + 16.0 * r * r) / ((1.0 + r * r) * (1.0 + r * r));
-        let phase = libm::atan(4.0 * r) - 4.0 * libm::atan(r);
+        let size = libm::sqrt(1.0 + 36.0 * r * r) / libm::pow(1.0 + r * r, 3.0);
+        let phase = libm::atan(6.0 * r) - 6.0 * libm::atan(r);
         let (sin, cos) = libm::sincos(phase);
-        assert!(size < 0.00105);
+        assert!(size < 5e-5);
         // Simpson's rule of RK4 is off by (omega h)^4 / 2880 of the input.
         assert!((parts[0] - size * cos).abs() < 1e-3 * size && (parts[1] - size * sin).abs() < 1e-3 * size);
     }
@@ -166,7 +178,7 @@ mod tests {
     #[test]
     fn its_output_rates_are_those_of_what_comes_out() {
         let motion = |time_s: f64| libm::sin(0.3 * time_s) + 0.2 * time_s;
-        let mut filter = SlowFilter::at_rest(&place(0.0));
+        let mut filter = SlowFilter::steady(&place(0.0), [0.0; 2], CUTOFF_RAD_S);
         for k in 0..200 {
             filter = stepped(&filter, 0.05 * f64::from(k), 0.05, &motion);
         }

@@ -1,6 +1,6 @@
 //! A hull in regular waves, by its database.
 
-use super::{ByHeading, Hull, SeaAxes, SlowFrame};
+use super::{ByHeading, Hull, SeaAxes, SlowFrame, modes};
 use crate::dynamics::Kinematics;
 use crate::elements::{RegularWaves, WavePlace};
 use crate::scalar::Scalar;
@@ -25,7 +25,7 @@ impl<'a, S: Scalar> InRegularWaves<'a, S> {
     }
 
     fn frame(&self, bodies: &Kinematics<S>) -> Frame<S> {
-        bodies.world[self.hull.frame.body].times(&Frame::translation(self.hull.frame.origin))
+        bodies.world[self.hull.frame.body].times(&self.hull.coefficients.in_body)
     }
 }
 
@@ -47,8 +47,9 @@ impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
     /// Along the axes of the sea's loads, about the database's origin.
     fn along(&self, bodies: &Kinematics<S>, twists: &[Twist<S>]) -> [S; 6] {
         let frame = self.frame(bodies);
-        let axes = SeaAxes::of(&frame, &SlowFrame::of(&frame));
-        self.hull.along(&axes, &twists[self.hull.frame.body])
+        let axes = SeaAxes::of(&self.hull.coefficients, &frame, &SlowFrame::of(&frame), [S::ZERO; 2]);
+        let rates = axes.rates(&twists[self.hull.frame.body]);
+        modes(rates.linear, rates.angular)
     }
 
     /// X at the hull's heading.

@@ -4,16 +4,17 @@ use super::super::schema::{self, Force as ForceSchema, Hydrostatics as Hydrostat
 use super::damping::from_centre;
 use super::{FieldError, known, world};
 use crate::elements::hull::{
-    Excitation, FloatingMesh, HullFrame, Hydrostatics, LinearLimits, MeshInWaves, Parts, QuadraticTerms, Radiation,
+    AddedMass, Carried, CoefficientFrame, Excitation, FloatingMesh, HullFrame, Hydrostatics, LinearLimits,
+    MeanAttitude, MeshInWaves, Parts, QuadraticTerms, Radiation,
 };
-use crate::elements::{AnyElement, Hull};
+use crate::elements::{AnyElement, AnyWatcher, Hull};
 use crate::model::{JointKind, Model};
 use crate::scalar::Scalar;
 use crate::scenario::leaf::Quantity;
-use crate::sea::database::{Database, SixBySix};
+use crate::sea::database::{Attitude, Database};
 use crate::sea::hull::{HullMesh, LinearHydrostatics};
 use crate::sea::waves::WaveField;
-use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
+use crate::spatial::{Frame, Vector3, exp};
 use crate::world::World;
 
 /// The model with the water's inertia, and the water's loads.
@@ -31,9 +32,12 @@ pub fn build<S: Quantity>(
         world::gravity(scenario)?;
         check_water(&field("database"), database, world)?;
         let origin = from_centre(scenario, &given.body, Vector3(given.origin_m));
-        if given.added_mass {
-            let added = inertia(&database.added_mass_infinite).to_parent(&Frame::translation(origin));
-            model = model.with_added_inertia(body, added);
+        let coefficients = CoefficientFrame { body, in_body: Frame::translation(origin).times(&attitude(database)) };
+        let radiation = radiation(given, &field("radiation"), database)?;
+        let added = || AddedMass::new(&database.added_mass_infinite, radiation.as_ref(), &coefficients);
+        let added_mass = given.added_mass.then(added);
+        if let Some(added) = &added_mass {
+            model = model.with_added_inertia(body, added.in_body);
         }
         let excitation = excitation(given, &field, database, world)?;
         let hydrostatics = hydrostatics(given, &field("hydrostatics"), database)?;
@@ -43,8 +47,11 @@ pub fn build<S: Quantity>(
             frame: HullFrame { body, origin },
             wave_pressure: wave_pressure(given, &field("wave_pressure"), &hydrostatics, waves)?,
             hydrostatics,
-            radiation: radiation(given, &field("radiation"), database)?,
-            limits: limits(given, database, origin.0.map(Scalar::value)),
+            carried: carried(&model, body),
+            radiation,
+            added_mass,
+            coefficients,
+            watchers: watchers(given, database, origin.0.map(Scalar::value)),
             quadratic_terms: QuadraticTerms {
                 of_slow_motion: excitation.is_some(),
                 munk_by_table: has_current_table(scenario, given),
@@ -56,6 +63,26 @@ pub fn build<S: Quantity>(
         hulls.push(Box::new(hull));
     }
     Ok((model, hulls))
+}
+
+/// The axes of a database's coefficients in those of the upright hull.
+fn attitude<S: Scalar>(database: &Database) -> Frame<S> {
+    let Some(Attitude { roll_rad, pitch_rad, height_m }) = database.hull.attitude else { return Frame::identity() };
+    let [roll, pitch] = [[roll_rad, 0.0, 0.0], [0.0, pitch_rad, 0.0]].map(|turn| exp(Vector3(turn.map(S::constant))));
+    Frame { rotation: pitch * roll, position: Vector3([0.0, 0.0, height_m].map(S::constant)) }.inverse()
+}
+
+/// All that a hull carries, each with its share of the mass of all.
+fn carried<S: Scalar>(model: &Model<S>, hull: usize) -> Carried<S> {
+    let mut bodies = vec![hull];
+    for (body, node) in model.tree.nodes.iter().enumerate() {
+        if node.parent.is_some_and(|parent| bodies.contains(&parent)) {
+            bodies.push(body);
+        }
+    }
+    let mass = bodies.iter().fold(S::ZERO, |sum, &body| sum + model.bodies[body].mass);
+    let share = |&body: &usize| (body, model.bodies[body].mass / mass);
+    Carried { shares: bodies.iter().skip(1).map(share).collect() }
 }
 
 fn hydrodynamics_of<S>(force: &ForceSchema<S>) -> Option<&schema::Hydrodynamics<S>> {
@@ -80,17 +107,6 @@ fn floating_body<S: Quantity>(
     known(field, name, scenario.bodies.keys().map(|body| body.as_str()))?;
     let body = model.body(name).filter(|&body| matches!(model.joints[body].kind, JointKind::Floating(_)));
     body.ok_or_else(|| FieldError::new(field, name, "a body that is enabled and has a floating joint"))
-}
-
-/// The whole 6x6 of added mass, force first in the database, moment first here.
-fn inertia<S: Scalar>(added: &SixBySix) -> SpatialInertia<S> {
-    let entry = |i: usize, j: usize| S::constant(0.5 * (added[i][j] + added[j][i]));
-    let block = |row: usize, column: usize| Matrix3::from_fn(|i, j| entry(row + i, column + j));
-    SpatialInertia {
-        angular: Symmetric3::from_upper(&block(3, 3)),
-        coupling: block(3, 0),
-        linear: Symmetric3::from_upper(&block(0, 0)),
-    }
 }
 
 fn hydrostatics<S: Quantity>(
@@ -121,12 +137,18 @@ fn hydrostatics<S: Quantity>(
     }
 }
 
-/// What linear hydrodynamics hold for, where the hull floats by them.
-fn limits<S>(given: &schema::Hydrodynamics<S>, database: &Database, origin: [f64; 3]) -> Option<LinearLimits> {
-    let mesh = database.hull.mesh.as_ref().map_or(&[][..], |mesh| &mesh.vertices_m);
-    let points: Vec<[f64; 3]> = mesh.iter().map(|point| core::array::from_fn(|k| point[k] + origin[k])).collect();
-    let is_linear = given.hydrostatics != HydrostaticsSchema::Mesh;
-    is_linear.then(|| LinearLimits::new(&given.body, database.hull.draught_m, &points))
+/// What linear hydrodynamics hold for: the attitude of its coefficients, and where it floats by them, small motions.
+fn watchers<S>(given: &schema::Hydrodynamics<S>, database: &Database, origin: [f64; 3]) -> Vec<AnyWatcher> {
+    let mut watchers: Vec<AnyWatcher> = Vec::new();
+    if given.hydrostatics != HydrostaticsSchema::Mesh {
+        let mesh = database.hull.mesh.as_ref().map_or(&[][..], |mesh| &mesh.vertices_m);
+        let points: Vec<[f64; 3]> = mesh.iter().map(|point| core::array::from_fn(|k| point[k] + origin[k])).collect();
+        watchers.push(Box::new(LinearLimits::new(&given.body, database.hull.draught_m, &points)));
+    }
+    if given.added_mass || given.radiation || given.excitation {
+        watchers.push(Box::new(MeanAttitude::new(&given.body, database.hull.attitude)));
+    }
+    watchers
 }
 
 /// The mesh in the waves that excite the hull.

@@ -47,7 +47,7 @@ pub struct Hydrodynamics<S = f64> {
     /// `wave_pressure`.
     #[serde(default)]
     pub wave_drift: bool,
-    /// First-order wave loads are taken at the place and heading that pass a filter of fourth order with this cut-off, rad/s:
+    /// First-order wave loads are taken at the place and heading that pass a filter of sixth order with this cut-off, rad/s:
     /// well below the waves' frequencies, above those of the ship's drift, which it follows without lag.
     #[serde(default = "slow_motion_cutoff")]
     pub slow_motion_cutoff_rad_s: Positive,
@@ -55,7 +55,7 @@ pub struct Hydrodynamics<S = f64> {
 
 /// The default of `slow_motion_cutoff_rad_s`.
 fn slow_motion_cutoff() -> Positive {
-    Positive::literal(0.05)
+    Positive::literal(0.075)
 }
 
 /// How buoyancy is computed.

@@ -1,6 +1,6 @@
 //! What every database must hold.
 
-use super::{Database, DatabaseError, Excitation, RadiationModel, SixBySix, physical};
+use super::{Attitude, Database, DatabaseError, Excitation, RadiationModel, SixBySix, physical};
 
 /// By how much a direction may miss its place in the regular grid, rad: what seven digits leave.
 const GRID_TOLERANCE_RAD: f64 = 1e-5;
@@ -40,7 +40,13 @@ fn check_water_and_hull(database: &Database) -> Checked {
     positive("hull.length_m", hull.length_m)?;
     positive("hull.beam_m", hull.beam_m)?;
     positive("hull.volume_m3", hull.volume_m3)?;
-    positive("hull.waterplane.area_m2", hull.waterplane.area_m2)
+    positive("hull.waterplane.area_m2", hull.waterplane.area_m2)?;
+    let Some(Attitude { roll_rad, pitch_rad, height_m }) = hull.attitude else { return Ok(()) };
+    let below = |x: f64, limit: f64| x.abs() < limit;
+    unless(below(roll_rad, core::f64::consts::PI), "hull.attitude.roll_rad", roll_rad, "an angle within half a turn")?;
+    let quarter = core::f64::consts::FRAC_PI_2;
+    unless(below(pitch_rad, quarter), "hull.attitude.pitch_rad", pitch_rad, "an angle within a quarter of a turn")?;
+    unless(height_m.is_finite(), "hull.attitude.height_m", height_m, "a finite number")
 }
 
 fn check_drift_loading(database: &Database) -> Checked {

@@ -1,0 +1,89 @@
+//! Where the centre of mass of a ship is with all that it carries, and where it is on average.
+
+use super::place::SlowFrame;
+use crate::elements::{Kept, Moment};
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+
+/// How many filters stand in a row.
+const ORDER: usize = 3;
+
+/// The bodies that a hull carries: crane, load and all that hangs on them.
+#[derive(Clone, Debug, Default)]
+pub struct Carried<S = f64> {
+    /// Each with its share of the mass of all, the hull's own with it.
+    pub shares: Vec<(usize, S)>,
+}
+
+/// The centre of mass of a ship less that of its hull, through three filters of first order in a row, `1 / (1 + s/w)^3`:
+/// it does not drift, so that a lag does no harm. Of a load that swings with the waves, at omega, `(w / omega)^3` is left.
+#[derive(Clone, Copy, Debug)]
+pub struct CarriedFilter<S> {
+    /// Along the level axes of the slow frame behind each filter, m.
+    stages: [[S; 2]; ORDER],
+}
+
+impl<S: Scalar> Carried<S> {
+    /// The centre of mass of all from the hull's own, and its rate, along the slow frame's axes; m, m/s.
+    pub fn centre(&self, at: &Moment<'_, S>, hull: usize, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
+        if self.shares.is_empty() {
+            return [[S::ZERO; 2]; 2];
+        }
+        let of = |body: usize| {
+            let frame = at.links.body_frame(at.model, body);
+            (frame.position, frame.rotation * at.links.body_twist(at.model, body).linear)
+        };
+        let (place, velocity) = of(hull);
+        let mut sums = [Vector3::zero(); 2];
+        for (body, share) in &self.shares {
+            let (there, moving) = of(*body);
+            sums[0] += (there - place) * *share;
+            sums[1] += (moving - velocity) * *share;
+        }
+        let level = slow.rotation();
+        sums.map(|sum| {
+            let [x, y, _] = level.transpose_times(sum).0;
+            [x, y]
+        })
+    }
+}
+
+impl<S: Scalar> CarriedFilter<S> {
+    /// Number of its states.
+    pub const LEN: usize = 2 * ORDER;
+
+    /// What has always been there.
+    pub fn at_rest(centre: [S; 2]) -> Self {
+        Self { stages: [centre; ORDER] }
+    }
+
+    /// Its states, as an element declares them.
+    pub fn declared() -> impl Iterator<Item = Kept> {
+        let of = |stage: usize| ["x", "y"].map(|name| Kept::memory(format!("slow.carried_{name}.{stage}"), "m"));
+        (1..=ORDER).flat_map(of)
+    }
+
+    /// From its states.
+    pub fn read(states: &[S]) -> Self {
+        Self { stages: core::array::from_fn(|stage| core::array::from_fn(|k| states[2 * stage + k])) }
+    }
+
+    /// Into its states.
+    pub fn write(&self, states: &mut [S]) {
+        states.chunks_exact_mut(2).zip(&self.stages).for_each(|(states, stage)| states.copy_from_slice(stage));
+    }
+
+    /// How far the centre is off its average, and the rate of that.
+    pub fn off(&self, [centre, rate]: [[S; 2]; 2], cutoff_rad_s: f64) -> [[S; 2]; 2] {
+        let [.., before, last] = &self.stages;
+        let of_last = |k: usize| S::constant(cutoff_rad_s) * (before[k] - last[k]);
+        [core::array::from_fn(|k| centre[k] - last[k]), core::array::from_fn(|k| rate[k] - of_last(k))]
+    }
+
+    /// The rates of its states.
+    pub fn rates(&self, centre: [S; 2], cutoff_rad_s: f64) -> Self {
+        let before = |stage: usize, k: usize| if stage == 0 { centre[k] } else { self.stages[stage - 1][k] };
+        let rate = |stage: usize, k: usize| S::constant(cutoff_rad_s) * (before(stage, k) - self.stages[stage][k]);
+        Self { stages: core::array::from_fn(|stage| core::array::from_fn(|k| rate(stage, k))) }
+    }
+}
