@@ -93,6 +93,21 @@ fn inertia<S: Scalar>(added: &SixBySix) -> SpatialInertia<S> {
     }
 }
 
+/// What the memory of the water adds to a body's inertia in slow motions: added mass at the lowest frequency of its database
+/// beyond that at infinite frequency, in body axes about the centre of mass.
+pub(super) fn memory_at_low_frequency<S: Quantity>(scenario: &Scenario<S>, body: &str) -> SpatialInertia<S> {
+    let hulls = scenario.forces.values().filter_map(hydrodynamics_of);
+    let remembers = |given: &&schema::Hydrodynamics<S>| given.enabled && given.radiation && *given.body == *body;
+    hulls.filter(remembers).fold(SpatialInertia::default(), |sum, given| {
+        let Some(database) = scenario.files.database(&given.database) else { return sum };
+        let Some(slow) = database.added_mass.first() else { return sum };
+        let beyond = |i: usize, j: usize| slow[i][j] - database.added_mass_infinite[i][j];
+        let memory = inertia(&core::array::from_fn(|i| core::array::from_fn(|j| beyond(i, j))));
+        let origin = from_centre(scenario, body, Vector3(given.origin_m));
+        sum + memory.to_parent(&Frame::translation(origin))
+    })
+}
+
 fn hydrostatics<S: Quantity>(
     given: &schema::Hydrodynamics<S>,
     field: &str,
