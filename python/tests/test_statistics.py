@@ -4,9 +4,10 @@ import json
 
 import kingpost
 import numpy as np
+import pandas
 import pytest
 import xarray
-from kingpost import KingpostError, statistics
+from kingpost import KingpostError, statistics, statistics_report
 from kingpost.cli import main
 
 # A spectrum as broad as that of a sea, m0 = 1, about 0.8 rad/s.
@@ -298,3 +299,36 @@ def test_a_run_that_ended_early_is_told_of(tmp_path, capsys) -> None:
     results.to_netcdf(tmp_path / "part.nc", engine="h5netcdf")
     assert main(["statistics", str(tmp_path / "part.nc"), "--after_s", "1"]) == 0
     assert "warning: a run ended early, at 3 s: interrupted" in capsys.readouterr().out
+
+
+def _warned(values: list[float], **warnings: str) -> xarray.Dataset:
+    """Rows of one channel, with what the engine warned of by name."""
+    found = [{"time_s": 1.0, "name": name, "text": text} for name, text in warnings.items()]
+    scenario = {"simulation": {"seed": len(values)}}
+    attrs = {"warnings": json.dumps(found), "scenario": json.dumps(scenario)}
+    return xarray.Dataset({"roll": ("time", values)}, {"time": np.arange(len(values))}, attrs)
+
+
+def test_what_the_engine_warned_of_in_a_run_is_printed() -> None:
+    run = _warned([0.0, 1.0, 0.5], hull="it heeled to 21.00 deg, at 4 s")
+    assert "\nwarning: hull: it heeled to 21.00 deg, at 4 s\n" in _text([run])
+
+
+def test_what_it_warned_of_in_several_runs_is_printed_once_with_their_number() -> None:
+    first = _warned([0.0, 1.0, 0.5], hull="it heeled to 21.00 deg, at 4 s", boom="it pushes")
+    second, third = _warned([0.0, 1.0], hull="it heeled to -33.10 deg, at 17.5 s"), _warned([0.0, 1.0, 0.3, 0.2])
+    lines = _text([first, second, third]).splitlines()
+    assert "warning, in 2 of 3 runs, first: hull: it heeled to 21.00 deg, at 4 s" in lines
+    assert "warning, in 1 of 3 runs, first: boom: it pushes" in lines
+    assert sum(line.startswith("warning, in") for line in lines) == 2
+
+
+def test_so_are_those_of_a_batch() -> None:
+    each = [[{"time_s": 1.0, "name": "hull", "text": f"it heeled to {angle} deg"}] for angle in (21, 22)]
+    attrs = {"warnings": json.dumps(each)}
+    runs = xarray.Dataset({"roll": (("run", "time"), np.eye(2))}, {"time": [0.0, 1.0]}, attrs)
+    assert "warning, in 2 of 2 runs, first: hull: it heeled to 21 deg" in _text([runs])
+
+
+def _text(runs: list[xarray.Dataset]) -> str:
+    return statistics_report.text(runs, pandas.DataFrame(), 0.0)

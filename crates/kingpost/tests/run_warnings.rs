@@ -1,7 +1,7 @@
 //! What the engine warns of in a run: rods that stand for ropes, and hulls beyond linear theory.
 
-use kingpost::elements::Watcher;
 use kingpost::elements::hull::LinearLimits;
+use kingpost::elements::{MeanHeading, Watcher};
 use kingpost::scenario;
 use kingpost::simulation::{Run, Simulation, Warning};
 use serde_json::{Value, json};
@@ -124,4 +124,31 @@ fn the_edge_of_a_deck_goes_under_on_the_side_that_heels() {
     let under =
         |centre: f64| warned(&[[0.0, 0.0, centre], [30.0, 0.0, centre]]).iter().any(|w| w.text.contains("deck"));
     assert!(!under(1e-9 - lowest) && under(-1e-9 - lowest));
+}
+
+/// Yaw (deg) every second.
+fn headed(yaw_deg: impl Fn(f64) -> f64) -> Vec<Warning> {
+    let mut heading = MeanHeading::new("hull");
+    // As in results, between half a turn to either side.
+    let within = |deg: f64| deg - 360.0 * libm::floor((deg + 180.0) / 360.0);
+    (0..1800).map(f64::from).for_each(|second| heading.see(second, &[within(yaw_deg(second)).to_radians()]));
+    heading.warnings()
+}
+
+#[test]
+fn a_mean_heading_counts_from_its_start_and_through_full_turns() {
+    assert!(headed(|_| 175.0).is_empty());
+    // To 175 + 0.5 * 1800 degrees, 100 s behind.
+    let found = headed(|time_s| 175.0 + 0.5 * time_s);
+    let [turned] = found.as_slice() else { panic!("{found:?}") };
+    let begin = "its mean heading turned by 849.75 deg until 1799 s, beyond 5 deg first at 48 s";
+    assert!(turned.text.starts_with(begin) && turned.time_s == 48.0 && turned.name == "hull", "{turned:?}");
+}
+
+/// Yaw of 20 degrees with waves of 15 s leaves 0.5 degrees in the mean, however long it lasts.
+#[test]
+fn yaw_with_the_waves_is_no_turn_of_the_mean_heading() {
+    let wave = |time_s: f64| 20.0 * libm::sin(core::f64::consts::TAU * time_s / 15.0);
+    assert!(headed(|time_s| 178.0 + wave(time_s)).is_empty());
+    assert_eq!(headed(|time_s| 178.0 + wave(time_s) - 0.01 * time_s).len(), 1);
 }

@@ -91,6 +91,7 @@ fn the_pressure_of_low_waves_on_the_mesh_is_the_linear_force() {
                 short.clone(),
                 (HYDROSTATICS, json!("mesh")),
                 (PRESSURE, json!(pressure)),
+                ("forces.hold", json!({"soft_hold": {"body": "hull"}})),
             ];
             let scenario = read(json!({"swell": regular(0.02, 9.0, direction, phase)}), &more, &files);
             let scenario = scenario.unwrap_or_else(|error| panic!("{error}"));

@@ -163,7 +163,10 @@ fn a_free_ship_in_wind_has_no_equilibrium_and_is_told_what_to_do() {
     let loads = wind("") + &wind_load("").replace("}}}}", "}}");
     let error = simulation(&ship("position_m: [0, 0, 0]", &(loads.clone() + "}}"))).settle().expect_err("it drifts");
     let words = error.to_string();
-    assert!(words.contains("nothing holds ship where it is against what pushes it sideways: moor it"), "{words}");
+    assert!(
+        words.contains("nothing holds ship where it is against what pushes it sideways: hold it, by soft_hold"),
+        "{words}"
+    );
     let line = "line: {spring_line: {first: {body: ship}, second: {body: world, position_m: [-300, 0, 0]}, \
                 unstretched_length_m: 100, axial_stiffness_N: 1e6}}";
     let moored = simulation(&ship("position_m: [0, 0, 0]", &(loads + "}, " + line + "}"))).settle();

@@ -95,6 +95,12 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         Vec::new()
     }
 
+    /// The two bodies of which it may keep one in its place by the other, in surge, sway and yaw; `None` among them is the
+    /// world.
+    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+        None
+    }
+
     /// How it answers regular waves about rest; `None` where they do not act on it.
     fn regular_waves(&self) -> Option<Box<dyn RegularWaves<S> + '_>> {
         None
@@ -105,6 +111,9 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 }
+
+/// What to do for a ship that nothing keeps in its place.
+pub const HOLD_IT: &str = "hold it, by soft_hold, spring_line, catenary_line or dynamic_positioning";
 
 /// An element of any kind.
 pub type AnyElement<S = f64> = Box<dyn Element<S>>;

@@ -1,7 +1,7 @@
 //! Slack tanks: what their free surfaces take off the metacentric height.
 
 use super::floating::Floating;
-use super::hanging::{HangingLoad, carried};
+use super::hanging::HangingLoad;
 use crate::elements::SlackTank;
 use crate::sea::hull::HullTank;
 use crate::spatial::{Matrix3, Vector3};
@@ -29,10 +29,10 @@ impl Floating<'_> {
     /// The tanks whose liquid heels with the hull, with their axes in its.
     pub(super) fn tanks(&self, hanging: &[HangingLoad]) -> Vec<(&SlackTank, HullTank)> {
         let to_hull = self.frame().rotation.transpose();
-        let hull = carried(self.model, self.hull.frame.body);
+        let hull = self.model.carried(self.hull.frame.body);
         let hangs = |body: usize| {
             let hanging = hanging.iter().filter_map(|load| self.model.body(&load.body));
-            hanging.into_iter().any(|load| carried(self.model, load).contains(&body))
+            hanging.into_iter().any(|load| self.model.carried(load).contains(&body))
         };
         let is_slack = |tank: &SlackTank| tank.tank.filling > 0.0 && tank.tank.filling < 1.0;
         let of_hull = |tank: &&&SlackTank| is_slack(tank) && hull.contains(&tank.place.body) && !hangs(tank.place.body);

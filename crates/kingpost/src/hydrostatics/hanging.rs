@@ -75,7 +75,7 @@ impl Restraints {
     /// Whether a hull floats by itself: it hangs on nothing, and carries no other hull; no line or loop ties it to
     /// another body.
     pub(super) fn floats_alone(&self, model: &Model, hull: usize) -> bool {
-        let own = carried(model, hull);
+        let own = model.carried(hull);
         let is_own = |end: &Attachment| end.body.is_some_and(|body| own.contains(&body));
         let leads_out = |ends: &[Attachment; 2]| {
             ends.iter().any(is_own) && ends.iter().any(|end| end.body.is_some() && !is_own(end))
@@ -100,13 +100,13 @@ const ONE_POINT_M: f64 = 1e-6;
 
 /// The loads that hang on lines from a hull and what its joints carry.
 pub(super) fn on_lines(model: &Model, at: &Kinematics, hull: usize, restraints: &Restraints) -> Vec<OnLine> {
-    let ship = carried(model, hull);
+    let ship = model.carried(hull);
     let point = |end: &Attachment| end.body.map(|body| at.world[body].point(end.in_body.position));
     let roots = (0..model.bodies.len()).filter(|&body| model.tree.nodes[body].parent.is_none());
     roots
         .filter(|root| !ship.contains(root) && matches!(model.joints[*root].kind, JointKind::Floating(_)))
         .filter_map(|root| {
-            let bodies = carried(model, root);
+            let bodies = model.carried(root);
             let has = |end: &Attachment| end.body.is_some_and(|body| bodies.contains(&body));
             if bodies.iter().any(|body| restraints.tied.contains(body) || restraints.wet.contains(body)) {
                 return None;
@@ -136,17 +136,6 @@ pub(super) struct Weight {
     pub(super) centre: Vector3,
 }
 
-/// The bodies that hang together with one by the joints below it, itself among them.
-pub(super) fn carried(model: &Model, body: usize) -> Vec<usize> {
-    let mut found = vec![body];
-    for (child, node) in model.tree.nodes.iter().enumerate() {
-        if node.parent.is_some_and(|parent| found.contains(&parent)) {
-            found.push(child);
-        }
-    }
-    found
-}
-
 /// Of some bodies together.
 pub(super) fn weight(model: &Model, at: &Kinematics, bodies: &[usize]) -> Weight {
     let mass: f64 = bodies.iter().map(|&body| model.bodies[body].mass).sum();
@@ -165,8 +154,8 @@ pub(super) fn loads(
 ) -> Vec<HangingLoad> {
     let mut found: Vec<HangingLoad> = Vec::new();
     let mut hanging: [Vec<usize>; 2] = Default::default();
-    for &body in carried(model, hull).iter().skip(1) {
-        let below = carried(model, body);
+    for &body in model.carried(hull).iter().skip(1) {
+        let below = model.carried(body);
         if below.iter().any(|body| restraints.bodies.contains(body) || restraints.wet.contains(body)) {
             continue;
         }
@@ -199,7 +188,7 @@ pub(super) fn loads(
 /// The bodies whose weight a hull carries: by its joints, and on lines.
 pub(super) fn aboard(model: &Model, at: &Kinematics, hull: usize, restraints: &Restraints) -> Vec<usize> {
     let on_lines = on_lines(model, at, hull, restraints).into_iter().flat_map(|load| load.bodies);
-    carried(model, hull).into_iter().chain(on_lines).collect()
+    model.carried(hull).into_iter().chain(on_lines).collect()
 }
 
 /// Shares below are rounding.

@@ -1,7 +1,6 @@
 //! Where the waves' loads stand on data of another loading, or of too few directions.
 
 use super::floating::Floating;
-use super::hanging::carried;
 use crate::spatial::{Frame, SpatialInertia};
 
 /// A loading that differs from that of the data's mean drift by more than this share is warned of.
@@ -43,7 +42,7 @@ impl Floating<'_> {
             let angular = inertia.to_parent(&centre.times(&self.at.world[body])).angular;
             [angular.xx, angular.yy, angular.zz]
         };
-        let bodies = carried(self.model, self.hull.frame.body);
+        let bodies = self.model.carried(self.hull.frame.body);
         let mut sums = [0.0; 3];
         for &body in &bodies {
             let of_body = moments(body, &self.model.tree.nodes[body].inertia);

@@ -199,6 +199,17 @@ impl<S: Scalar> Model<S> {
         self.bodies.iter().position(|b| b.name == name)
     }
 
+    /// The bodies that one carries by the joints below it, itself first.
+    pub fn carried(&self, body: usize) -> Vec<usize> {
+        let mut found = vec![body];
+        for (child, node) in self.tree.nodes.iter().enumerate() {
+            if node.parent.is_some_and(|parent| found.contains(&parent)) {
+                found.push(child);
+            }
+        }
+        found
+    }
+
     /// Index of the joint, and so of its body, of this name.
     pub fn joint(&self, name: &str) -> Option<usize> {
         self.joints.iter().position(|j| j.name == name)

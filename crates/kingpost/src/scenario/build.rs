@@ -14,6 +14,8 @@ mod loops;
 mod positioning;
 mod positioning_loop;
 mod sensors;
+mod soft_hold;
+mod station;
 mod tanks;
 mod watchers;
 mod water;
@@ -49,6 +51,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     setup.fingerprint = scenario.fingerprint();
     check_recording(&setup)?;
     check_mass_matrix(scenario, &setup)?;
+    station::check(&setup)?;
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
     equilibrium::settle(scenario, &mut setup)?;
@@ -79,7 +82,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let bodies::Bodies { model, mut q, mut v, forces: in_joints } = bodies::build(scenario)?;
     let model = loops::build(scenario, model)?;
     let (model, in_water) = water::build(scenario, model, &world)?;
-    let mut elements = forces(scenario, &model, &world)?;
+    let mut elements = forces(scenario, &model, &world, (&q, &v))?;
     elements.extend(in_joints);
     elements.extend(in_water);
     elements.extend(drives::build(scenario, &model, &world, &mut v)?);
@@ -165,6 +168,7 @@ fn forces<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
     world: &World<S>,
+    start: (&[S], &[S]),
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut forces: Vec<AnyElement<S>> = Vec::new();
     for (name, force) in &scenario.forces {
@@ -183,6 +187,7 @@ fn forces<S: Quantity>(
             ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model)?),
             ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
             ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),
+            ForceSchema::SoftHold(given) => forces.extend(soft_hold::build(scenario, name, given, model, start)?),
             // With what it does to the model: see `water`.
             ForceSchema::Hydrodynamics(_) => {}
         }

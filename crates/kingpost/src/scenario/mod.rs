@@ -19,6 +19,7 @@ pub mod range;
 pub(crate) mod read;
 pub mod schema;
 pub mod text;
+mod ties;
 mod together;
 mod tree;
 mod units;

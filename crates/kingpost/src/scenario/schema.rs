@@ -23,6 +23,7 @@ mod parameter;
 mod sea;
 mod sensors;
 mod slack_tank;
+mod soft_hold;
 mod top;
 mod waves;
 
@@ -66,6 +67,7 @@ pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::Sea;
 pub use sensors::{MotionReferenceUnit, Sensor, Wire};
 pub use slack_tank::SlackTank;
+pub use soft_hold::SoftHold;
 pub(super) use top::is_top_field;
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,

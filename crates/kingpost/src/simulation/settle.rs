@@ -3,7 +3,7 @@
 use super::{InputError, Simulation, stage};
 use crate::dynamics::Kinematics;
 use crate::dynamics::moving_frame::MovingFrame;
-use crate::elements::Situation;
+use crate::elements::{HOLD_IT, Situation};
 use crate::integrate::{Jacobian, System};
 use crate::model::JointKind;
 use nalgebra::{DMatrix, DVector};
@@ -104,7 +104,8 @@ pub enum NoEquilibrium {
 /// What to do for a body adrift.
 fn in_words(body: &String) -> String {
     format!(
-        "; nothing holds {body} where it is against what pushes it sideways: moor it, by spring_line or          catenary_line, or turn off the wind, the current or what else pushes it"
+        "; nothing holds {body} where it is against what pushes it sideways: {HOLD_IT}, or turn off the wind, the current \
+         or what else pushes it"
     )
 }
 

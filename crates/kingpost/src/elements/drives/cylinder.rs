@@ -136,6 +136,10 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         vec![[self.first.body, self.second.body]]
     }
 
+    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+        Some([self.first.body, self.second.body])
+    }
+
     fn next_edge_s(&self, after_s: f64, _modes: &[i64]) -> f64 {
         self.arrival_s.filter(|arrival| *arrival > after_s).unwrap_or(f64::INFINITY)
     }

@@ -145,6 +145,10 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         out.extend(of_thrusters().map(|(thruster, thrust)| thruster.utilisation(thrust)));
     }
 
+    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+        Some([Some(self.place.body), None])
+    }
+
     fn settling(&self) -> Option<&dyn Settling<S>> {
         Some(self)
     }

@@ -40,13 +40,13 @@ impl<S: Scalar> AddedMass<S> {
     pub fn new(infinite: &SixBySix, radiation: Option<&Radiation>, on: &CoefficientFrame<S>) -> Self {
         let remembered = radiation.map_or([[0.0; 6]; 6], Radiation::added_mass);
         let slow: SixBySix = core::array::from_fn(|i| core::array::from_fn(|j| infinite[i][j] + remembered[i][j]));
-        let (infinite, slow) = (inertia(infinite), inertia(&slow));
+        let (infinite, slow) = (added_inertia(infinite), added_inertia(&slow));
         Self { infinite, slow, in_body: infinite.to_parent(&on.in_body) }
     }
 }
 
 /// The whole 6x6, force first in a database, moment first here.
-fn inertia<S: Scalar>(added: &SixBySix) -> SpatialInertia<S> {
+pub fn added_inertia<S: Scalar>(added: &SixBySix) -> SpatialInertia<S> {
     let entry = |i: usize, j: usize| S::constant(0.5 * (added[i][j] + added[j][i]));
     let block = |row: usize, column: usize| Matrix3::from_fn(|i, j| entry(row + i, column + j));
     SpatialInertia {

@@ -15,7 +15,7 @@ mod radiation;
 mod slow_filter;
 mod wave_data;
 
-pub use added_mass::{AddedMass, QuadraticTerms};
+pub use added_mass::{AddedMass, QuadraticTerms, added_inertia};
 use by_heading::ByHeading;
 pub use carried::Carried;
 use carried::CarriedFilter;

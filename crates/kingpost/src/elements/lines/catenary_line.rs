@@ -67,6 +67,10 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
         vec![[self.fairlead.body, None]]
     }
 
+    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+        Some([self.fairlead.body, None])
+    }
+
     /// Energy of its weight and stretch, J.
     fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
         let (way, span) = self.way(at.model, at.links);

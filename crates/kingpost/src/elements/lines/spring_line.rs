@@ -78,6 +78,10 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
         vec![[self.first.body, self.second.body]]
     }
 
+    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+        Some([self.first.body, self.second.body])
+    }
+
     /// Energy stored, J.
     fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
         let way = self.way(at).0;

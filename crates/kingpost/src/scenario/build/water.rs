@@ -5,7 +5,7 @@ use super::damping::from_centre;
 use super::{FieldError, known, world};
 use crate::elements::hull::{
     AddedMass, Carried, CoefficientFrame, Excitation, FloatingMesh, HullFrame, Hydrostatics, LinearLimits,
-    MeanAttitude, MeshInWaves, Parts, QuadraticTerms, Radiation,
+    MeanAttitude, MeshInWaves, Parts, QuadraticTerms, Radiation, added_inertia,
 };
 use crate::elements::{AnyElement, AnyWatcher, Hull};
 use crate::model::{JointKind, Model};
@@ -14,7 +14,7 @@ use crate::scenario::leaf::Quantity;
 use crate::sea::database::{Attitude, Database};
 use crate::sea::hull::{HullMesh, LinearHydrostatics};
 use crate::sea::waves::WaveField;
-use crate::spatial::{Frame, Vector3, exp};
+use crate::spatial::{Frame, SpatialInertia, Vector3, exp};
 use crate::world::World;
 
 /// The model with the water's inertia, and the water's loads.
@@ -74,12 +74,7 @@ fn attitude<S: Scalar>(database: &Database) -> Frame<S> {
 
 /// All that a hull carries, each with its share of the mass of all.
 fn carried<S: Scalar>(model: &Model<S>, hull: usize) -> Carried<S> {
-    let mut bodies = vec![hull];
-    for (body, node) in model.tree.nodes.iter().enumerate() {
-        if node.parent.is_some_and(|parent| bodies.contains(&parent)) {
-            bodies.push(body);
-        }
-    }
+    let bodies = model.carried(hull);
     let mass = bodies.iter().fold(S::ZERO, |sum, &body| sum + model.bodies[body].mass);
     let share = |&body: &usize| (body, model.bodies[body].mass / mass);
     Carried { shares: bodies.iter().skip(1).map(share).collect() }
@@ -107,6 +102,19 @@ fn floating_body<S: Quantity>(
     known(field, name, scenario.bodies.keys().map(|body| body.as_str()))?;
     let body = model.body(name).filter(|&body| matches!(model.joints[body].kind, JointKind::Floating(_)));
     body.ok_or_else(|| FieldError::new(field, name, "a body that is enabled and has a floating joint"))
+}
+
+/// What the memory of the water adds to a body's inertia in slow motions, in body axes about the centre of mass.
+pub(super) fn memory_of_slow_motions<S: Quantity>(scenario: &Scenario<S>, body: &str) -> SpatialInertia<S> {
+    let hulls = scenario.forces.values().filter_map(hydrodynamics_of);
+    let remembers = |given: &&schema::Hydrodynamics<S>| given.enabled && given.radiation && *given.body == *body;
+    hulls.filter(remembers).fold(SpatialInertia::default(), |sum, given| {
+        let Some(database) = scenario.files.database(&given.database) else { return sum };
+        let Some(fitted) = &database.radiation else { return sum };
+        let origin = from_centre(scenario, body, Vector3(given.origin_m));
+        let axes = Frame::translation(origin).times(&attitude(database));
+        sum + added_inertia(&Radiation::new(fitted).added_mass()).to_parent(&axes)
+    })
 }
 
 fn hydrostatics<S: Quantity>(

@@ -188,6 +188,11 @@ impl Standing<'_> {
                 self.needs_the_world(&entry)?;
                 self.move_point(tree, &format!("{entry}.anchor_m"));
             }
+            ("forces", "soft_hold") if self.has(&format!("{entry}.target")) => {
+                self.needs_the_world(&entry)?;
+                self.needs_to_be_level(&entry)?;
+                self.move_target(tree, &format!("{entry}.target"));
+            }
             ("forces", "dynamic_positioning") => {
                 self.needs_the_world(&entry)?;
                 self.needs_to_be_level(&entry)?;
@@ -201,6 +206,10 @@ impl Standing<'_> {
     fn number(&self, path: &str) -> f64 {
         let found = super::super::tree::value_at(self.whole, &super::segments(path));
         found.and_then(Value::as_f64).unwrap_or_default()
+    }
+
+    fn has(&self, path: &str) -> bool {
+        super::super::tree::value_at(self.whole, &super::segments(path)).is_some_and(|value| !value.is_null())
     }
 
     fn move_target(&self, tree: &mut Node, target: &str) {

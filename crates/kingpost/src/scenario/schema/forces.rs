@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, SlackTank, SpringLine, WindLoad,
-    yes,
+    CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, SlackTank, SoftHold, SpringLine,
+    WindLoad, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -37,6 +37,8 @@ pub enum Force<S = f64> {
     CurrentLoad(Box<CurrentLoad<S>>),
     /// Thrusters that keep a ship in its place.
     DynamicPositioning(Box<DynamicPositioning<S>>),
+    /// Soft springs and dampers that keep a ship near its place.
+    SoftHold(SoftHold<S>),
 }
 
 /// Weight of every body, downwards along the world's z axis.

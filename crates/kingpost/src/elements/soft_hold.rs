@@ -1,0 +1,143 @@
+//! A soft hold: springs and dampers in the plane, as those that keep a model near its place in a wave basin.
+
+use super::dynamic_positioning::Planar;
+use super::hull::HullFrame;
+use super::{Components, Declaration, Element, Frame, Moment, Output};
+use crate::dynamics::Loads;
+use crate::scalar::Scalar;
+use crate::spatial::{Matrix3, Vector3, Wrench};
+use core::f64::consts::TAU;
+
+/// Springs and dampers in surge, sway and yaw between a point of a body and its place in the world.
+///
+/// With d the way of the point from its place along the heading that is held and to port of it (m), and delta the heading
+/// beyond that, the short way (rad),
+///
+/// ```text
+/// F = -k d - c d',      M = -k_psi delta - c_psi delta'
+/// ```
+///
+/// F is horizontal. M is of yaw alone: with `delta' = g.omega` it acts along g, so that it does no work on roll and pitch, as
+/// the moments of linear theory ([`SeaAxes`](super::hull::SeaAxes)). `(k d^2 + k_psi delta^2) / 2` is stored,
+/// `c d'^2 + c_psi delta'^2` is heat; d' is relative to the earth.
+#[derive(Clone, Debug)]
+pub struct SoftHold<S = f64> {
+    /// Name of the force in the scenario.
+    pub name: String,
+    /// The body, and the point that is held.
+    pub place: HullFrame<S>,
+    /// Where the point is held: x and y of the world, m.
+    pub position: [S; 2],
+    /// Cosine and sine of the heading that is held.
+    pub heading: [S; 2],
+    /// k of surge, sway and yaw: N/m, N/m, N m/rad.
+    pub stiffness: Planar<S>,
+    /// c of surge, sway and yaw: N s/m, N s/m, N m s/rad.
+    pub damping: Planar<S>,
+}
+
+/// How a body stands to its place.
+struct Off<S> {
+    /// d and delta.
+    deviation: Planar<S>,
+    /// d' and delta'.
+    rate: Planar<S>,
+    /// g, body axes.
+    yaw: Vector3<S>,
+    /// From body to world axes.
+    rotation: Matrix3<S>,
+}
+
+impl<S: Scalar> Element<S> for SoftHold<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let deviation = "surge and sway of a ship on a soft hold from its place, and its heading beyond the one held";
+        let planar = |variable, description, units| Output {
+            components: Components::Planar,
+            frame: Frame::Heading,
+            units,
+            ..Output::number(variable, description, "hold", &self.name, &["N"])
+        };
+        let outputs = vec![
+            planar("hold_deviation", deviation, &["m", "m", "rad"]),
+            planar("hold_force", "force and yaw moment of a soft hold on its ship", &["N", "N", "N m"]),
+        ];
+        Declaration { outputs, ..Declaration::default() }
+    }
+
+    /// Adds the springs and the dampers, and the heat that these make.
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let off = self.off(at);
+        let [surge, sway, yaw] = self.force(&off);
+        let [cos, sin] = self.heading;
+        let world = Vector3::new(cos * surge - sin * sway, sin * surge + cos * sway, S::ZERO);
+        let wrench = Wrench { moment: off.yaw * yaw, force: off.rotation.transpose_times(world) };
+        for (c, rate) in self.damping.into_iter().zip(off.rate) {
+            loads.power.dissipated += c * rate * rate;
+        }
+        loads.wrenches.push((self.place.body, self.place.about_centre(&wrench)));
+    }
+
+    /// Energy stored, J.
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let each = self.stiffness.into_iter().zip(self.off(at).deviation);
+        each.fold(S::ZERO, |sum, (k, off)| sum + k * off * off) * S::constant(0.5)
+    }
+
+    /// Both along the heading that the body has.
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        let off = self.off(at);
+        let (sin, cos) = off.deviation[2].sin_cos();
+        for [surge, sway, yaw] in [off.deviation, self.force(&off)] {
+            out.extend([cos * surge + sin * sway, cos * sway - sin * surge, yaw]);
+        }
+    }
+
+    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+        Some([Some(self.place.body), None])
+    }
+}
+
+impl<S: Scalar> SoftHold<S> {
+    /// `k = m (2 pi / T)^2` and `c = 2 zeta m 2 pi / T` of a mass (kg, or kg m^2) that is to swing with the period T (s) and
+    /// the damping ratio zeta.
+    ///
+    /// ```
+    /// use kingpost::elements::SoftHold;
+    /// let [k, c] = SoftHold::<f64>::spring_and_damper(6.0e6, 120.0, 0.2);
+    /// assert_eq!([k.round(), c.round()], [16449.0, 125664.0]);
+    /// ```
+    pub fn spring_and_damper(mass: S, period_s: S, damping_ratio: S) -> [S; 2] {
+        let omega = S::constant(TAU) / period_s;
+        [mass * omega * omega, S::constant(2.0) * damping_ratio * mass * omega]
+    }
+
+    fn off(&self, at: &Moment<'_, S>) -> Off<S> {
+        let motion = self.place.motion(at);
+        let (position, rotation) = (motion.frame.position, motion.frame.rotation);
+        let [cos, sin] = self.heading;
+        let along = |x: S, y: S| [cos * x + sin * y, cos * y - sin * x];
+        let [surge, sway] = along(position[0] - self.position[0], position[1] - self.position[1]);
+        let velocity = rotation * motion.twist.linear;
+        let [surge_rate, sway_rate] = along(velocity[0], velocity[1]);
+        let [ahead, aside] = along(rotation.0[0][0], rotation.0[1][0]);
+        // The rate of yaw as an angle, of which the body's vertical has the third row.
+        let [_, y, z] = rotation.row(2).0;
+        let level = S::ONE / (y * y + z * z);
+        let yaw = Vector3::new(S::ZERO, y * level, z * level);
+        Off {
+            deviation: [surge, sway, aside.atan2(ahead)],
+            rate: [surge_rate, sway_rate, yaw.dot(motion.twist.angular)],
+            yaw,
+            rotation,
+        }
+    }
+
+    /// Force and moment, along the heading that is held.
+    fn force(&self, off: &Off<S>) -> Planar<S> {
+        core::array::from_fn(|k| -(self.stiffness[k] * off.deviation[k] + self.damping[k] * off.rate[k]))
+    }
+}
