@@ -50,7 +50,7 @@ def _inclined(hull: HullMeshes) -> list[tuple[str, str]]:
         ("attitude", described(hull.attitude)),
         ("  wetted volume", f"{found.volume_m3:.6g} m3, {change:+.2%} of the upright hull's"),
         ("  deepest point", f"{found.draught_m:.4g} m under the water"),
-        ("  centre of buoyancy", f"{_centre(hull)}, level axes"),
+        ("  buoyancy acts at", f"{_centre(hull)}, level axes"),
         ("  waterplane", f"{found.waterplane.area_m2:.6g} m2"),
     ]
 
