@@ -13,6 +13,7 @@ from .. import __version__
 from ..errors import HydrodynamicsError
 from . import checks
 from .airy import wave_number
+from .attitude import described
 from .database import Database, Hull, Provenance, Water, Waterplane
 from .drift import Loading, drift, stiffness_matrix, stored
 from .resolution import default_directions
@@ -86,8 +87,10 @@ def build(
     lid_wanted, notes = _lid(hull, with_lid)
     if loading is not None:
         # Refused before the long work where such a hull would not stay upright.
-        stiffness_matrix(database_hull(hull), water, loading)
+        stiffness_matrix(standing(hull), water, loading)
         notes = (*notes, loading.note)
+    if hull.attitude is not None:
+        notes = (*notes, f"{described(hull.attitude)}, {hull.attitude_source}", *hull.remarks)
     if hull.hull is None:
         notes = (*notes, f"no hull mesh: {hull.why_no_hull}")
     found = solve(hull, water, frequencies_rad_s, directions, lid_wanted, update, partial)
@@ -114,8 +117,9 @@ def build(
     checks.check(database, _remedy(hull, lid_wanted))
     if loading is None:
         return database
-    found_drift = drift(database, found.far_field, loading, hull.reflections)
-    kept = stored(loading, database.hull, water)
+    stands = replace(database, hull=standing(hull))
+    found_drift = drift(stands, found.far_field, loading, hull.reflections)
+    kept = stored(loading, stands.hull, water)
     return replace(database, mean_drift=found_drift, mean_drift_loading=kept)
 
 
@@ -174,7 +178,18 @@ def _remedy(hull: HullMeshes, has_lid: bool) -> str:
 
 
 def database_hull(hull: HullMeshes) -> Hull:
-    """The hull's particulars as the database has them, exactly symmetric where the hull is."""
+    """The upright hull's particulars and mesh as the database has them, and its attitude."""
+    return replace(_record(hull.upright or hull), attitude=hull.attitude)
+
+
+def standing(hull: HullMeshes) -> Hull:
+    """Particulars of what is under water, in the axes of the coefficients, but the upright hull's draught."""
+    draught_m = (hull.upright or hull).particulars.draught_m
+    return replace(_record(hull), draught_m=draught_m, attitude=hull.attitude)
+
+
+def _record(hull: HullMeshes) -> Hull:
+    """A hull's particulars, exactly symmetric where the hull is."""
     found, plane = hull.particulars, hull.particulars.waterplane
     kept = np.array([axis not in hull.reflections for axis in (0, 1)], dtype=float)
     return Hull(

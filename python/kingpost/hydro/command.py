@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import progress
 from ..errors import HydrodynamicsError
-from . import import_command, importers, resolution
+from . import attitude_command, import_command, importers, inclined, resolution
 from .build import FREQUENCIES, MOST_PANELS, PANELS, build, default_frequencies
 from .database import Database, Radiation, Water
 from .database_file import check_output, rounded, write
@@ -23,6 +23,7 @@ from .partial import ENDING, Partial
 from .radiation_fit import FEWEST_FREQUENCIES, LIMIT, Misfit, fit, misfits
 from .shapes import Box, Hemisphere, Shape, Sphere, Wigley
 from .solve import capytaine, memory_needed
+from .summary import summary
 from .vessel import OffshoreVessel
 
 SHAPES: dict[str, type[Shape]] = {
@@ -33,7 +34,9 @@ SHAPES: dict[str, type[Shape]] = {
     "offshore_vessel": OffshoreVessel,
 }
 MOST_FREQUENCIES = 500
-OF_A_HULL = ("frequencies_rad_s", "directions", "panels", "lid", "loading", "flip_normals")
+OF_A_HULL = (
+    "frequencies_rad_s", "directions", "panels", "lid", "loading", "flip_normals", *attitude_command.OPTIONS
+)  # fmt: skip
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -62,6 +65,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--loading", metavar="L", help=(
         "computes the mean drift of the hull so loaded: kg_m=,roll_gyration_m=,pitch_gyration_m=,"
         "yaw_gyration_m=, and roll_damping_ratio= (default: 0.05 of the critical)"))  # fmt: skip
+    attitude_command.add_options(command)
     command.add_argument(
         "--flip_normals", action="store_true", default=None, help="turn a mesh file's normals round"
     )
@@ -100,7 +104,7 @@ def run(options: argparse.Namespace) -> Database:
     directions = directions or resolution.default_directions(length_m, float(frequencies[-1]), water)
     print(summary(hull, water))
     print(f"{'wave directions':<20}{directions}")
-    _warn(resolution.warnings(length_m, frequencies, directions, water))
+    _warn([*hull.remarks, *resolution.warnings(length_m, frequencies, directions, water)])
     partial = Partial(target.with_name(target.name + ENDING))
     print(_demand(hull))
     with progress.bar(len(frequencies) + 1, "frequencies") as update:
@@ -207,7 +211,9 @@ def parse_frequencies(text: str) -> np.ndarray:
 def _hull(options: argparse.Namespace, panels: int) -> HullMeshes:
     if Path(options.hull).is_file():
         file = HullFile(Path(options.hull), options.draught_m, bool(options.flip_normals))
-        return file.meshes(panels)
+        upright = file.meshes(panels)
+        asked = attitude_command.parse(options, upright.particulars)
+        return upright if asked is None else inclined.of_file(file, upright, panels, asked)
     kind = options.hull.partition(":")[0]
     if kind not in SHAPES and "=" not in options.hull:
         kinds = ", ".join(SHAPES)
@@ -216,7 +222,10 @@ def _hull(options: argparse.Namespace, panels: int) -> HullMeshes:
     if options.draught_m is not None:
         allowed = "a mesh file; a parametric hull has its own draught"
         raise HydrodynamicsError("--draught_m", "a parametric hull", allowed)
-    return parametric(parse_shape(options.hull), options.hull, panels)
+    shape = parse_shape(options.hull)
+    upright = parametric(shape, options.hull, panels)
+    asked = attitude_command.parse(options, upright.particulars)
+    return upright if asked is None else inclined.of_shape(shape, upright, panels, asked)
 
 
 def parse_shape(text: str) -> Shape:
@@ -258,32 +267,3 @@ def _values(kind: type, description: str, field: str, start: str) -> dict[str, f
     if missing:
         raise HydrodynamicsError(field, f"no {missing[0]}", form)
     return values
-
-
-def summary(hull: HullMeshes, water: Water) -> str:
-    """What the hull is, before the long work."""
-    found, plane = hull.particulars, hull.particulars.waterplane
-    x, y = plane.first_moments_m3 / plane.area_m2
-    transverse = plane.second_moments_m4[2] - y**2 * plane.area_m2
-    longitudinal = plane.second_moments_m4[0] - x**2 * plane.area_m2
-    centre = ", ".join(f"{value + 0.0:.4g}" for value in found.centre_of_buoyancy_m.round(9))
-    heights = [moment / found.volume_m3 for moment in (transverse, longitudinal)]
-    planes = {(): "none", (1,): "y = 0", (0,): "x = 0", (0, 1): "x = 0 and y = 0"}[hull.reflections]
-    rows = [
-        ("hull", hull.source),
-        ("length, beam", f"{found.length_m:.4g} m, {found.beam_m:.4g} m"),
-        ("draught", f"{found.draught_m:.4g} m"),
-        ("volume", f"{found.volume_m3:.6g} m3, {found.volume_m3 * water.density_kg_m3 / 1000:.6g} t"),
-        ("block coefficient", f"{found.block_coefficient:.4f}"),
-        ("centre of buoyancy", f"{centre} m"),
-        ("waterplane", f"{plane.area_m2:.6g} m2"),
-        ("BM", f"{heights[0]:.4g} m transverse, {heights[1]:.4g} m longitudinal"),
-        ("panels", f"{hull.panel_count} of about {hull.panel_size_m:.3g} m; planes of symmetry: {planes}"),
-    ]
-    lines = [f"{name:<20}{value}" for name, value in rows]
-    if hull.hull is None:
-        lines.append(
-            f"warning: no hull mesh goes into the database, for {hull.why_no_hull}; without it there are no "
-            "righting arms, no hydrostatics or wave pressure of the mesh, and no hull in the app's picture"
-        )
-    return "\n".join(lines)

@@ -6,6 +6,10 @@ Frame: x forward, y to port, z up, the origin on the water plane at the stated d
 six are (force or translation x, y, z; moment or rotation x, y, z) about that origin. Waves go to
 their direction, from +x counter-clockwise. Phases are those of exp(-i w t): the elevation is
 Re{a exp(i (k x cos b + k y sin b - w t))}, the force Re{X a exp(-i w t)}. Zero forward speed.
+
+Of a hull that lists or trims (`Attitude`) the coefficients are in level axes: x forward along its heading, y
+to port, z up, the origin on the water plane and on the vertical of the hull's own. Particulars, waterplane
+and mesh stay those of the hull upright, in its own axes.
 """
 
 from __future__ import annotations
@@ -58,8 +62,28 @@ class Mesh:
 
 
 @dataclass(frozen=True)
+class Attitude:
+    """How the upright hull stands in the axes of the coefficients, where it lists, trims or floats deeper.
+
+    A point r of the upright hull is at Ry(pitch) Rx(roll) r + (0, 0, height) there.
+
+    Attributes
+    ----------
+    roll_rad, pitch_rad
+        Heel to starboard and trim by the bow, rad.
+    height_m
+        Of the hull's origin above the still water, m.
+    """
+
+    roll_rad: float
+    pitch_rad: float
+    height_m: float
+
+
+@dataclass(frozen=True)
 class Hull:
-    """Particulars of the hull at the draught that the database holds for."""
+    """Particulars of the upright hull at its draught, and the attitude that the coefficients are for; `None`
+    is upright at that draught."""
 
     draught_m: float
     length_m: float
@@ -68,6 +92,7 @@ class Hull:
     centre_of_buoyancy_m: NDArray[np.float64]
     waterplane: Waterplane
     mesh: Mesh | None = None
+    attitude: Attitude | None = None
 
 
 @dataclass(frozen=True)

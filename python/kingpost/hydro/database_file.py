@@ -1,11 +1,13 @@
 """A hydrodynamic database's file, `NAME.hydro.json`: read with every field checked, written whole or not.
 
-Coefficients are kept to seven digits, the fitted memory to all of them.
+Coefficients are kept to seven digits, the fitted memory to all of them. Optional fields that a database does
+not have are not in its file: the attitude of a hull that is upright, the loading of a mean drift.
 """
 
 from __future__ import annotations
 
 import json
+import math
 import os
 import tempfile
 from pathlib import Path
@@ -15,6 +17,7 @@ import numpy as np
 
 from ..errors import HydrodynamicsError
 from .database import (
+    Attitude,
     Database,
     DriftLoading,
     Hull,
@@ -25,7 +28,7 @@ from .database import (
     Water,
     Waterplane,
 )
-from .fields import Fields
+from .fields import Fields, shown
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -114,9 +117,10 @@ def check_output(path: str | Path) -> Path:
 
 
 _HULL = ("draught_m", "length_m", "beam_m", "volume_m3", "centre_of_buoyancy_m", "waterplane", "mesh")
+_ATTITUDE = ("roll_rad", "pitch_rad", "height_m")
 _TOP = ("format", "version", "title", "provenance", "water", "hull", "frequencies_rad_s",
         "wave_directions_rad", "added_mass", "radiation_damping", "added_mass_infinite", "froude_krylov",
-        "diffraction", "mean_drift", "mean_drift_loading", "radiation")  # fmt: skip
+        "diffraction", "mean_drift", "radiation")  # fmt: skip
 
 
 def from_tree(tree: dict[str, Any], file: str | None = None) -> Database:
@@ -126,7 +130,7 @@ def from_tree(tree: dict[str, Any], file: str | None = None) -> Database:
             # Another version has other fields: say that rather than which.
             Fields(tree, "", file).constant(name, value)
     # Files of before have no loading.
-    top = Fields.of({"mean_drift_loading": None, **tree}, "", file, _TOP)
+    top = Fields.of(tree, "", file, _TOP, ("mean_drift_loading",))
     frequencies = top.numbers("frequencies_rad_s", None)
     if len(frequencies) == 0 or frequencies[0] <= 0 or (np.diff(frequencies) <= 0).any():
         raise top.wrong("frequencies_rad_s", "a list that is not", "one or more, increasing, greater than 0")
@@ -139,7 +143,7 @@ def from_tree(tree: dict[str, Any], file: str | None = None) -> Database:
         title=top.text("title"),
         provenance=_provenance(top),
         water=_water(top),
-        hull=_hull(top.fields("hull", _HULL)),
+        hull=_hull(top.fields("hull", _HULL, ("attitude",))),
         frequencies_rad_s=frequencies,
         wave_directions_rad=directions,
         added_mass=top.numbers("added_mass", n, 6, 6),
@@ -179,7 +183,16 @@ def _hull(at: Fields) -> Hull:
             plane.numbers("second_moments_m4", 3),
         ),
         mesh=None if at.values["mesh"] is None else _mesh(at.fields("mesh", ("vertices_m", "triangles"))),
+        attitude=None if at.values["attitude"] is None else _attitude(at.fields("attitude", _ATTITUDE)),
     )
+
+
+def _attitude(at: Fields) -> Attitude:
+    found = Attitude(*(at.number(name) for name in _ATTITUDE))
+    for name in _ATTITUDE[:2]:
+        if abs(at.number(name)) >= math.pi / 2:
+            raise at.wrong(name, shown(at.values[name]), "an angle between -pi/2 and pi/2")
+    return found
 
 
 def _mesh(at: Fields) -> Mesh:
@@ -246,6 +259,8 @@ def to_tree(database: Database) -> dict[str, Any]:
         "froude_krylov": _parts(here.froude_krylov), "diffraction": _parts(here.diffraction),
         "mean_drift": here.mean_drift,
     }  # fmt: skip
+    if hull.attitude is not None:
+        tree["hull"]["attitude"] = vars(hull.attitude)
     loading = here.mean_drift_loading
     if loading is not None:
         tree["mean_drift_loading"] = vars(loading)

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
 
 MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 FRAME = "hull: x forward, y to port, z up, origin on the water plane"
+LEVEL = "level: x forward, y to port, z up, origin on the water plane, above or below the hull's"
+"""The frame of the coefficients of a hull that lists or trims; x is along its heading."""
 
 
 def dataset(database: Database) -> xarray.Dataset:
@@ -22,7 +24,8 @@ def dataset(database: Database) -> xarray.Dataset:
     -------
     xarray.Dataset
         Dimensions ``frequency`` (rad/s), ``wave_direction`` (rad, to where waves go), ``force`` and
-        ``motion`` (surge to yaw); complex excitation is per metre of amplitude, for exp(-i w t).
+        ``motion`` (surge to yaw); complex excitation is per metre of amplitude, for exp(-i w t). Of a hull
+        that lists or trims the attributes have ``roll_rad``, ``pitch_rad`` and ``height_m``.
     """
     import xarray
 
@@ -40,8 +43,9 @@ def dataset(database: Database) -> xarray.Dataset:
     if database.mean_drift is not None:
         dims = ("frequency", "wave_direction", "drift")
         rows.append(("mean_drift", dims, database.mean_drift, "N/m2, N/m", "mean drift force"))
+    frame = FRAME if database.hull.attitude is None else LEVEL
     variables = {
-        name: (dims, values, {"units": units, "long_name": long_name, "frame": FRAME})
+        name: (dims, values, {"units": units, "long_name": long_name, "frame": frame})
         for name, dims, values, units, long_name in rows
     }
     return xarray.Dataset(variables, _coordinates(database), _attributes(database))
@@ -62,6 +66,7 @@ def _coordinates(database: Database) -> dict[str, object]:
 
 def _attributes(database: Database) -> dict[str, object]:
     water, hull = database.water, database.hull
+    attitude = {} if hull.attitude is None else vars(hull.attitude)
     return {
         "title": database.title,
         "solver": database.provenance.solver,
@@ -73,4 +78,5 @@ def _attributes(database: Database) -> dict[str, object]:
         "volume_m3": hull.volume_m3,
         "centre_of_buoyancy_m": hull.centre_of_buoyancy_m,
         "waterplane_area_m2": hull.waterplane.area_m2,
+        **attitude,
     }

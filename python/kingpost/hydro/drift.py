@@ -16,6 +16,7 @@ import numpy as np
 
 from ..errors import HydrodynamicsError
 from .airy import group_ratio, wave_number
+from .attitude import placed, rotation
 from .database import DriftLoading
 from .symmetry import whole_circle
 
@@ -37,7 +38,8 @@ class Loading:
     Attributes
     ----------
     kg_m
-        Height of the centre of gravity above the keel, m; it lies above the centre of buoyancy.
+        Height of the centre of gravity above the keel, m, along the hull's z; it lies above the centre of
+        buoyancy, of a hull that lists or trims too.
     roll_gyration_m, pitch_gyration_m, yaw_gyration_m
         Radii of gyration about the centre of gravity, m.
     roll_damping_ratio
@@ -76,12 +78,19 @@ def stored(loading: Loading, hull: Hull, water: Water) -> DriftLoading:
 
 
 def mass_matrix(hull: Hull, water: Water, loading: Loading) -> NDArray[np.float64]:
-    """Mass matrix of the hull about the database's origin, which floats at its draught."""
+    """Mass matrix of the hull about the database's origin, in the axes of the coefficients.
+
+    Parameters
+    ----------
+    hull
+        As `build.standing` gives it; so for the other functions.
+    """
     mass = water.density_kg_m3 * hull.volume_m3
     x, y, z = _centre_of_gravity(hull, loading)
     arm = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     radii = np.array([loading.roll_gyration_m, loading.pitch_gyration_m, loading.yaw_gyration_m])
-    inertia = np.diag(radii**2) - arm @ arm
+    turn = _turn(hull)
+    inertia = turn @ np.diag(radii**2) @ turn.T - arm @ arm
     return mass * np.block([[np.eye(3), -arm], [arm, inertia]])
 
 
@@ -91,7 +100,7 @@ def stiffness_matrix(hull: Hull, water: Water, loading: Loading) -> NDArray[np.f
     Raises
     ------
     HydrodynamicsError
-        When the metacentric height is not positive: such a hull would not stay upright.
+        When the metacentric height is not positive: such a hull would not stay as it is.
     """
     unit = water.density_kg_m3 * water.gravity_m_s2
     plane = hull.waterplane
@@ -105,14 +114,32 @@ def stiffness_matrix(hull: Hull, water: Water, loading: Loading) -> NDArray[np.f
     ])  # fmt: skip
     lowest = (syy - sy**2 / plane.area_m2 + height) / hull.volume_m3
     if lowest <= 0:
-        allowed = f"less than {loading.kg_m + lowest:.4g} m, so that the hull stays upright"
+        # Along the hull's z, which is inclined to the vertical.
+        most = loading.kg_m + lowest * _turn(hull)[2, 2]
+        how = "as it is" if hull.attitude else "upright"
+        allowed = f"less than {most:.4g} m, so that the hull stays {how}"
         raise HydrodynamicsError("--loading kg_m", f"{loading.kg_m:g}", allowed)
     return stiffness
 
 
 def _centre_of_gravity(hull: Hull, loading: Loading) -> NDArray[np.float64]:
+    """In one vertical line with the centre of buoyancy, and so high above the keel along the hull's z.
+
+    Of c = R r + (0, 0, h), with r_z = KG - T, the horizontal part is that of the centre of buoyancy.
+    """
     x, y, _ = hull.centre_of_buoyancy_m
-    return np.array([x, y, loading.kg_m - hull.draught_m])
+    height = loading.kg_m - hull.draught_m
+    if hull.attitude is None:
+        return np.array([x, y, height])
+    turn = _turn(hull)
+    aside = np.linalg.solve(turn[:2, :2], [x, y] - turn[:2, 2] * height)
+    return placed(np.array([*aside, height]), hull.attitude)
+
+
+def _turn(hull: Hull) -> NDArray[np.float64]:
+    """From the hull's axes to those of the coefficients."""
+    at = hull.attitude
+    return np.eye(3) if at is None else rotation(at.roll_rad, at.pitch_rad)
 
 
 def motions(database: Database, loading: Loading) -> NDArray[np.complex128]:

@@ -26,10 +26,13 @@ class Fields:
     file: str | None
 
     @classmethod
-    def of(cls, value: object, path: str, file: str | None, names: Sequence[str]) -> Fields:
-        """An object that has these fields and no others."""
+    def of(
+        cls, value: object, path: str, file: str | None, names: Sequence[str], optional: Sequence[str] = ()
+    ) -> Fields:
+        """An object that has these fields and no others; optional ones that are not there are null."""
         if not isinstance(value, dict):
             raise HydrodynamicsError(path, shown(value), "an object", file)
+        value, names = {**dict.fromkeys(optional), **value}, (*names, *optional)
         fields = cls(value, path, file)
         for name in names:
             if name not in value:
@@ -47,9 +50,9 @@ class Fields:
         """The error to raise for one of its fields."""
         return HydrodynamicsError(self.at(name), found, allowed, self.file)
 
-    def fields(self, name: str, names: Sequence[str]) -> Fields:
+    def fields(self, name: str, names: Sequence[str], optional: Sequence[str] = ()) -> Fields:
         """A field that is itself an object with these fields."""
-        return Fields.of(self.values[name], self.at(name), self.file, names)
+        return Fields.of(self.values[name], self.at(name), self.file, names, optional)
 
     def constant(self, name: str, allowed: object) -> None:
         """A field that has one value only."""

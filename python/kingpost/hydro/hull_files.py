@@ -13,7 +13,7 @@ import numpy as np
 from ..errors import HydrodynamicsError
 from .database import Mesh
 from .meshes import HullMeshes, whole
-from .panels import of_triangles
+from .panels import Panels, of_triangles
 from .surface import LARGEST_M, SMALLEST_M, Surface, check_closed, check_outward, open_edges, particulars
 
 if TYPE_CHECKING:
@@ -46,21 +46,17 @@ class HullFile:
 
     def meshes(self, panels: int) -> HullMeshes:
         """Panels, particulars and the closed hull, checked; with about so many panels or more."""
-        surface = self._placed()
-        closed = self._check(surface)
+        surface = self.placed()
+        closed = self.check(surface)
         wetted = surface.below()
         found = particulars(wetted)
-        reflections = tuple(axis for axis in (0, 1) if _symmetric(wetted, axis))
-        part = wetted
-        for axis in reflections:
-            part = part.mirrored(axis).below(0.0, axis).mirrored(axis)
-        # Triangles of this side have about the area that was asked for.
-        fine = part.refined(2 * (wetted.area / panels) ** 0.5)
+        reflections, fine = file_panels(wetted, panels, (0, 1))
         why_not = _too_large(len(surface.triangles)) if closed else "the mesh ends at the water line"
         mesh = None if why_not else Mesh(surface.vertices, surface.triangles)
-        return HullMeshes(self.path.name, reflections, of_triangles(fine), found, mesh, why_not)
+        return HullMeshes(self.path.name, reflections, fine, found, mesh, why_not)
 
-    def _placed(self) -> Surface:
+    def placed(self) -> Surface:
+        """The file's surface at its draught, z = 0 on the water plane."""
         surface = read(self.path)
         if self.flip_normals:
             surface = Surface(surface.vertices, surface.triangles[:, ::-1])
@@ -71,7 +67,7 @@ class HullFile:
         lifted = surface.vertices - [0, 0, surface.vertices[:, 2].min() + self.draught_m]
         return Surface(lifted, surface.triangles)
 
-    def _check(self, surface: Surface) -> bool:
+    def check(self, surface: Surface) -> bool:
         """Refuse what cannot be solved; whether the hull is closed, deck and all."""
         file = str(self.path)
         lowest, highest = surface.vertices[:, 2].min(), surface.vertices[:, 2].max()
@@ -99,6 +95,16 @@ class HullFile:
                 f"a draught less than its depth of {highest - lowest:.4g} m, set with --draught_m", file,
             )  # fmt: skip
         return True
+
+
+def file_panels(wetted: Surface, panels: int, axes: tuple[int, ...]) -> tuple[tuple[int, ...], Panels]:
+    """Those of the axes along which a wetted hull is symmetric, and panels of the part that they mirror."""
+    reflections = tuple(axis for axis in axes if _symmetric(wetted, axis))
+    part = wetted
+    for axis in reflections:
+        part = part.mirrored(axis).below(0.0, axis).mirrored(axis)
+    # Triangles of this side have about the area that was asked for.
+    return reflections, of_triangles(part.refined(2 * (wetted.area / panels) ** 0.5))
 
 
 def _too_large(triangles: int) -> str:

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .database import Mesh
-from .panels import Panels, of_patches
+from .database import Attitude, Mesh
+from .panels import Panels, corners_of, mirrored, of_patches
 from .surface import Particulars, Surface, check_closed, particulars
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from .shapes import Shape
@@ -41,6 +43,15 @@ class HullMeshes:
         triangles.
     why_no_hull
         Where there is none, why; else empty.
+    attitude
+        How the hull stands, where it is not upright: panels, particulars and their axes are then those of
+        the wetted hull as it stands.
+    upright
+        Of a hull with an attitude the hull upright, whose particulars and mesh the database keeps.
+    attitude_source
+        Where the attitude comes from, for the provenance.
+    remarks
+        What is to be said of how it stands.
     """
 
     source: str
@@ -49,6 +60,10 @@ class HullMeshes:
     particulars: Particulars
     hull: Mesh | None
     why_no_hull: str = ""
+    attitude: Attitude | None = None
+    upright: HullMeshes | None = None
+    attitude_source: str = ""
+    remarks: tuple[str, ...] = ()
 
     @property
     def panel_count(self) -> int:
@@ -80,10 +95,35 @@ def parametric(shape: Shape, source: str, panels: int) -> HullMeshes:
     stretch = _stretch(shape, coarse, found.volume_m3)
     wet = [grid * stretch for grid in shape.wetted(coarse)]
     dry = [grid * [*stretch[:2], 1.0] for grid in shape.dry(coarse)]
-    closed = whole(of_patches([*wet, *dry], _inside(shape)).surface, shape.reflections)
-    check_closed(closed, None)
+    hull = whole(of_patches([*wet, *dry], _inside(shape)).surface, shape.reflections)
+    check_closed(hull, None)
     wetted = _wetted(shape, size, _stretch(shape, size, found.volume_m3))
-    return HullMeshes(source, shape.reflections, wetted, found, Mesh(closed.vertices, closed.triangles))
+    return HullMeshes(source, shape.reflections, wetted, found, Mesh(hull.vertices, hull.triangles))
+
+
+def closed(shape: Shape, size_m: float, volume_m3: float | None = None) -> Surface:
+    """The whole hull of a shape with its deck, not welded: triangles of `closed_panels` and their images."""
+    quads = closed_panels(shape, size_m, volume_m3, shape.reflections)
+    corners = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    return Surface(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3))
+
+
+def closed_panels(
+    shape: Shape, size_m: float, volume_m3: float | None, reflections: Sequence[int]
+) -> NDArray[np.float64]:
+    """Corners of panels of about the stated size of a shape with its deck, shape (panels, 4, 3).
+
+    Of the part that it describes and its mirror images; stretched, so that the whole hull upright displaces
+    the volume, or as it is where there is none.
+    """
+    stretch = np.ones(3) if volume_m3 is None else _stretch(shape, size_m, volume_m3)
+    # Of a sphere the part above the water is as round as that below it.
+    above = stretch if len(shape.stretched) == 3 else stretch * [1, 1, 0] + [0, 0, 1]
+    patches = [grid * stretch for grid in shape.wetted(size_m)] + [grid * above for grid in shape.dry(size_m)]
+    quads = corners_of(patches, _inside(shape))
+    for axis in reflections:
+        quads = np.concatenate([quads, mirrored(quads, axis)])
+    return quads
 
 
 def _inside(shape: Shape) -> NDArray[np.float64]:

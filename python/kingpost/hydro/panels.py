@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .surface import SAME_POINT, Surface, open_edges
+from .surface import SAME_POINT, Surface, cut_polygon, open_edges
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -44,8 +44,46 @@ def of_triangles(surface: Surface) -> Panels:
 
 def of_patches(patches: Sequence[Grid], inside: Grid) -> Panels:
     """Grids of points as panels, their normals away from a point inside the hull."""
-    quads = np.concatenate([_quads(grid, inside) for grid in patches])
-    return _welded(quads)
+    return _welded(corners_of(patches, inside))
+
+
+def corners_of(patches: Sequence[Grid], inside: Grid) -> Grid:
+    """Corners of the panels of grids, shape (panels, 4, 3), not welded."""
+    return np.concatenate([_quads(grid, inside) for grid in patches])
+
+
+def under_water(quads: Grid) -> Panels:
+    """Panels by their corners, those across the water plane z = 0 cut there and those above it left out."""
+    size = np.ptp(quads.reshape(-1, 3), axis=0).max()
+    quads = quads.copy()
+    quads[..., 2][np.abs(quads[..., 2]) < SAME_POINT * size] = 0.0
+    z = quads[..., 2]
+    wet, across = (z < 0).any(axis=1), (z > 0).any(axis=1)
+    pieces = [piece for quad in quads[wet & across] for piece in _pieces(quad)]
+    return _welded(np.concatenate([quads[wet & ~across], np.array(pieces).reshape(-1, 4, 3)]))
+
+
+def _pieces(quad: Grid) -> list[Grid]:
+    """What of a panel is under water: of three or four corners each."""
+    above = quad[:, 2]
+    if (above[[0, 2]].max() < 0 < above[[1, 3]].min()) or (above[[1, 3]].max() < 0 < above[[0, 2]].min()):
+        # So twisted that two corners across from each other are wet: two triangles.
+        return [piece for half in ([0, 1, 2, 2], [0, 2, 3, 3]) for piece in _pieces(quad[half])]
+    polygon = cut_polygon(quad, above, 0.0, 2)
+    polygon = [point for point, next_ in zip(polygon, np.roll(polygon, -1, axis=0), strict=True)
+               if (point != next_).any()]  # fmt: skip
+    last = len(polygon) - 1
+    return [np.array([polygon[i] for i in (0, k, k + 1, min(k + 2, last))]) for k in range(1, last, 2)]
+
+
+def mirrored(quads: Grid, axis: int) -> Grid:
+    """The mirror images of panels along an axis, seen from the water counter-clockwise again.
+
+    Their diagonals between the first and the third corner are mirror images too.
+    """
+    image = quads[:, [0, 3, 2, 1]]
+    image[..., axis] *= -1
+    return image
 
 
 def _quads(grid: Grid, inside: Grid) -> Grid:

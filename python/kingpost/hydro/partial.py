@@ -1,9 +1,9 @@
 """What a panel method has solved so far, in a file beside the output: a run that was stopped goes
 on from there.
 
-The file belongs to one set of settings: hull, lid, water, frequencies, directions and solver. Their SHA-256
-stands in it, and a file of other settings is not looked at. It is written after each frequency, whole or not
-at all, and taken away when the database stands.
+The file belongs to one set of settings: hull, attitude, lid, water, frequencies, directions and solver.
+Their SHA-256 stands in it, and a file of other settings is not looked at. It is written after each frequency,
+whole or not at all, and taken away when the database stands.
 """
 
 from __future__ import annotations

@@ -136,8 +136,9 @@ def _settings(
 ) -> str:  # fmt: skip
     """The digest of all that the coefficients depend on."""
     lids = () if cover is None else (cover.vertices, cover.faces)
+    stands = () if hull.attitude is None else (hull.attitude,)
     return digest([
-        module.__version__, hull.reflections, hull.panels.vertices, hull.panels.faces, *lids,
+        module.__version__, hull.reflections, hull.panels.vertices, hull.panels.faces, *lids, *stands,
         water.density_kg_m3, water.gravity_m_s2, water.depth_m, frequencies_rad_s, directions, rings,
     ])  # fmt: skip
 

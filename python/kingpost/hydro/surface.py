@@ -110,20 +110,38 @@ def _below(surface: Surface, height: float, axis: int) -> Surface:
     kept = surface.triangles[(signs <= 0).all(axis=1) & (signs < 0).any(axis=1)]
     pieces: list[list[NDArray[np.float64]]] = []
     for triangle in surface.triangles[(signs > 0).any(axis=1) & (signs < 0).any(axis=1)]:
-        polygon = []
-        for start, end in zip(triangle, np.roll(triangle, -1), strict=True):
-            p, q, over_p, over_q = surface.vertices[start], surface.vertices[end], above[start], above[end]
-            if over_p <= 0:
-                polygon.append(p)
-            if over_p * over_q < 0:
-                cut = p + over_p / (over_p - over_q) * (q - p)
-                cut[axis] = height
-                polygon.append(cut)
+        polygon = cut_polygon(surface.vertices[triangle], above[triangle], height, axis)
         pieces += [[polygon[0], polygon[k], polygon[k + 1]] for k in range(1, len(polygon) - 1)]
     cut_points = np.array(pieces, float).reshape(-1, 3)
     numbers = len(surface.vertices) + np.arange(len(cut_points)).reshape(-1, 3)
     vertices = np.concatenate([surface.vertices, cut_points])
     return Surface(vertices, np.concatenate([kept, numbers])).welded()
+
+
+def cut_polygon(
+    corners: NDArray[np.float64], above: NDArray[np.float64], height: float, axis: int
+) -> list[NDArray[np.float64]]:
+    """Corners of the part of a polygon that is not above a height along an axis.
+
+    Parameters
+    ----------
+    above
+        How far each corner is above it, m.
+
+    >>> square = np.array([[0, 0, -1], [2, 0, -1], [2, 0, 1], [0, 0, 1.0]])
+    >>> [point.tolist() for point in cut_polygon(square, square[:, 2], 0.0, 2)]
+    [[0.0, 0.0, -1.0], [2.0, 0.0, -1.0], [2.0, 0.0, 0.0], [0.0, 0.0, 0.0]]
+    """
+    polygon = []
+    ends, over_ends = np.roll(corners, -1, axis=0), np.roll(above, -1)
+    for p, q, over_p, over_q in zip(corners, ends, above, over_ends, strict=True):
+        if over_p <= 0:
+            polygon.append(p)
+        if over_p * over_q < 0:
+            cut = p + over_p / (over_p - over_q) * (q - p)
+            cut[axis] = height
+            polygon.append(cut)
+    return polygon
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,136 @@
+"""How `kingpost hydro` is told that a hull lists or trims: by angles, or by a scenario that it floats in."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..errors import HydrodynamicsError
+from ..scenario import Scenario, load
+from .attitude import Inclination, from_degrees
+from .database import Attitude, Hull
+from .database_file import from_tree
+from .surface import Particulars
+
+OPTIONS = ("heel_deg", "trim_deg", "attitude_of")
+SAME_HULL = 0.01
+"""By this share the sizes of one hull may differ between a scenario's database and what is computed."""
+SAME_WEIGHT = 0.005
+"""By this share weight and displacement may differ before it is said."""
+SAME_ANGLE = 1e-6
+"""Angles, rad, and heights, m, that differ by less are the same."""
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Heel, trim, and the scenario that has them."""
+    command.add_argument("--heel_deg", metavar="A", type=float, help=(
+        "the hull lists by so much, positive to starboard, at its upright displacement"))  # fmt: skip
+    command.add_argument("--trim_deg", metavar="A", type=float, help=(
+        "the hull trims by so much, positive by the bow, at its upright displacement"))  # fmt: skip
+    command.add_argument("--attitude_of", metavar="SCENARIO", help=(
+        "the hull stands as in this scenario (a file or a gallery name) at rest in still water, as `kingpost "
+        "check` prints: heel, trim and height"))  # fmt: skip
+
+
+def parse(options: argparse.Namespace, hull: Particulars) -> Inclination | None:
+    """What the options ask of an upright hull; `None` where it is to stay upright.
+
+    Raises
+    ------
+    HydrodynamicsError
+        When an angle is not between -90 and 90 deg, angles stand beside a scenario, or no one hull of the
+        scenario is this hull.
+    ScenarioError, KingpostError
+        When the scenario cannot be read or its hulls cannot float.
+    """
+    if options.attitude_of is None:
+        return from_degrees(options.heel_deg, options.trim_deg)
+    for name in ("heel_deg", "trim_deg"):
+        if getattr(options, name) is not None:
+            raise HydrodynamicsError(f"--{name}", "--attitude_of beside it", "one of the two")
+    found = of_scenario(load(options.attitude_of), hull)
+    return found if found.roll_rad or found.pitch_rad or found.height_m else None
+
+
+@dataclass(frozen=True)
+class _Candidate:
+    """A hull of a scenario."""
+
+    name: str
+    hull: Hull
+    afloat: dict[str, Any]
+
+
+def of_scenario(scenario: Scenario, hull: Particulars) -> Inclination:
+    """How the hull of these particulars stands in a scenario where everything is at rest in still water.
+
+    Its hulls are known by the sizes in their databases.
+    """
+    file = Path(scenario.file).name
+    found = [_candidate(scenario, one) for one in scenario.hydrostatics["hulls"]]
+    same = [one for one in found if _difference(one.hull, hull) <= SAME_HULL]
+    if not same:
+        others = [f"{one.name}, {_sizes(one.hull)}" for one in found] or scenario.hydrostatics["warnings"]
+        which = f"a scenario with a hull afloat of {_sizes(hull)}"
+        what = "; ".join(others) or "no hull that floats"
+        raise HydrodynamicsError("--attitude_of", f"{file} with {what}", which)
+    stand = [_attitude(one.afloat, hull.draught_m) for one in same]
+    if any(_apart(stand[0], one) > SAME_ANGLE for one in stand):
+        names = ", ".join(one.name for one in same)
+        allowed = "one hull of these sizes, or hulls that stand alike: give --heel_deg and --trim_deg"
+        raise HydrodynamicsError("--attitude_of", f"{file} with {names} of other attitudes", allowed)
+    first, afloat = stand[0], same[0].afloat
+    # What is under water of a hull without a mesh is no more than an estimate.
+    displaced = afloat["displacement_m3"] if afloat["by_mesh"] else None
+    source = f"as {same[0].name} floats in {file}"
+    remarks = _remarks(same[0].name, afloat)
+    return Inclination(first.roll_rad, first.pitch_rad, first.height_m, source, displaced, remarks)
+
+
+def _remarks(name: str, afloat: dict[str, Any]) -> tuple[str, ...]:
+    """What linear hydrostatics, which know the sides at the water line alone, make of the height."""
+    too_much = afloat["displacement_kg"] / afloat["mass_kg"] - 1
+    if afloat["rests_by_mesh"] or not afloat["by_mesh"] or abs(too_much) <= SAME_WEIGHT:
+        return ()
+    return (
+        f"{name} rests by linear hydrostatics, where its mesh displaces {too_much:+.1%} of its weight: with "
+        "`hydrostatics: mesh` the scenario has the attitude of the mesh",
+    )
+
+
+def _candidate(scenario: Scenario, afloat: dict[str, Any]) -> _Candidate:
+    name = scenario.resolved["forces"][afloat["force"]]["hydrodynamics"]["database"]
+    return _Candidate(afloat["body"], from_tree(json.loads(scenario.files[name]), name).hull, afloat)
+
+
+def _attitude(afloat: dict[str, Any], draught_m: float) -> Attitude:
+    """With the depth of the keel under the hull's origin, along the vertical: h = T n_z - depth."""
+    roll, pitch = _settled(afloat["heel_rad"]), _settled(afloat["trim_rad"])
+    height = draught_m * math.cos(roll) * math.cos(pitch) - afloat["draught_m"]
+    return Attitude(roll, pitch, _settled(height))
+
+
+def _settled(value: float) -> float:
+    """An equilibrium is known so well: less is nothing, and leaves a plane of symmetry."""
+    return 0.0 if abs(value) < SAME_ANGLE else value
+
+
+def _apart(one: Attitude, other: Attitude) -> float:
+    return max(abs(a - b) for a, b in zip(vars(one).values(), vars(other).values(), strict=True))
+
+
+def _difference(one: Hull | Particulars, other: Particulars) -> float:
+    """The largest of length, beam, draught and volume."""
+    names = ("length_m", "beam_m", "draught_m", "volume_m3")
+    return max(abs(getattr(one, name) / getattr(other, name) - 1) for name in names)
+
+
+def _sizes(hull: Hull | Particulars) -> str:
+    return (
+        f"{hull.length_m:.4g} x {hull.beam_m:.4g} m at a draught of {hull.draught_m:.4g} m, "
+        f"{hull.volume_m3:.6g} m3"
+    )

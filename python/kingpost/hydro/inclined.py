@@ -1,0 +1,108 @@
+"""Meshes of a hull that lists or trims: the closed hull turned, lifted and cut at the water."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import HydrodynamicsError
+from .attitude import Inclination, described, placed, settled
+from .database import Attitude
+from .hull_files import HullFile, file_panels
+from .meshes import HullMeshes, closed, closed_panels
+from .panels import under_water
+from .surface import Surface, particulars
+
+if TYPE_CHECKING:
+    from .shapes import Shape
+
+FINE_PANELS = 6000
+"""About how many panels are under water of the mesh that says how a parametric hull floats."""
+SAME_VOLUME = 0.01
+"""By this share what a hull displaces may differ from what the source of its attitude says of it."""
+
+
+def of_shape(shape: Shape, upright: HullMeshes, panels: int, asked: Inclination) -> HullMeshes:
+    """A parametric hull as it stands, with about so many panels.
+
+    Raises
+    ------
+    HydrodynamicsError
+        When it stands dry, or displaces something else than the source of its attitude says.
+    """
+    size, fine = ((shape.wetted_area_m2 / count) ** 0.5 for count in (panels, FINE_PANELS))
+    volume = upright.particulars.volume_m3
+    hull = closed(shape, fine, volume)
+    attitude, wetted, remarks = _afloat(hull, upright, asked)
+    kept = _kept(upright.reflections, attitude)
+    lost = [axis for axis in shape.reflections if axis not in kept]
+    part = under_water(placed(closed_panels(shape, size, volume, lost), attitude))
+    return replace(
+        upright, reflections=kept, panels=part, particulars=particulars(wetted), attitude=attitude,
+        upright=upright, attitude_source=asked.source, remarks=remarks,
+    )  # fmt: skip
+
+
+def of_file(file: HullFile, upright: HullMeshes, panels: int, asked: Inclination) -> HullMeshes:
+    """A mesh file's hull as it stands, with about so many panels or more.
+
+    Raises
+    ------
+    HydrodynamicsError
+        As `of_shape`, and when the mesh ends at the water line: what would come under water is not known.
+    """
+    hull = file.placed()
+    if not file.check(hull):
+        found = "a mesh that ends at the water line, to be inclined"
+        allowed = "a closed hull with its deck, or none of --heel_deg, --trim_deg, --attitude_of"
+        raise HydrodynamicsError("hull", found, allowed, str(file.path))
+    attitude, wetted, remarks = _afloat(hull, upright, asked)
+    kept, part = file_panels(wetted, panels, _kept((0, 1), attitude))
+    return replace(
+        upright, reflections=kept, panels=part, particulars=particulars(wetted), attitude=attitude,
+        upright=upright, attitude_source=asked.source, remarks=remarks,
+    )  # fmt: skip
+
+
+def _kept(reflections: tuple[int, ...], attitude: Attitude) -> tuple[int, ...]:
+    """Planes of symmetry that are left: heel takes y = 0 away, trim x = 0."""
+    turned = {0: attitude.pitch_rad, 1: attitude.roll_rad}
+    return tuple(axis for axis in reflections if turned[axis] == 0)
+
+
+def _afloat(
+    hull: Surface, upright: HullMeshes, asked: Inclination
+) -> tuple[Attitude, Surface, tuple[str, ...]]:
+    """How a closed hull stands, what of it is under water, and what is to be said of that."""
+    attitude = settled(hull, asked, upright.particulars.volume_m3)
+    stands = Surface(placed(hull.vertices, attitude), hull.triangles)
+    wetted = stands.below()
+    if len(wetted.triangles) == 0:
+        found = f"{described(attitude)}: a hull that is dry"
+        raise HydrodynamicsError("--attitude_of", found, "a hull that floats")
+    if asked.displaced_m3 is not None:
+        _check_displaced(asked, particulars(wetted).volume_m3)
+    return attitude, wetted, (*asked.remarks, *_remarks(hull, stands))
+
+
+def _check_displaced(asked: Inclination, found_m3: float) -> None:
+    if abs(found_m3 - asked.displaced_m3) > SAME_VOLUME * asked.displaced_m3:
+        raise HydrodynamicsError(
+            "--attitude_of",
+            f"a hull that displaces {asked.displaced_m3:.6g} m3 {asked.source}",
+            f"one that displaces what this hull does there, {found_m3:.6g} m3, to {SAME_VOLUME:.0%}",
+        )
+
+
+def _remarks(hull: Surface, stands: Surface) -> tuple[str, ...]:
+    """What is said of a hull whose deck goes under or whose bottom comes out of the water."""
+    before, z = hull.vertices[:, 2], stands.vertices[:, 2]
+    near = 1e-6 * np.ptp(hull.vertices, axis=0).max()
+    found = []
+    if (z[before > before.max() - near] < -near).any():
+        found.append("the highest part of the hull, its deck, is partly under water")
+    if (z[before < before.min() + near] > near).any():
+        found.append("the bottom is partly out of the water")
+    return tuple(f"{what}: linear coefficients are those of small motions about that" for what in found)
