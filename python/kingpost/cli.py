@@ -17,6 +17,7 @@ from typing import NoReturn
 from . import __version__
 from .errors import KingpostError, RunError
 from .hydro import command as hydro_command
+from .roll_damping import command as roll_damping_command
 from .scenario import Scenario, load
 from .simulate import Simulation
 
@@ -105,6 +106,10 @@ def parser() -> argparse.ArgumentParser:
     hydro = commands.add_parser("hydro", help="compute the hydrodynamic database of a hull")
     hydro_command.add_options(hydro)
     hydro.set_defaults(command=_hydro)
+
+    roll = commands.add_parser("roll-damping", help="roll damping from a hull's sections or a decay test")
+    roll_damping_command.add_options(roll)
+    roll.set_defaults(command=_roll_damping)
 
     serve = commands.add_parser("serve", help="serve the browser app")
     serve.add_argument("scenario", nargs="?", metavar="SCENARIO", help="a file or a gallery name")
@@ -241,6 +246,11 @@ def _paper(options: argparse.Namespace) -> int:
 
 def _hydro(options: argparse.Namespace) -> int:
     hydro_command.run(options)
+    return DONE
+
+
+def _roll_damping(options: argparse.Namespace) -> int:
+    roll_damping_command.run(options)
     return DONE
 
 

@@ -107,3 +107,10 @@ class HydrodynamicsError(KingpostError):
         self.field = field
         self.found = found
         self.allowed = allowed
+
+
+class RollDampingError(HydrodynamicsError):
+    """Sections of a hull, bilge keels or a record of decaying roll that are wrong.
+
+    The attributes are those of `HydrodynamicsError`: `file`, `field`, `found`, `allowed`.
+    """

@@ -1,0 +1,185 @@
+"""`kingpost roll-damping`: from a hull's sections, or from a decay test, to the damping of a scenario."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from pathlib import Path
+
+from ..errors import RollDampingError
+from ..hydro.database_file import ENDING, read
+from ..results import check_output
+from . import report
+from .bilge_keels import BilgeKeels
+from .coefficients import Coefficients, fragment
+from .cutting import STATIONS
+from .decay import MODELS, DecayFit, from_decay
+from .eddies import SHARPNESS
+from .hulls import sections_of
+from .ikeda import AMPLITUDES_DEG, SEA_WATER_KG_M3, SEA_WATER_M2_S, from_sections
+from .radiated import radiated
+from .record import DecayRecord
+
+ENDINGS = (".yaml", ".yml")
+KEELS = ("breadth_m", "length_m", "centre_m")
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """The command's two ways and their options."""
+    ways = command.add_subparsers(title="ways", metavar="WAY", required=True)
+    sections = ways.add_parser("sections", help="by Ikeda's method, from the sections of a hull")
+    _add_sections(sections)
+    sections.set_defaults(way=of_sections)
+    decay = ways.add_parser("decay", help="from the record of a decay test")
+    _add_decay(decay)
+    decay.set_defaults(way=of_decay)
+    for way in (sections, decay):
+        way.add_argument(
+            "--body", metavar="NAME", default="ship", help="the hull in the scenario (default: ship)"
+        )
+        way.add_argument("-o", "--output", metavar="FILE", help="the forces of a scenario: .yaml")
+
+
+def _add_sections(way: argparse.ArgumentParser) -> None:
+    way.add_argument("hull", metavar="HULL", help=(
+        "a table of sections .csv (x_m,beam_m,draught_m,area_m2 or area_coefficient, bilge_radius_m), a "
+        f"database {ENDING} with its hull's mesh, a mesh file, or a parametric hull as `kingpost hydro` "
+        "takes it"))  # fmt: skip
+    way.add_argument("--kg_m", metavar="KG", type=float, required=True,
+                     help="centre of gravity, and the roll axis, above the keel")  # fmt: skip
+    way.add_argument("--period_s", metavar="T", type=float, required=True, help="of the roll")
+    usual = ", ".join(f"{angle:g}" for angle in AMPLITUDES_DEG)
+    way.add_argument("--amplitudes_deg", metavar="A", type=float, nargs="+", default=list(AMPLITUDES_DEG),
+                     help=f"of the roll (default: {usual})")  # fmt: skip
+    way.add_argument("--bilge_keels", metavar="K", help=(
+        "breadth_m=,length_m= of each, and centre_m= along the ship (default: its middle)"))  # fmt: skip
+    way.add_argument("--speed_m_s", metavar="U", type=float, default=0.0, help="forward speed (default: 0)")
+    way.add_argument("--draught_m", metavar="D", type=float,
+                     help="draught of a mesh file's hull (default: the water is at z = 0)")  # fmt: skip
+    way.add_argument("--sharpness", choices=SHARPNESS, default=SHARPNESS[0], help=(
+        "of the bilges to the eddies, by their radius or, as the formula is printed, by the area of the "
+        "section (default: %(default)s)"))  # fmt: skip
+    way.add_argument("--stations", metavar="N", type=int, default=STATIONS,
+                     help="sections that a mesh is cut into (default: %(default)s)")  # fmt: skip
+    way.add_argument("--density_kg_m3", metavar="RHO", type=float, default=SEA_WATER_KG_M3,
+                     help="density of the water (default: %(default)g)")  # fmt: skip
+    way.add_argument("--viscosity_m2_s", metavar="NU", type=float, default=SEA_WATER_M2_S,
+                     help="its kinematic viscosity (default: %(default)g)")  # fmt: skip
+
+
+def _add_decay(way: argparse.ArgumentParser) -> None:
+    way.add_argument("record", metavar="FILE", help="time_s and roll_deg or roll_rad: .csv")
+    way.add_argument("--column", metavar="NAME", help="of the roll, where there are several")
+    way.add_argument("--model", choices=tuple(MODELS), default="quadratic",
+                     help="the highest term of the damping (default: %(default)s)")  # fmt: skip
+    way.add_argument("--after_s", metavar="T", type=float,
+                     help="leave out what is before, s (default: the largest angle)")  # fmt: skip
+    way.add_argument("--until_s", metavar="T", type=float, help="leave out what is after, s")
+    way.add_argument("--inertia_kg_m2", metavar="I", type=float, help="in roll, with that of the water")
+    way.add_argument(
+        "--mass_kg", metavar="M", type=float, help="with --gm_m: the inertia is m g GM / omega^2"
+    )
+    way.add_argument("--gm_m", metavar="GM", type=float, help="metacentric height")
+    way.add_argument("--database", metavar="FILE", help=(
+        f"the hull's {ENDING}: what its waves take is not put into the scenario's forces again"))  # fmt: skip
+    way.add_argument(
+        "--kg_m", metavar="KG", type=float, help="with --database: centre of gravity above the keel"
+    )
+
+
+def run(options: argparse.Namespace) -> None:
+    """Do what the options ask: print tables and the forces of a scenario, and write them."""
+    output = check_output(options.output, ENDINGS) if options.output is not None else None
+    text = options.way(options)
+    if text is None:
+        if output is not None:
+            allowed = "--inertia_kg_m2, or --mass_kg and --gm_m: forces want the inertia"
+            raise RollDampingError("--output", "no inertia", allowed)
+        return
+    print(f"\n{text}", end="")
+    if output is not None:
+        output.write_text(text, encoding="utf-8")
+        print(f"\nwritten  {output}")
+
+
+def of_sections(options: argparse.Namespace) -> str:
+    """Print Ikeda's components; the forces as text."""
+    keels = None if options.bilge_keels is None else parse_keels(options.bilge_keels)
+    hull = sections_of(options.hull, options.draught_m, options.stations)
+    amplitudes = [math.radians(angle) for angle in options.amplitudes_deg]
+    found = from_sections(hull, options.kg_m, options.period_s, amplitudes, keels, options.speed_m_s,
+                          options.density_kg_m3, options.viscosity_m2_s, options.sharpness)  # fmt: skip
+    print(report.hull(hull, options.hull, options.kg_m))
+    print(f"\n{report.components(found)}\n")
+    print(report.second_opinion(hull, found, keels))
+    if "warning" in found.attrs:
+        print(f"warning: {found.attrs['warning']}")
+    if str(options.hull).endswith(ENDING):
+        waves = radiated(read(options.hull), options.kg_m, found.attrs["frequency_rad_s"])[1]
+        print(f"radiated waves take {waves:.4g} N m s besides, by the database")
+    of_what = f"roll of {Path(options.hull).name} at {options.period_s:g} s"
+    title = f"{of_what} by Ikeda's method, without radiated waves"
+    return fragment(Coefficients(float(found.linear), float(found.quadratic)), options.body, title)
+
+
+def of_decay(options: argparse.Namespace) -> str | None:
+    """Print what a decay test says; the forces as text, where the inertia is known."""
+    record = DecayRecord.read(options.record, options.column)
+    found = from_decay(record, options.model, options.after_s, options.until_s)
+    inertia = _inertia(options, found)
+    waves = _waves(options, found)
+    print(report.decay(found, Path(options.record).name, inertia))
+    if inertia is None:
+        print("\nfor the forces of a scenario: --inertia_kg_m2, or --mass_kg and --gm_m")
+        return None
+    without = ""
+    if options.database is not None:
+        print(f"radiated waves take {waves:.4g} N m s of it, by the database; the forces below have the rest")
+        without = ", without radiated waves"
+    title = f"roll decay {Path(options.record).name}, {found.period_s:.4g} s{without}"
+    return fragment(found.for_scenario(inertia, waves), options.body, title)
+
+
+def _inertia(options: argparse.Namespace, found: DecayFit) -> float | None:
+    by_height = options.mass_kg, options.gm_m
+    if options.inertia_kg_m2 is not None:
+        if by_height != (None, None):
+            raise RollDampingError("--inertia_kg_m2", "--mass_kg or --gm_m too", "one or the other")
+        found.coefficients(options.inertia_kg_m2)
+        return options.inertia_kg_m2
+    if by_height == (None, None):
+        return None
+    if None in by_height:
+        name = "--gm_m" if options.gm_m is None else "--mass_kg"
+        raise RollDampingError(name, "none", "--mass_kg and --gm_m together")
+    return found.inertia_kg_m2(*by_height)
+
+
+def _waves(options: argparse.Namespace, found: DecayFit) -> float:
+    if (options.database is None) != (options.kg_m is None):
+        name = "--kg_m" if options.kg_m is None else "--database"
+        raise RollDampingError(name, "none", "--database and --kg_m together")
+    if options.database is None:
+        return 0.0
+    return radiated(read(options.database), options.kg_m, found.frequency_rad_s)[1]
+
+
+def parse_keels(text: str) -> BilgeKeels:
+    """Bilge keels from their description.
+
+    >>> parse_keels("breadth_m=0.4,length_m=30")
+    BilgeKeels(breadth_m=0.4, length_m=30.0, centre_m=None)
+    """
+    form = "breadth_m=...,length_m=... and, if not the ship's middle, centre_m=..."
+    values: dict[str, float] = {}
+    for assignment in filter(None, text.split(",")):
+        name, _, value = assignment.partition("=")
+        if name not in KEELS or name in values:
+            raise RollDampingError("--bilge_keels", repr(assignment), form)
+        try:
+            values[name] = float(value)
+        except ValueError:
+            raise RollDampingError(f"--bilge_keels {name}", repr(value), "a number") from None
+    if not {"breadth_m", "length_m"} <= values.keys():
+        raise RollDampingError("--bilge_keels", repr(text), form)
+    return BilgeKeels(**values)

@@ -1,0 +1,93 @@
+"""`kingpost roll-damping`: both ways, what is printed and written, mistakes, and the commands of the page."""
+
+import re
+import shlex
+from pathlib import Path
+
+import kingpost
+import pytest
+import roll_samples as samples
+from kingpost import cli
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "roll_damping.md"
+BLOCKS = re.findall(r"```(\w*)\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+HULL = "box:length_m=80,beam_m=18,draught_m=6,depth_m=9"
+SECTIONS = ["roll-damping", "sections", HULL, "--kg_m", "7", "--period_s", "10"]
+DECAY = ["roll-damping", "decay", str(samples.FOLDER / "kvlcc2_decay_21338.csv")]
+
+
+def test_the_commands_and_examples_of_the_page_run(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "decay.csv").write_text((samples.FOLDER / "kvlcc2_decay_21338.csv").read_text())
+    (tmp_path / "sections.csv").write_text((samples.FOLDER / "kvlcc2_sections.csv").read_text())
+    ran = 0
+    for language, block in BLOCKS:
+        for line in block.replace("\\\n", "").splitlines() if not language else ():
+            if line.startswith("kingpost "):
+                assert cli.main(shlex.split(line)[1:]) == 0, line
+                ran += 1
+        if language == "python":
+            exec(compile(block, PAGE.name, "exec"), {})
+            ran += 1
+    assert ran >= 4
+    assert "B1 " in capsys.readouterr().out
+
+
+def test_the_forces_of_a_hull_stand_in_a_scenario(tmp_path, capsys):
+    output = tmp_path / "forces.yaml"
+    keels = ["--bilge_keels", "breadth_m=0.4,length_m=30", "--body", "rod"]
+    assert cli.main([*SECTIONS, *keels, "-o", str(output)]) == 0
+    shown = capsys.readouterr().out
+    assert "keels, force" in shown
+    assert output.read_text() in shown
+    scenario = tmp_path / "scenario.yaml"
+    body = (
+        "bodies: {rod: {mass_kg: 1, inertia: {tensor: {moments_kg_m2: [1, 1, 1]}}, joint: {floating: {}}}}\n"
+    )
+    head = "version: 1\ntitle: x\nsimulation: {step_s: 0.1, duration_s: 1}\n"
+    scenario.write_text(head + body + output.read_text())
+    forces = kingpost.load(scenario).resolved["forces"]
+    assert forces["roll_damping"]["viscous_damping"]["angular_N_m_s"][0] > 0
+    assert forces["roll_drag"]["quadratic_damping"]["angular_N_m_s2"][0] > 0
+
+
+def test_a_decay_test_prints_its_period_and_without_inertia_no_forces(capsys):
+    assert cli.main(DECAY) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"natural period\s+2\.5", shown)
+    assert "forces:" not in shown
+    assert cli.main([*DECAY, "--mass_kg", "994.3", "--gm_m", "0.0843"]) == 0
+    assert "quadratic_damping" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ([*SECTIONS, "--bilge_keels", "breadth_m=-1,length_m=30"], "bilge_keels.breadth_m: found -1"),
+        ([*SECTIONS, "--bilge_keels", "breadth=1"], "--bilge_keels: found 'breadth=1'"),
+        ([*SECTIONS, "--bilge_keels", "breadth_m=0.4"], "--bilge_keels: found 'breadth_m=0.4'"),
+        ([*SECTIONS, "--bilge_keels", "breadth_m=x,length_m=3"], "--bilge_keels breadth_m: found 'x'"),
+        ([*SECTIONS, "--amplitudes_deg", "0"], "amplitudes_rad: found 0"),
+        ([*SECTIONS, "-o", "forces.txt"], "unknown ending"),
+        ([*DECAY, "--mass_kg", "3"], "--gm_m: found none, allowed: --mass_kg and --gm_m together"),
+        (
+            [*DECAY, "--inertia_kg_m2", "3", "--mass_kg", "3"],
+            "--inertia_kg_m2: found --mass_kg or --gm_m too",
+        ),
+        ([*DECAY, "--inertia_kg_m2", "-3"], "inertia_kg_m2: found -3"),
+        ([*DECAY, "--kg_m", "3"], "--database: found none"),
+        ([*DECAY, "--column", "sway"], "columns: found time_s, roll_rad"),
+        (["roll-damping", "decay", "none.csv"], "none.csv: found No such file"),
+    ],
+)
+def test_a_mistake_is_answered_in_one_line(words, message, capsys):
+    assert cli.main(words) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("error: ")
+    assert message in error
+    assert error.count("\n") == 1
+
+
+def test_forces_without_an_inertia_are_not_written(tmp_path, capsys):
+    assert cli.main([*DECAY, "-o", str(tmp_path / "forces.yaml")]) == 2
+    assert "--output: found no inertia" in capsys.readouterr().err
