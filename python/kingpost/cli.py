@@ -19,6 +19,7 @@ from .errors import KingpostError, RunError
 from .hydro import command as hydro_command
 from .scenario import Scenario, load
 from .simulate import Simulation
+from .verify import command as verify_command
 
 DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
 
@@ -105,6 +106,10 @@ def parser() -> argparse.ArgumentParser:
     hydro = commands.add_parser("hydro", help="compute the hydrodynamic database of a hull")
     hydro_command.add_options(hydro)
     hydro.set_defaults(command=_hydro)
+
+    verify = commands.add_parser("verify", help="measure what is verified, now, and say whether it holds")
+    verify_command.add_options(verify)
+    verify.set_defaults(command=verify_command.command)
 
     serve = commands.add_parser("serve", help="serve the browser app")
     serve.add_argument("scenario", nargs="?", metavar="SCENARIO", help="a file or a gallery name")
