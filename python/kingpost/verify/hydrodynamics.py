@@ -19,13 +19,24 @@ DISPLACED = WATER.density_kg_m3 * 2 / 3 * math.pi * RADIUS**3
 HULME = {
     0.1: (0.8627, 0.1816),
     0.2: (0.7938, 0.2793),
+    0.3: (0.7157, 0.3254),
+    0.4: (0.6452, 0.3410),
     0.5: (0.5861, 0.3391),
+    0.6: (0.5381, 0.3271),
+    0.8: (0.4698, 0.2899),
     1.0: (0.4284, 0.2484),
+    1.2: (0.4047, 0.2096),
+    1.6: (0.3871, 0.1469),
     2.0: (0.3884, 0.1031),
     3.0: (0.4111, 0.0452),
+    4.0: (0.4322, 0.0219),
+    6.0: (0.4574, 0.0066),
+    10.0: (0.4771, 0.0012),
 }
 """A. Hulme, J. Fluid Mech. 121, 1982, 443, heave of a hemisphere: by k a, A / M and B / M w, M what it
 displaces; four printed digits."""
+SOLVED = (0.1, 0.2, 0.5, 1.0, 2.0, 3.0)
+"""The k a at which rows are."""
 TABLE = "Hulme, J. Fluid Mech. 121, 1982, table 1 (doi 10.1017/S0022112082001980)"
 FLAT = "900 flat panels: first order in their area, 1 / 50 of the radius squared"
 LONG, FIRST = 1e-4, 0
@@ -40,7 +51,7 @@ def solved():
     from ..hydro.shapes import Sphere
     from ..hydro.solve import solve
 
-    lengths = np.array([LONG, *HULME])
+    lengths = np.array([LONG, *SOLVED])
     frequencies = np.sqrt(lengths * WATER.gravity_m_s2 / RADIUS)
     return solve(parametric(Sphere(RADIUS), "sphere", PANELS), WATER, frequencies, 4, True), frequencies
 
@@ -48,7 +59,7 @@ def solved():
 def heave(ka: float) -> tuple[float, float]:
     """Added mass over what is displaced, and damping over that and the frequency."""
     found, frequencies = solved()
-    at = 1 + list(HULME).index(ka)
+    at = 1 + SOLVED.index(ka)
     damping = found.radiation_damping[at, 2, 2] / (DISPLACED * frequencies[at])
     return float(found.added_mass[at, 2, 2] / DISPLACED), float(damping)
 
@@ -73,7 +84,7 @@ def _add(ka: float) -> None:
     )(lambda: Compared(heave(ka)[1], HULME[ka][1], scale=0.341))
 
 
-for _ka in HULME:
+for _ka in SOLVED:
     _add(_ka)
 
 
@@ -149,7 +160,7 @@ HASKIND = "Haskind's relation; Newman, J. Ship Research 6(3), 1962"
     why="radiation and diffraction on the same panels; " + FLAT,
 )
 def haskind_heave() -> Compared:
-    return _haskind(1 + list(HULME).index(1.0), 2)
+    return _haskind(1 + SOLVED.index(1.0), 2)
 
 
 @check(
@@ -162,7 +173,7 @@ def haskind_heave() -> Compared:
     why="radiation and diffraction on the same panels; " + FLAT,
 )
 def haskind_surge() -> Compared:
-    return _haskind(1 + list(HULME).index(1.0), 0)
+    return _haskind(1 + SOLVED.index(1.0), 0)
 
 
 @cache
