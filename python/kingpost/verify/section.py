@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -74,24 +74,35 @@ class RoundBilge(Shape):
         return self.beam_m * self.draught_m - (2 - np.pi / 2) * self.bilge_m**2
 
 
-def of_unit_length(
-    beam_m: float, draught_m: float, bilge_m: float, water: Water, frequencies: Array, panel_m: float
-) -> tuple[Array, Array]:
-    """Added mass and damping (frequency, 6, 6) of a metre of the section, about the water plane.
+@dataclass(frozen=True)
+class OfAMetre:
+    """Coefficients of a metre of a section about the water plane, and beam waves' forces to port.
 
-    The difference of two hulls that differ in their length alone: what their ends do falls out.
+    Attributes
+    ----------
+    added_mass, damping
+        (frequency, 6, 6).
+    excitation
+        (frequency, 6), complex, per metre of wave amplitude.
     """
-    short, long = 12 * beam_m, 20 * beam_m
-    found = []
-    for length in (short, long):
-        shape = RoundBilge(length, beam_m, draught_m, bilge_m)
-        panels = round(shape.wetted_area_m2 / panel_m**2)
-        found.append(solve(parametric(shape, "section", panels), water, frequencies, 4, with_lid=False))
-    per_metre = [
-        (b - a) / (long - short)
-        for a, b in (
-            (found[0].added_mass, found[1].added_mass),
-            (found[0].radiation_damping, found[1].radiation_damping),
-        )
-    ]
-    return per_metre[0], per_metre[1]
+
+    added_mass: Array
+    damping: Array
+    excitation: Array
+
+
+def of_a_metre(shape: RoundBilge, lengths_m: tuple[float, float], water: Water, omega: Array, panel_m: float):
+    """What a metre of a section has: the difference of two hulls that differ in their length alone.
+
+    So what their ends do falls out.
+    """
+    short, long = (_solved(replace(shape, length_m=length), water, omega, panel_m) for length in lengths_m)
+    way = lengths_m[1] - lengths_m[0]
+    return OfAMetre(*((b - a) / way for a, b in zip(short, long, strict=True)))
+
+
+def _solved(shape: RoundBilge, water: Water, omega: Array, panel_m: float) -> tuple[Array, Array, Array]:
+    panels = round(shape.wetted_area_m2 / panel_m**2)
+    found = solve(parametric(shape, "section", panels), water, omega, 4, with_lid=False)
+    to_port = 1
+    return found.added_mass, found.radiation_damping, (found.froude_krylov + found.diffraction)[:, to_port]
