@@ -24,10 +24,15 @@ def add_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--only", metavar="AREA", choices=list(AREAS), help=f"one of {', '.join(AREAS)}")
     for name in FORMATS:
         command.add_argument(f"--{name}", metavar="FILE", help=f"write the rows as {name} too")
+    command.add_argument(
+        "--plots", metavar="DIR", help="draw the pictures of docs/validation.md, and no more"
+    )
 
 
 def command(options: argparse.Namespace) -> int:
     """Measure, print, write; 1 where a row fails."""
+    if options.plots is not None:
+        return _draw(Path(options.plots))
     wanted = {name: Path(path) for name in FORMATS if (path := getattr(options, name)) is not None}
     for path in wanted.values():
         # Refused before the work, not after it.
@@ -40,3 +45,13 @@ def command(options: argparse.Namespace) -> int:
         path.write_text(FORMATS[name](rows), encoding="utf-8")
         print(f"written  {path}")
     return int(any(row.verdict == FAILED for row in rows))
+
+
+def _draw(folder: Path) -> int:
+    from . import plots
+
+    if not folder.is_dir():
+        raise KingpostError(f"{folder}: found no folder, allowed: a folder that is there")
+    for path in plots.draw(folder):
+        print(f"written  {path}")
+    return 0

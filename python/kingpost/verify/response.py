@@ -17,7 +17,7 @@ AREA = "response"
 RADIUS, RHO = 5.0, 1000.0
 
 
-def _exact(ka: float) -> complex:
+def hulme_heave(ka: float) -> complex:
     """Heave of a floating hemisphere for each metre of wave, from A and B of Hulme's table alone.
 
     -w^2 (M + A) - i w B + rho g S; the force's size is Haskind's, |X|^2 = 8 pi rho g v_g B / (2 pi k).
@@ -46,7 +46,7 @@ def _add(ka: float) -> None:
         source="A and B of Hulme 1982, force by Haskind: -w^2 (M + A) - i w B + C",
         tolerance=0.02 if ka < 2 else 0.03,
         why="panels and the fit of the memory, each 1 % to 2 % of A and B (docs/hydro.md)",
-    )(lambda: Compared(_heave(ka), abs(_exact(ka))))
+    )(lambda: Compared(_heave(ka), abs(hulme_heave(ka))))
 
 
 for _ka in (0.2, 0.5, 1.0, 2.0):
@@ -119,7 +119,7 @@ def long_phase() -> Compared:
     return Compared(abs(float(np.angle(found.values[0, 0]))), math.pi / 2)
 
 
-def _convolved(drop: int) -> float:
+def convolved(drop: int) -> float:
     """An extremum of a sphere let go, over its drop, by Hulme's table and Cummins' integral alone.
 
     (M + A_inf) z'' + Int k(t - s) z'(s) ds + C z = 0 from rest at 1, by trapezoids, with
@@ -152,7 +152,7 @@ def _add_decay(extremum: int) -> None:
         source="Cummins' integral over the damping of Hulme 1982, table 1, without panels, states or a fit",
         tolerance=0.005,
         why="of the drop: A and B by panels to 0.4 %, their memory fitted to 0.9 %",
-    )(lambda: Compared(decay()[1][extremum], _convolved(extremum), scale=1.0))
+    )(lambda: Compared(decay()[1][extremum], convolved(extremum), scale=1.0))
 
 
 for _extremum in (0, 1, 2):
