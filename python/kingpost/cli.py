@@ -20,6 +20,7 @@ from .hydro import command as hydro_command
 from .roll_damping import command as roll_damping_command
 from .scenario import Scenario, load
 from .simulate import Simulation
+from .verify import command as verify_command
 
 DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
 
@@ -110,6 +111,10 @@ def parser() -> argparse.ArgumentParser:
     roll = commands.add_parser("roll-damping", help="roll damping from a hull's sections or a decay test")
     roll_damping_command.add_options(roll)
     roll.set_defaults(command=_roll_damping)
+
+    verify = commands.add_parser("verify", help="measure what is verified, now, and say whether it holds")
+    verify_command.add_options(verify)
+    verify.set_defaults(command=verify_command.command)
 
     serve = commands.add_parser("serve", help="serve the browser app")
     serve.add_argument("scenario", nargs="?", metavar="SCENARIO", help="a file or a gallery name")

@@ -1,0 +1,28 @@
+"""Verification that anyone can repeat: rows measured now, from the package as it is installed.
+
+`kingpost verify` prints them. Each compares a number of the engine with one that it does not come from: a
+closed form, a published value, another engine, a measurement. To add a row, write one function beside
+`rows.check` in the file of its area.
+
+>>> from kingpost import verify
+>>> rows = verify.run("loops")
+>>> {row.verdict for row in rows}
+{'pass'}
+"""
+
+from .rows import ABSENT, AREAS, CHECKS, FAILED, PASSED, Check, Compared, NotInstalledError, Row, check
+from .running import run
+
+__all__ = [
+    "ABSENT",
+    "AREAS",
+    "CHECKS",
+    "FAILED",
+    "PASSED",
+    "Check",
+    "Compared",
+    "NotInstalledError",
+    "Row",
+    "check",
+    "run",
+]

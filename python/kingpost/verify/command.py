@@ -1,0 +1,57 @@
+"""`kingpost verify`: measures every row and says whether all hold."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from .. import progress
+from ..errors import KingpostError
+from . import report
+from .rows import AREAS, FAILED, Row
+from .running import checks, run
+
+FORMATS: dict[str, Callable[[Sequence[Row]], str]] = {
+    "markdown": report.markdown,
+    "json": report.as_json,
+    "html": report.page,
+}
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """The command's options."""
+    command.add_argument("--only", metavar="AREA", choices=list(AREAS), help=f"one of {', '.join(AREAS)}")
+    for name in FORMATS:
+        command.add_argument(f"--{name}", metavar="FILE", help=f"write the rows as {name} too")
+    command.add_argument(
+        "--plots", metavar="DIR", help="draw the pictures of docs/validation.md, and no more"
+    )
+
+
+def command(options: argparse.Namespace) -> int:
+    """Measure, print, write; 1 where a row fails."""
+    if options.plots is not None:
+        return _draw(Path(options.plots))
+    wanted = {name: Path(path) for name in FORMATS if (path := getattr(options, name)) is not None}
+    for path in wanted.values():
+        # Refused before the work, not after it.
+        if not path.parent.is_dir():
+            raise KingpostError(f"{path}: found no folder {path.parent}, allowed: a folder that is there")
+    with progress.bar(len(checks(options.only)), "rows") as update:
+        rows = run(options.only, update)
+    print(report.text(rows))
+    for name, path in wanted.items():
+        path.write_text(FORMATS[name](rows), encoding="utf-8")
+        print(f"written  {path}")
+    return int(any(row.verdict == FAILED for row in rows))
+
+
+def _draw(folder: Path) -> int:
+    from . import plots
+
+    if not folder.is_dir():
+        raise KingpostError(f"{folder}: found no folder, allowed: a folder that is there")
+    for path in plots.draw(folder):
+        print(f"written  {path}")
+    return 0

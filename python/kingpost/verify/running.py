@@ -1,0 +1,47 @@
+"""Runs the rows: all, or those of one area."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+
+from ..errors import KingpostError
+from .rows import AREAS, CHECKS, Check, Row, measured
+
+FILES = (*AREAS, "tops")
+"""The modules of the rows: one an area, and what did not fit into one."""
+
+
+def checks(only: str | None = None) -> list[Check]:
+    """The rows of an area, or all, in the order of `AREAS`.
+
+    >>> {one.area for one in checks("mooring")}
+    {'mooring'}
+    """
+    if only is not None and only not in AREAS:
+        raise KingpostError(f"area: found {only!r}, allowed: {', '.join(AREAS)}")
+    for area in FILES:
+        import_module(f".{area}", __package__)
+    return [one for area in AREAS for one in CHECKS if one.area == area and only in (None, area)]
+
+
+def run(only: str | None = None, progress: Callable[[int], None] = lambda _done: None) -> list[Row]:
+    """Measure every row, or those of one area, now.
+
+    Parameters
+    ----------
+    only
+        One of `AREAS`.
+    progress
+        Called with the number of rows that are done.
+
+    Raises
+    ------
+    KingpostError
+        When there is no such area. A row that fails is a row, no error.
+    """
+    rows = []
+    for one in checks(only):
+        rows.append(measured(one))
+        progress(len(rows))
+    return rows

@@ -1,0 +1,111 @@
+"""`kingpost verify`: its rows hold, one that does not is told, every format has every row."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+
+import pytest
+from kingpost import KingpostError, verify
+from kingpost.cli import main
+from kingpost.verify import report, rows, running
+
+FEWEST = 60
+
+
+@pytest.fixture(scope="module")
+def measured() -> list[verify.Row]:
+    """Every row, measured once."""
+    return verify.run()
+
+
+def swap(monkeypatch, one: verify.Check, measure) -> None:
+    """Let a row be measured by another function."""
+    changed = [replace(check, measure=measure) if check is one else check for check in rows.CHECKS]
+    monkeypatch.setattr(running, "CHECKS", changed)
+
+
+def test_there_are_rows_enough_and_every_one_holds(measured) -> None:
+    counted = [row for row in measured if row.verdict != verify.ABSENT]
+    assert len(counted) >= FEWEST
+    assert [(row.id, row.error, row.message) for row in counted if row.verdict != verify.PASSED] == []
+
+
+def test_every_area_has_a_row_with_a_source_and_a_reason_for_its_tolerance(measured) -> None:
+    assert {row.area for row in measured} == set(verify.AREAS)
+    assert len({row.id for row in measured}) == len(measured)
+    for row in measured:
+        assert row.source, row.id
+        assert row.why, row.id
+        assert 0 < row.tolerance < 0.1, row.id
+
+
+def test_a_row_that_is_spoilt_fails_and_so_does_the_command(monkeypatch, capsys) -> None:
+    one = next(check for check in running.checks("loops") if check.id == "stay-force")
+
+    def spoilt() -> verify.Compared:
+        found = one.measure()
+        return replace(found, theirs=1.01 * found.theirs)
+
+    swap(monkeypatch, one, spoilt)
+    assert main(["verify", "--only", "loops"]) == 1
+    assert re.search(r"FAIL stay-force: off by 0\.0099, allowed 1e-09", capsys.readouterr().out)
+
+
+def test_a_row_that_raises_fails_and_says_with_what(monkeypatch, capsys) -> None:
+    def broken() -> verify.Compared:
+        raise ZeroDivisionError("no wave")
+
+    one = running.checks("loops")[0]
+    swap(monkeypatch, one, broken)
+    assert main(["verify", "--only", "loops"]) == 1
+    assert f"FAIL {one.id}: ZeroDivisionError: no wave" in capsys.readouterr().out
+
+
+def test_a_program_that_is_not_installed_is_said_and_not_counted(monkeypatch, capsys) -> None:
+    def absent() -> verify.Compared:
+        raise verify.NotInstalledError("mujoco")
+
+    one = running.checks("loops")[0]
+    swap(monkeypatch, one, absent)
+    assert main(["verify", "--only", "loops"]) == 0
+    shown = capsys.readouterr().out
+    assert f"not installed {one.id}: mujoco" in shown
+    assert "1 not counted" in shown
+
+
+def test_not_a_number_is_no_pass() -> None:
+    one = running.checks("loops")[0]
+    found = rows.measured(replace(one, measure=lambda: verify.Compared(float("nan"), 1.0)))
+    assert found.verdict == verify.FAILED
+
+
+def test_markdown_json_html_and_text_hold_every_row(measured) -> None:
+    names = [row.id for row in measured]
+    kept = json.loads(report.as_json(measured))
+    assert [row["id"] for row in kept["rows"]] == names
+    assert kept["counts"]["pass"] == sum(row.verdict == verify.PASSED for row in measured)
+    markdown, page, text = report.markdown(measured), report.page(measured), report.text(measured)
+    for row in measured:
+        assert f"| {row.id} |" in markdown
+        assert f'<tr id="{row.id}">' in page
+        assert re.search(rf"^{re.escape(row.id)} ", text, re.MULTILINE)
+    assert "src=" not in page
+    assert "<link" not in page
+
+
+def test_the_command_writes_what_it_is_asked_for(tmp_path, capsys) -> None:
+    files = {ending: tmp_path / f"rows.{ending}" for ending in ("markdown", "json", "html")}
+    asked = [word for name, path in files.items() for word in (f"--{name}", str(path))]
+    assert main(["verify", "--only", "loops", *asked]) == 0
+    assert "rows, " in capsys.readouterr().out
+    for path in files.values():
+        assert "stay-force" in path.read_text(encoding="utf-8")
+
+
+def test_an_area_and_a_folder_that_are_not_there_are_refused(tmp_path, capsys) -> None:
+    with pytest.raises(KingpostError, match="area: found 'magic', allowed: multibody, "):
+        verify.run("magic")
+    assert main(["verify", "--only", "loops", "--json", str(tmp_path / "none" / "rows.json")]) == 2
+    assert "found no folder" in capsys.readouterr().err
