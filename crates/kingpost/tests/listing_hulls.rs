@@ -114,7 +114,9 @@ fn coefficients_of_an_attitude_are_those_of_the_hull_as_it_lies_there() {
     let [mut even, mut heeled] =
         [simulation(&scenario(BARGE, &more)), simulation(&scenario(&heeled, &[more.as_slice(), &[initial]].concat()))];
     for _ in 0..100 {
-        [&mut even, &mut heeled].map(|run| run.step(1).expect("it runs"));
+        for run in [&mut even, &mut heeled] {
+            run.step(1).expect("it runs");
+        }
         let [at_even, at_heeled] =
             [&mut even, &mut heeled].map(|run| (values(run, "position"), values(run, "roll")[0]));
         for k in 0..3 {
