@@ -1935,6 +1935,9 @@ export type Force =
     }
   | {
       dynamic_positioning: DynamicPositioning;
+    }
+  | {
+      soft_hold: SoftHold;
     };
 /**
  * A force and a moment against a body's velocity and angular velocity, each in body axes. Velocity is relative to the
@@ -2537,6 +2540,27 @@ export type AzimuthThruster = {
    * Weight of its use against that of the others in the allocation.
    */
   weight?: number;
+};
+/**
+ * A place and a heading.
+ */
+export type StationTarget1 = {
+  /**
+   * x in the world, m.
+   */
+  x_m?: number;
+  /**
+   * y in the world, m.
+   */
+  y_m?: number;
+  /**
+   * From the world's x axis, counter-clockwise, rad.
+   */
+  heading_rad?: number;
+  /**
+   * The same as `heading_rad`, in the unit of this name.
+   */
+  heading_deg?: number;
 };
 /**
  * What acts between two bodies, mostly in the joint that connects them.
@@ -3730,6 +3754,42 @@ export interface WaveFilter {
    * Its damping ratio.
    */
   cutoff_damping_ratio?: number;
+}
+/**
+ * Springs and dampers in surge, sway and yaw that keep a ship near its place, as soft springs keep a model in a wave basin:
+ * without force in heave, and without moment in roll and pitch. They act at the centre of mass of the ship with all that it
+ * carries, as the scenario puts it, so that they do not roll it as it swings.
+ *
+ * Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` with m that same mass (of yaw, moment of inertia) and the added
+ * mass of slow motions, of the database's lowest frequency.
+ */
+export interface SoftHold {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The ship; its joint is floating.
+   */
+  body: string;
+  /**
+   * T of surge, sway and yaw, s: ten times the longest wave period of interest leaves the motions with the waves alone.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  natural_periods_s?: [number, number, number];
+  /**
+   * zeta of surge, sway and yaw: share of the critical damping.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  damping_ratios?: [number, number, number];
+  /**
+   * Where the origin of the body's drawing frame is held, and the heading; without it, where the body starts.
+   */
+  target?: StationTarget1 | null;
 }
 /**
  * Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on;
