@@ -316,10 +316,8 @@ def test_what_the_engine_warned_of_in_a_run_is_printed() -> None:
 
 def test_what_it_warned_of_in_several_runs_is_printed_once_with_their_number() -> None:
     first = _warned([0.0, 1.0, 0.5], hull="it heeled to 21.00 deg, at 4 s", boom="it pushes")
-    second, third = (
-        _warned([0.0, 1.0], hull="it heeled to -33.10 deg, at 17.5 s"),
-        _warned([0.0, 1.0, 0.3, 0.2]),
-    )
+    second = _warned([0.0, 1.0], hull="it heeled to -33.10 deg, at 17.5 s")
+    third = _warned([0.0, 1.0, 0.3, 0.2])
     lines = _text([first, second, third]).splitlines()
     assert "warning, in 2 of 3 runs, first: hull: it heeled to 21.00 deg, at 4 s" in lines
     assert "warning, in 1 of 3 runs, first: boom: it pushes" in lines

@@ -213,8 +213,10 @@ fn what_cannot_be_held_is_refused_at_its_field() {
     assert!(words.contains("natural_periods_s") && words.contains("greater than 0"), "{words}");
     let raos = "direction_to_deg,period_s,surge_forward_m_per_m,surge_lag_deg,sway_port_m_per_m,sway_lag_deg,heave_up_m_per_m,\
                 heave_lag_deg,roll_port_up_deg_per_m,roll_lag_deg,pitch_bow_down_deg_per_m,pitch_lag_deg,\
-                yaw_bow_port_deg_per_m,yaw_lag_deg\n0,8,0,0,0,0,1,0,0,0,0,0,0,0\n180,8,0,0,0,0,1,0,0,0,0,0,0,0\n";
-    let files = Files::new([("ship.csv".to_owned(), raos.to_owned())]);
+                yaw_bow_port_deg_per_m,yaw_lag_deg\n";
+    let row = |at: &str| format!("{at},0,0,0,0,1,0,0,0,0,0,0,0\n");
+    let raos = raos.to_owned() + &["0,8", "0,12", "180,8", "180,12"].map(row).concat();
+    let files = Files::new([("ship.csv".to_owned(), raos)]);
     let waves = [("bodies.hull.joint".to_owned(), json!({"moved_by_waves": {"raos": "ship.csv", "symmetric": true}}))];
     let hold = [("forces.hold".to_owned(), json!({"soft_hold": {"body": "hull"}}))];
     let text = barge::TEXT
