@@ -136,8 +136,10 @@ def of_decay(options: argparse.Namespace) -> str | None:
     if options.database is not None:
         print(f"radiated waves take {waves:.4g} N m s of it, by the database; the forces below have the rest")
         without = ", without radiated waves"
+    forces = found.for_scenario(inertia, waves)
+    print(report.of_forces(found, forces, inertia, waves))
     title = f"roll decay {Path(options.record).name}, {found.period_s:.4g} s{without}"
-    return fragment(found.for_scenario(inertia, waves), options.body, title)
+    return fragment(forces, options.body, title)
 
 
 def _inertia(options: argparse.Namespace, found: DecayFit) -> float | None:
