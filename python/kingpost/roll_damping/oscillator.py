@@ -141,8 +141,8 @@ def _least(residuals: Callable[[Array], Array], point: Array) -> tuple[Array, Ar
     for _ in range(MOST_ITERATIONS):
         size = np.linalg.norm(jacobian, axis=0)
         scaled = jacobian / size
-        # What a whole step would still take of the residual; where that is next to nothing, rounding is measured
-        # by what the parameters do.
+        # What a whole step would still take of the residual. Where that is next to nothing, rounding is
+        # measured by what the parameters do.
         whole = np.linalg.lstsq(scaled, residual, rcond=None)[0]
         rounding = 1e-9 * float(np.linalg.norm(size * point))
         if np.linalg.norm(scaled @ whole) <= 1e-5 * np.linalg.norm(residual) + rounding:
