@@ -79,7 +79,7 @@ def whole_damping(measured) -> np.ndarray:
 
 
 def test_the_damping_is_predicted_from_sections_and_loading(predicted, measured):
-    """No constant was made from this ship, but that sharpness is read by the radius was decided in sight of it.
+    """No constant was made from this ship, but to read sharpness by the radius was decided in sight of it.
     Within 25 % at 3 and at 9 degrees; between them, where the measured damping is nearly flat, it misses that
     aim: a third too large."""
     _, waves, damping = predicted
