@@ -1,13 +1,17 @@
 """`kingpost roll-damping`: both ways, what is printed and written, mistakes, and the commands of the page."""
 
+import math
 import re
 import shlex
 from pathlib import Path
 
 import kingpost
+import numpy as np
 import pytest
 import roll_samples as samples
 from kingpost import cli
+from kingpost.hydro import read
+from kingpost.roll_damping.radiated import radiated
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "roll_damping.md"
 BLOCKS = re.findall(r"```(\w*)\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
@@ -57,7 +61,10 @@ def test_a_decay_test_prints_its_period_and_without_inertia_no_forces(capsys):
     assert re.search(r"natural period\s+2\.5", shown)
     assert "forces:" not in shown
     assert cli.main([*DECAY, "--mass_kg", "994.3", "--gm_m", "0.0843"]) == 0
-    assert "quadratic_damping" in capsys.readouterr().out
+    shown = capsys.readouterr().out
+    assert "quadratic_damping" in shown
+    # Two terms of a fit with two terms, both positive.
+    assert "within 0.0% of it from 3." in shown
 
 
 @pytest.mark.parametrize(
@@ -74,9 +81,13 @@ def test_a_decay_test_prints_its_period_and_without_inertia_no_forces(capsys):
             [*DECAY, "--inertia_kg_m2", "3", "--mass_kg", "3"],
             "--inertia_kg_m2: found --mass_kg or --gm_m too",
         ),
-        ([*DECAY, "--inertia_kg_m2", "-3"], "inertia_kg_m2: found -3"),
+        ([*DECAY, "--inertia_kg_m2", "-3"], "--inertia_kg_m2: found -3"),
         ([*DECAY, "--kg_m", "3"], "--database: found none"),
         ([*DECAY, "--column", "sway"], "columns: found time_s, roll_rad"),
+        (
+            [*DECAY, "--mass_kg", "nan", "--gm_m", "1"],
+            "--mass_kg: found nan, allowed: a number greater than 0",
+        ),
         (["roll-damping", "decay", "none.csv"], "none.csv: found No such file"),
     ],
 )
@@ -86,6 +97,25 @@ def test_a_mistake_is_answered_in_one_line(words, message, capsys):
     assert error.startswith("error: ")
     assert message in error
     assert error.count("\n") == 1
+
+
+def test_the_forces_leave_out_what_the_hulls_database_radiates(tmp_path, capsys):
+    """A synthetic decay of the gallery's vessel: with its database less damping is left for the forces."""
+    path = tmp_path / "decay.csv"
+    time = np.arange(0, 150, 0.3)
+    roll = 10 * np.exp(-0.02 * time) * np.cos(0.55 * time)
+    path.write_text("time_s,roll_deg\n" + "\n".join(f"{t},{x}" for t, x in zip(time, roll, strict=True)))
+    words = ["roll-damping", "decay", str(path), "--inertia_kg_m2", "3e8", "--model", "linear"]
+    database = kingpost.gallery.folder() / "hydro" / "offshore_vessel.hydro.json"
+    left = []
+    for more in ([], ["--database", str(database), "--kg_m", "6.5"]):
+        assert cli.main([*words, *more]) == 0
+        shown = capsys.readouterr().out
+        left.append(float(re.search(r"angular_N_m_s: \[([\d.]+),", shown)[1]))
+    waves = radiated(read(database), 6.5, math.hypot(0.55, 0.02))[1]
+    # exp(-0.02 t) cos 0.55 t has p1 = 0.04 and omega0^2 = 0.55^2 + 0.02^2; the forces have six digits.
+    assert left[0] == pytest.approx(0.04 * 3e8, rel=1e-4)
+    assert left[0] - left[1] == pytest.approx(waves, rel=1e-3)
 
 
 def test_forces_without_an_inertia_are_not_written(tmp_path, capsys):

@@ -79,8 +79,9 @@ def whole_damping(measured) -> np.ndarray:
 
 
 def test_the_damping_is_predicted_from_sections_and_loading(predicted, measured):
-    """Nothing in the method was made from this ship. Within 25 % at 3 and at 9 degrees; between them, where
-    the measured damping is nearly flat, it misses that aim: a third too large."""
+    """No constant was made from this ship, but to read sharpness by the radius was decided in sight of it.
+    Within 25 % at 3 and at 9 degrees; between them, where the measured damping is nearly flat, it misses that
+    aim: a third too large."""
     _, waves, damping = predicted
     ratio = (waves + damping["total"].values) / whole_damping(measured)
     np.testing.assert_allclose(ratio[[0, -1]], 1, rtol=0.25)
@@ -98,3 +99,15 @@ def test_the_printed_formula_makes_its_eddies_too_large_as_was_found_before(pred
     assert ((printed / left > 3) & (printed / left < 5)).all()
     assert ((by_radius / left > 1) & (by_radius / left < 1.7)).all()
     assert "printed" in damping.attrs["warning"]
+
+
+def test_at_speed_lift_is_most_of_the_damping_as_measured(predicted):
+    """At 15.5 knots, of which the hydrodynamics of waves here know nothing: what waves take more at speed is
+    missing, and the sum is a fifth to a quarter too small."""
+    omega, *published = samples.PUBLISHED_AT_SPEED
+    damping = predicted_damping(2 * math.pi / omega, speed_m_s=samples.SPEED_M_S)
+    found = predicted[1] + damping["total"].values
+    exact = Coefficients(*published).equivalent(omega, AMPLITUDES)
+    assert (damping["damping"].sel(component="lift").values > 0.5 * found).all()
+    np.testing.assert_allclose(found[:3], exact[:3], rtol=0.25)
+    assert (found < exact).all()

@@ -92,9 +92,6 @@ def run(options: argparse.Namespace) -> None:
     output = check_output(options.output, ENDINGS) if options.output is not None else None
     text = options.way(options)
     if text is None:
-        if output is not None:
-            allowed = "--inertia_kg_m2, or --mass_kg and --gm_m: forces want the inertia"
-            raise RollDampingError("--output", "no inertia", allowed)
         return
     print(f"\n{text}", end="")
     if output is not None:
@@ -124,6 +121,7 @@ def of_sections(options: argparse.Namespace) -> str:
 
 def of_decay(options: argparse.Namespace) -> str | None:
     """Print what a decay test says; the forces as text, where the inertia is known."""
+    _check(options)
     record = DecayRecord.read(options.record, options.column)
     found = from_decay(record, options.model, options.after_s, options.until_s)
     inertia = _inertia(options, found)
@@ -136,29 +134,37 @@ def of_decay(options: argparse.Namespace) -> str | None:
     if options.database is not None:
         print(f"radiated waves take {waves:.4g} N m s of it, by the database; the forces below have the rest")
         without = ", without radiated waves"
+    forces = found.for_scenario(inertia, waves)
+    print(report.of_forces(found, forces, inertia, waves))
     title = f"roll decay {Path(options.record).name}, {found.period_s:.4g} s{without}"
-    return fragment(found.for_scenario(inertia, waves), options.body, title)
+    return fragment(forces, options.body, title)
+
+
+def _check(options: argparse.Namespace) -> None:
+    """Refuse options that do not go together, before the fit."""
+    by_height = options.mass_kg is not None or options.gm_m is not None
+    if options.inertia_kg_m2 is not None and by_height:
+        raise RollDampingError("--inertia_kg_m2", "--mass_kg or --gm_m too", "one or the other")
+    for pair in (("mass_kg", "gm_m"), ("database", "kg_m")):
+        missing = [name for name in pair if getattr(options, name) is None]
+        if len(missing) == 1:
+            raise RollDampingError(f"--{missing[0]}", "none", f"--{pair[0]} and --{pair[1]} together")
+    for name in ("inertia_kg_m2", "mass_kg", "gm_m", "kg_m"):
+        value = getattr(options, name)
+        if value is not None and not (math.isfinite(value) and value > 0):
+            raise RollDampingError(f"--{name}", f"{value:g}", "a number greater than 0")
+    if options.output is not None and options.inertia_kg_m2 is None and not by_height:
+        allowed = "--inertia_kg_m2, or --mass_kg and --gm_m: forces want the inertia"
+        raise RollDampingError("--output", "no inertia", allowed)
 
 
 def _inertia(options: argparse.Namespace, found: DecayFit) -> float | None:
-    by_height = options.mass_kg, options.gm_m
-    if options.inertia_kg_m2 is not None:
-        if by_height != (None, None):
-            raise RollDampingError("--inertia_kg_m2", "--mass_kg or --gm_m too", "one or the other")
-        found.coefficients(options.inertia_kg_m2)
-        return options.inertia_kg_m2
-    if by_height == (None, None):
-        return None
-    if None in by_height:
-        name = "--gm_m" if options.gm_m is None else "--mass_kg"
-        raise RollDampingError(name, "none", "--mass_kg and --gm_m together")
-    return found.inertia_kg_m2(*by_height)
+    if options.mass_kg is not None:
+        return found.inertia_kg_m2(options.mass_kg, options.gm_m)
+    return options.inertia_kg_m2
 
 
 def _waves(options: argparse.Namespace, found: DecayFit) -> float:
-    if (options.database is None) != (options.kg_m is None):
-        name = "--kg_m" if options.kg_m is None else "--database"
-        raise RollDampingError(name, "none", "--database and --kg_m together")
     if options.database is None:
         return 0.0
     return radiated(read(options.database), options.kg_m, found.frequency_rad_s)[1]

@@ -84,12 +84,12 @@ def sharpness(sections: Sections, by: str = "radius") -> Array:
     """f3: how much faster the water goes round a bilge than round the Lewis form, 5 for a sharp corner.
 
     Printed is f3 = 1 + 4 exp(-1.65e5 (1 - sigma)^2), drawn through Ikeda's cylinders A to D of H0 = 1.25.
-    With a round bilge 1 - sigma = (4 - pi) (R/d)^2 / 4 H0, so the same law by the radius is f3 = 1 + 4
-    exp(-c (R/d)^4). The two differ, for the area that is quoted of B, 0.997, is not that of its radius of
-    10 mm, 0.9986, and only B stands between the sharp and the round ones. What makes a corner sharp is its
-    radius: c is that of B, 1.65e5 (1 - 0.997)^2 / (10 / 112)^4 = 2.34e4. A to D come out alike by both. Of
-    sections of 0.99 to 1 with a bilge the radius makes the eddies up to four times as small; KVLCC2, of
-    which nothing is in c, was measured nearer to that.
+    With a round bilge 1 - sigma = (4 - pi) (R/d)^2 / 4 H0, so the same law by the radius is
+    f3 = 1 + 4 exp(-c (R/d)^4). The two differ, for the area that is quoted of B, 0.997, is not that of its
+    radius of 10 mm, 0.9986, and only B stands between the sharp and the round ones. What makes a corner
+    sharp is its radius: c is that of B, 1.65e5 (1 - 0.997)^2 / (10 / 112)^4 = 2.34e4. A to D come out alike
+    by both. Of sections of 0.99 to 1 with a bilge the radius makes the eddies up to four times as small;
+    KVLCC2, in sight of which this reading was chosen but from which c is not, was measured nearer to that.
 
     >>> from kingpost.roll_damping.sections import Sections
     >>> tanker = Sections.of_table({"x_m": [0, 1, 2], "beam_m": [58] * 3, "draught_m": [20.8] * 3,

@@ -141,18 +141,18 @@ def _least(residuals: Callable[[Array], Array], point: Array) -> tuple[Array, Ar
     for _ in range(MOST_ITERATIONS):
         size = np.linalg.norm(jacobian, axis=0)
         scaled = jacobian / size
-        square = scaled.T @ scaled + damping * np.eye(len(point))
-        step = -np.linalg.solve(square, scaled.T @ residual)
-        expected = float(np.linalg.norm(scaled @ step))
-        new_jacobian, new_residual = _jacobian(residuals, point + step / size)
-        gain = float(residual @ residual) - float(new_residual @ new_residual)
-        # Where the residual is next to nothing, rounding in it is measured by what the parameters do.
+        # What a whole step would still take of the residual. Where that is next to nothing, rounding is
+        # measured by what the parameters do.
+        whole = np.linalg.lstsq(scaled, residual, rcond=None)[0]
         rounding = 1e-9 * float(np.linalg.norm(size * point))
-        if expected <= 1e-6 * float(np.linalg.norm(residual)) + rounding:
+        if np.linalg.norm(scaled @ whole) <= 1e-5 * np.linalg.norm(residual) + rounding:
             return point, jacobian, residual
-        if np.isfinite(new_jacobian).all() and gain > 0:
-            point, jacobian, residual = point + step / size, new_jacobian, new_residual
-            damping = max(damping / 10, 1e-12)
+        square = scaled.T @ scaled + damping * np.eye(len(point))
+        there = point - np.linalg.solve(square, scaled.T @ residual) / size
+        new_jacobian, new_residual = _jacobian(residuals, there)
+        better = float(new_residual @ new_residual) < float(residual @ residual)
+        if better and np.isfinite(new_jacobian).all():
+            point, jacobian, residual, damping = there, new_jacobian, new_residual, max(damping / 10, 1e-12)
         else:
             damping *= 10
     raise RollDampingError("roll_rad", "a record that no damped oscillator comes near", "decaying roll")

@@ -119,6 +119,16 @@ def decay(found: DecayFit, source: str, inertia_kg_m2: float | None) -> str:
     return "\n".join([head, "", *_swings(found, inertia_kg_m2)])
 
 
+def of_forces(found: DecayFit, forces: Coefficients, inertia_kg_m2: float, waves: float) -> str:
+    """How near the linear and quadratic damping of a scenario come to what was found."""
+    seen = found.swings.amplitude_rad
+    amplitudes = np.linspace(seen.min(), seen.max(), 20)
+    whole = found.coefficients(inertia_kg_m2).equivalent(found.frequency_rad_s, amplitudes) - waves
+    off = float(np.abs(forces.equivalent(found.frequency_rad_s, amplitudes) / whole - 1).max())
+    least, most = np.degrees(amplitudes[[0, -1]])
+    return f"\nthe forces' equivalent damping is within {off:.1%} of it from {least:.3g} to {most:.3g} deg"
+
+
 def _of_period(found: DecayFit) -> float:
     return found.period_s * found.deviations["frequency"] / found.frequency_rad_s
 
