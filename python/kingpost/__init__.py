@@ -6,6 +6,7 @@
 3.0
 """
 
+from . import verify
 from ._engine import __version__
 from .batch import Batch
 from .errors import KingpostError, RunError, ScenarioError
@@ -34,4 +35,5 @@ __all__ = [
     "modes",
     "rao",
     "run",
+    "verify",
 ]

@@ -19,7 +19,7 @@ EXCEPTIONS = {
     "paper",
     # Computes a ship's roll damping before there is a scenario, and writes the forces that stand for it.
     "roll_damping",
-    # Its rows measure scenarios of its own.
+    # Writes scenarios of its own, as the gallery's files are, each for a number that is known.
     "verify",
 }
 

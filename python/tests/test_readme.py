@@ -12,16 +12,16 @@ from kingpost import cli
 
 README = (Path(__file__).resolve().parents[2] / "README.md").read_text(encoding="utf-8")
 COMMANDS = [line.split("#")[0].strip() for line in README.splitlines() if line.startswith("kingpost ")]
-# It takes long, and test_paper.py runs it.
-PAPER = "kingpost paper -o results"
+# They take long, and test_paper.py and test_verify.py run them.
+PAPER, VERIFY = "kingpost paper -o results", "kingpost verify"
 EXAMPLES = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
 
 
-def test_the_readme_has_the_command_of_the_paper() -> None:
-    assert PAPER in COMMANDS
+def test_the_readme_has_the_commands_of_the_paper_and_of_what_is_verified() -> None:
+    assert {PAPER, VERIFY} <= set(COMMANDS)
 
 
-@pytest.mark.parametrize("command", [command for command in COMMANDS if command != PAPER])
+@pytest.mark.parametrize("command", [command for command in COMMANDS if command not in (PAPER, VERIFY)])
 def test_every_command_of_the_readme_runs(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from kingpost import KingpostError, verify
@@ -12,6 +13,7 @@ from kingpost.cli import main
 from kingpost.verify import report, rows, running
 
 FEWEST = 60
+PAGE = (Path(__file__).resolve().parents[2] / "docs" / "validation.md").read_text(encoding="utf-8")
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +40,8 @@ def test_every_area_has_a_row_with_a_source_and_a_reason_for_its_tolerance(measu
     for row in measured:
         assert row.source, row.id
         assert row.why, row.id
-        assert 0 < row.tolerance < 0.1, row.id
+        # Two instruments of one test are a sixth apart: half of that, and the wave.
+        assert 0 < row.tolerance < 0.12, row.id
 
 
 def test_a_row_that_is_spoilt_fails_and_so_does_the_command(monkeypatch, capsys) -> None:
@@ -93,6 +96,30 @@ def test_markdown_json_html_and_text_hold_every_row(measured) -> None:
         assert re.search(rf"^{re.escape(row.id)} ", text, re.MULTILINE)
     assert "src=" not in page
     assert "<link" not in page
+
+
+def test_the_pictures_are_those_of_the_page(measured, tmp_path, capsys) -> None:
+    """Those measured before are not measured again."""
+    assert main(["verify", "--plots", str(tmp_path)]) == 0
+    drawn = {path.name for path in tmp_path.iterdir()}
+    assert drawn == set(re.findall(r"\(validation/(\w+\.png)\)", PAGE))
+    assert all((tmp_path / name).read_bytes().startswith(b"\x89PNG") for name in drawn)
+
+
+def test_the_page_says_what_is_measured_now(measured) -> None:
+    """Source: the rows; the page has three decimals."""
+    found = {row.id: row for row in measured}
+    ours = re.search(r"^\| ours \| (.*) \|$", PAGE, re.MULTILINE)[1].split(" | ")
+    for number, printed in enumerate(ours, start=1):
+        row = found[f"sphere-extremum-{number}"]
+        assert row.ours is None or abs(float(printed) - row.ours) < 6e-4
+    for name, label in (("flume-heave", "heave period, s"), ("flume-gm", "GM, m")):
+        theirs, printed = re.search(rf"^\| {label} \| (\S+) \| (\S+) \|", PAGE, re.MULTILINE).groups()
+        row = found[name]
+        assert row.ours is None or (float(theirs), abs(float(printed) - row.ours) < 1e-3) == (
+            row.theirs,
+            True,
+        )
 
 
 def test_the_command_writes_what_it_is_asked_for(tmp_path, capsys) -> None:
