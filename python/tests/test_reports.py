@@ -185,8 +185,9 @@ def test_the_water_carries_a_ship_and_without_it_a_ship_falls():
 
 
 def test_the_modes_of_a_ship_are_its_own_and_the_waters_on_demand(capsys):
-    """Source: the barge's natural motions are three rigid ones that the water makes stiff, three that its soft
-    hold does, of 120 s, and the load's two swings; frequency times period is 1 by name; participation factors of all states add up to 1."""
+    """Source: the barge's natural motions are three rigid ones that the water makes stiff, three that its
+    soft hold does, and the load's two swings; frequency times period is 1 by name; participation factors of
+    all states add up to 1."""
     assert main(["modes", "barge"]) == 0
     text = capsys.readouterr().out
     lines = text.splitlines()
