@@ -162,7 +162,8 @@ fn a_barge_on_the_water_swings_with_the_periods_that_are_asked_for() {
     }
 }
 
-/// Of the barge's own mass, 410 t with mast and load, and that of the water by formula: A(w) = A_inf + Im K / w at 0.1 rad/s.
+/// Of the barge's own mass, 410 t with mast and load, and that of the water by formula: A(w) = A_inf + Im K / w, even
+/// in the frequency, at 1e-5 rad/s.
 #[test]
 fn its_stiffness_counts_the_water_that_moves_with_the_hull() {
     let [full, without, dry] = [(true, true), (false, true), (false, false)].map(|(radiation, added_mass)| {
@@ -179,10 +180,10 @@ fn its_stiffness_counts_the_water_that_moves_with_the_hull() {
     });
     let a = barge::added_mass_infinite();
     for mode in 0..2 {
-        let memory = barge::retardation(mode, 0.1)[1] / 0.1;
+        let memory = barge::retardation(mode, 1e-5)[1] / 1e-5;
         assert!((dry[mode] / 4.1e5 - 1.0).abs() < 1e-12, "{}", dry[mode]);
         assert!((without[mode] / (4.1e5 + a[mode][mode]) - 1.0).abs() < 1e-12, "{}", without[mode]);
-        assert!((full[mode] / (4.1e5 + a[mode][mode] + memory) - 1.0).abs() < 1e-12, "{}", full[mode]);
+        assert!((full[mode] / (4.1e5 + a[mode][mode] + memory) - 1.0).abs() < 1e-9, "{}", full[mode]);
     }
 }
 
