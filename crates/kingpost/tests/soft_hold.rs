@@ -139,8 +139,8 @@ fn held_barge(hold: Value) -> Simulation {
     barge::scenario(&[("forces.hold", json!({"soft_hold": hold}))]).simulation().expect("it builds")
 }
 
-/// Eigenvalues about rest on the water. The mass is that of all slow motions: what a decaying swing differs from the database's
-/// lowest frequency by is 1.4 zeta omega / 1.96 of the memory's mass (the next term of K(s) / s), 1 % of 8 % of the whole; added
+/// Eigenvalues about rest on the water. The mass is that of slow motions: what a decaying swing differs from that at
+/// frequency zero by is 1.4 zeta omega / 1.96 of the memory's mass (the next term of K(s) / s), 1 % of 8 % of the whole; added
 /// mass couples sway and yaw, 0.15 m apart, by 1e-4 of both; roll and pitch are 30 times as fast, and follow. The waves that
 /// the barge makes add B / 2 m omega to the damping ratio, 0.0013 at most.
 #[test]

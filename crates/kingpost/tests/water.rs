@@ -305,9 +305,9 @@ fn an_equilibrium_has_the_derivatives_of_the_loads_that_make_it() {
         };
         let (up, down) = (at(value + step), at(value - step));
         // Surge, sway and yaw have no equilibrium: where they end is the iteration's own, but the common centre of
-        // mass goes nowhere, and a load of 10 t or a shift of 20 t moves the hull of 380 t by less than itself.
+        // mass goes nowhere, and a load of 10 t, a shift of 20 t or twice the mass moves the hull by less than its draught.
         for i in [0, 1] {
-            assert!(exact.q[i].derivative[k].abs() * value < 1.0, "{name} {i}: {}", exact.q[i].derivative[k]);
+            assert!(exact.q[i].derivative[k].abs() * value < 2.0, "{name} {i}: {}", exact.q[i].derivative[k]);
         }
         for (i, q) in exact.q.iter().enumerate().filter(|(i, _)| ![0, 1, 6].contains(i)) {
             let difference = (up[i] - down[i]) / (2.0 * step);

@@ -10,7 +10,7 @@ use crate::scenario::leaf::Leaf;
 /// carries, as the scenario puts it, so that they do not roll it as it swings.
 ///
 /// Stiffness is `m (2 pi / T)^2`, damping `2 zeta m 2 pi / T` with m that same mass (of yaw, moment of inertia) and the added
-/// mass of slow motions, of the database's lowest frequency.
+/// mass of slow motions, at frequency zero.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
