@@ -15,6 +15,7 @@ from .linear import Equilibrium, Linearization
 from .response import rao
 from .scenario import Scenario, load
 from .simulate import Input, Simulation, State, run
+from .stable_step import stable_step
 from .vibration import equilibrium, modes
 
 __all__ = [
@@ -35,5 +36,6 @@ __all__ = [
     "modes",
     "rao",
     "run",
+    "stable_step",
     "verify",
 ]

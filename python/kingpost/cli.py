@@ -140,8 +140,11 @@ def _scenario(options: argparse.Namespace) -> Scenario:
 
 def _run(options: argparse.Namespace) -> int:
     from . import afloat_report, progress, report, results
+    from .stable_step import warning
 
     scenario = _scenario(options)
+    if words := warning(scenario):
+        print(f"warning: {words}", file=sys.stderr)
     if options.seeds is not None:
         return _run_seeds(scenario, options)
     existed = options.output is not None and Path(options.output).exists()
@@ -182,9 +185,12 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
 
 def _check(options: argparse.Namespace) -> int:
     from . import model_report
+    from .stable_step import warning
 
     scenario = _scenario(options)
     print(model_report.text(scenario, Simulation(scenario).coordinates))
+    if words := warning(scenario):
+        print(f"\nwarning: {words}")
     return DONE
 
 

@@ -1,0 +1,60 @@
+"""The longest stable step beside what runs do."""
+
+from __future__ import annotations
+
+import kingpost
+import numpy as np
+import pytest
+from kingpost import gallery
+from kingpost.cli import main
+from kingpost.stable_step import stable_step, warning
+
+STEP = "simulation.step_s"
+
+
+def roll_of(step_s: float) -> np.ndarray:
+    """Of a vessel whose crane's cylinders are stiff, deg, every half second."""
+    overrides = {STEP: step_s, "simulation.duration_s": 5, "simulation.record_every_s": 0.5}
+    return np.degrees(kingpost.run("vessel_knuckle_boom", overrides)["roll"].sel(body="vessel_hull").to_numpy())
+
+
+def test_a_cylinder_is_stable_below_the_limit_and_not_beyond() -> None:
+    """Source: runs at 10 ms and at 2 ms agree, one at 25 ms does not, and the limit is between."""
+    limit = stable_step("vessel_knuckle_boom")
+    assert limit is not None
+    assert 0.01 < limit < 0.02
+    fine, short, long = (roll_of(step_s) for step_s in (0.002, 0.01, 0.025))
+    size = np.ptp(fine)
+    assert np.abs(short - fine).max() < 1e-3 * size
+    assert np.abs(long - fine).max() > 0.05 * size
+
+
+@pytest.mark.parametrize("scheme", ["dormand_prince", "generalized_alpha", "implicit_midpoint", "newmark"])
+def test_schemes_without_a_limit_have_none(scheme: str) -> None:
+    scenario = kingpost.load("flexible_boom", {"simulation.integrator": scheme, STEP: 0.01})
+    assert stable_step(scenario) is None
+    assert warning(scenario) is None
+
+
+def test_a_damped_motion_has_the_limit_of_its_scheme() -> None:
+    """Source: 1 + z of Euler's method ends at z = -2, the polynomial of Kutta's at -2.785."""
+    euler, kutta = (
+        stable_step(kingpost.load("flexible_boom", {"simulation.integrator": scheme}))
+        for scheme in ("forward_euler", "rk4")
+    )
+    assert euler is not None
+    assert kutta is not None
+    assert kutta / euler == pytest.approx(2.785293563405282 / 2, rel=1e-3)
+
+
+def test_every_scenario_of_the_gallery_has_a_stable_step() -> None:
+    assert [name for name in gallery.names() if warning(kingpost.load(name))] == []
+
+
+def test_check_and_run_warn_of_a_step_that_is_too_long(capsys, tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["check", "vessel_knuckle_boom", "--set", f"{STEP}=0.02"]) == 0
+    assert "the step of 0.02 s is too long for rk4" in capsys.readouterr().out
+    short = ["--set", "simulation.duration_s=0.1", "--set", "simulation.record_every_s=0.1"]
+    main(["run", "vessel_knuckle_boom", "--set", f"{STEP}=0.02", *short])
+    assert "grows by steps beyond 0.018 s" in capsys.readouterr().err
