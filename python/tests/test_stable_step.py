@@ -15,7 +15,9 @@ STEP = "simulation.step_s"
 def roll_of(step_s: float) -> np.ndarray:
     """Of a vessel whose crane's cylinders are stiff, deg, every half second."""
     overrides = {STEP: step_s, "simulation.duration_s": 5, "simulation.record_every_s": 0.5}
-    return np.degrees(kingpost.run("vessel_knuckle_boom", overrides)["roll"].sel(body="vessel_hull").to_numpy())
+    return np.degrees(
+        kingpost.run("vessel_knuckle_boom", overrides)["roll"].sel(body="vessel_hull").to_numpy()
+    )
 
 
 def test_a_cylinder_is_stable_below_the_limit_and_not_beyond() -> None:
