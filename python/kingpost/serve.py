@@ -169,6 +169,11 @@ class Server(ThreadingHTTPServer):
         self.compressor = Compressor()
         super().__init__(address, partial(Handler, directory=str(folder)))
 
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Say nothing of a browser that left before it had all."""
+        if not isinstance(sys.exc_info()[1], ConnectionError):
+            super().handle_error(request, client_address)
+
 
 class Server6(Server):
     """The same for an IPv6 address."""
