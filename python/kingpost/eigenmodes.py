@@ -29,6 +29,8 @@ LAST = 1e-6
 """Weight of states that only remember, in naming zero modes: they follow where a hull is."""
 BALANCINGS = 20
 """Sweeps over the units of further states."""
+SMALLEST_PRODUCT = 1e-6
+"""Left and right vectors across each other by less are not of one mode: two of equal eigenvalue, or of none."""
 ALIKE = 1e-9
 """Shares that differ by less are equal, and the first is taken."""
 
@@ -258,19 +260,40 @@ def other_modes(system: Scaled, zero: NDArray, rest: NDArray) -> list[Mode]:
     inner, coupling = zero.T @ a @ zero, zero.T @ a @ rest
     further = system.memory[len(system.mass) :]
     modes = []
-    for value, vector, left, error in zip(values, vectors.T, lefts, errors, strict=True):
+    own_lefts = left_vectors(rest.T @ a @ rest, values)
+    for value, vector, own, error in zip(values, vectors.T, own_lefts, errors, strict=True):
         if value.imag < 0:
             continue
         along_zero = np.linalg.solve(value * np.eye(len(inner)) - inner, coupling @ vector)
         state = rest @ vector + zero @ along_zero
-        taking_part = ((rest @ left) * state).real
         shape = normalised(system.shapes(state), len(system.mass))
         real = value.real if abs(value.real) > error else 0.0
         eigenvalue = complex(real, value.imag)
         name = system.names[int(np.argmax(system.share(shape)))]
-        share = float(np.clip(taking_part[len(a) - len(further) :][further].sum(), 0.0, 1.0))
+        share = memory_share(rest @ own, state, further)
         modes.append(Mode(kind(eigenvalue), eigenvalue, 1 + (value.imag > 0), name, shape, share))
     return modes
+
+
+def left_vectors(a: NDArray, values: NDArray) -> NDArray:
+    """Rows l with l A = lambda l, for eigenvalues in this order.
+
+    The inverse of all right vectors would give them too, but filters in a row have one vector for several
+    equal eigenvalues, and then it is wrong for all others.
+    """
+    found, lefts = np.linalg.eig(a.T)
+    return np.array([lefts[:, np.abs(found - value).argmin()] for value in values])
+
+
+def memory_share(left: NDArray, state: NDArray, further: NDArray[np.bool_]) -> float:
+    """What states that only remember take part in a mode (Perez-Arriaga, Verghese & Schweppe, 1982); of what has
+    no left vector of its own, as filters in a row, their share of the motion."""
+    product = left @ state
+    if abs(product) > SMALLEST_PRODUCT * np.linalg.norm(left) * np.linalg.norm(state):
+        parts = (left * state / product).real
+    else:
+        parts = np.abs(state) ** 2 / np.sum(np.abs(state) ** 2)
+    return float(np.clip(parts[len(state) - len(further) :][further].sum(), 0.0, 1.0))
 
 
 def kind(eigenvalue: complex) -> str:

@@ -9,8 +9,8 @@ use crate::simulation::Setup;
 /// whose other parts, of second order as it is, would hold against it: let go, the hull sails away and turns.
 pub fn check(setup: &Setup) -> Result<(), FieldError> {
     let kept = tied_to_the_world(&setup.model, stations(&setup.elements));
-    let pressed = of_kind(&setup.elements).filter(|hull: &&Hull| hull.wave_pressure.is_some());
-    for hull in pressed.filter(|hull| !kept[hull.frame.body]) {
+    let mut pressed = of_kind(&setup.elements).filter(|hull: &&Hull| hull.wave_pressure.is_some());
+    if let Some(hull) = pressed.find(|hull| !kept[hull.frame.body]) {
         let found = format!(
             "true, and nothing keeps {} in surge, sway and yaw: the mean of the waves' pressure, a part of their drift, \
              would carry it away",
