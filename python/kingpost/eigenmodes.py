@@ -30,7 +30,7 @@ LAST = 1e-6
 BALANCINGS = 20
 """Sweeps over the units of further states."""
 SMALLEST_PRODUCT = 1e-6
-"""Left and right vectors across each other by less are not of one mode: two of equal eigenvalue, or of none."""
+"""Left and right vectors that are across each other by less are of different modes of equal eigenvalue."""
 ALIKE = 1e-9
 """Shares that differ by less are equal, and the first is taken."""
 
@@ -286,8 +286,8 @@ def left_vectors(a: NDArray, values: NDArray) -> NDArray:
 
 
 def memory_share(left: NDArray, state: NDArray, further: NDArray[np.bool_]) -> float:
-    """What states that only remember take part in a mode (Perez-Arriaga, Verghese & Schweppe, 1982); of what has
-    no left vector of its own, as filters in a row, their share of the motion."""
+    """What states that only remember take part in a mode (Perez-Arriaga, Verghese & Schweppe, 1982); of what
+    has no left vector of its own, as filters in a row, their share of the motion."""
     product = left @ state
     if abs(product) > SMALLEST_PRODUCT * np.linalg.norm(left) * np.linalg.norm(state):
         parts = (left * state / product).real

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -56,7 +57,7 @@ def run(
         seeds = list(range(first, min(first + TOGETHER, count + 1)))
         together = Batch(scenario, {SEED: seeds}).run(progress=_from(first - 1, progress))
         for seed in seeds:
-            one = _alone(scenario.with_overrides({SEED: seed}), together.isel(run=seed - first))
+            one = _alone(scenario.with_overrides({SEED: seed}), together, seed - first)
             yield results.write(one, paths[seed - 1]), one.attrs["status"]
 
 
@@ -64,11 +65,13 @@ def _from(done: int, progress: Progress | None) -> Progress | None:
     return None if progress is None else lambda more: progress(done + more)
 
 
-def _alone(scenario: Scenario, of_batch: xarray.Dataset) -> xarray.Dataset:
+def _alone(scenario: Scenario, batch: xarray.Dataset, run: int) -> xarray.Dataset:
     """A run of a batch as `kingpost.run` has it."""
+    of_batch = batch.isel(run=run)
     status = of_batch["status"].item()
     if status != FINISHED:
         recorded = np.isfinite(of_batch["kinetic_energy"].values)
         of_batch = of_batch.isel(time=np.arange(recorded.sum()))
     alone = of_batch.drop_vars(["run", "status", SEED])
-    return alone.assign_attrs(results.attributes(scenario, status))
+    warnings = json.loads(batch.attrs["warnings"])[run]
+    return alone.assign_attrs(results.attributes(scenario, status), warnings=json.dumps(warnings))

@@ -220,6 +220,8 @@ def test_a_ship_on_dynamic_positioning_has_damped_modes_of_surge_sway_and_yaw():
     simulation.settle()
     values = np.linalg.eigvals(simulation.linearize().A.values)
     slow = [value for value in values if value.imag > 0 and 40 < 2 * np.pi / abs(value) < 100]
+    # Filters in a row are damped as much as can be.
+    slow = [value for value in slow if -value.real < 0.8 * abs(value)]
     # Surge, sway and yaw, and the heading on average, along which the hull feels the current.
     assert len(slow) == 4
     eigenvalues = found["eigenvalue_real"].values + 1j * found["eigenvalue_imaginary"].values

@@ -24,6 +24,7 @@ def test_each_file_is_the_run_of_its_seed(tmp_path, capsys) -> None:
         alone = kingpost.run("barge", {**SETTINGS, "simulation.seed": seed})
         xarray.testing.assert_identical(found.drop_attrs(), alone.drop_attrs())
         assert found.attrs["scenario"] == alone.attrs["scenario"]
+        assert found.attrs["warnings"] == alone.attrs["warnings"]
         assert (found.attrs["seed"], found.attrs["status"]) == (seed, "finished")
     assert main(["statistics", *map(str, files), "--after_s", "1"]) == 0
     assert "of 6 runs" in capsys.readouterr().out
