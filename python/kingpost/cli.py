@@ -143,7 +143,8 @@ def _run(options: argparse.Namespace) -> int:
     from .stable_step import warning
 
     scenario = _scenario(options)
-    if words := warning(scenario):
+    simulation = Simulation(scenario)
+    if words := warning(simulation):
         print(f"warning: {words}", file=sys.stderr)
     if options.seeds is not None:
         return _run_seeds(scenario, options)
@@ -152,7 +153,7 @@ def _run(options: argparse.Namespace) -> int:
     failure: RunError | KeyboardInterrupt | None = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
         try:
-            recorded = Simulation(scenario).run(update)
+            recorded = simulation.run(update)
         except (RunError, KeyboardInterrupt) as error:
             if getattr(error, "results", None) is None:
                 raise
@@ -188,8 +189,9 @@ def _check(options: argparse.Namespace) -> int:
     from .stable_step import warning
 
     scenario = _scenario(options)
-    print(model_report.text(scenario, Simulation(scenario).coordinates))
-    if words := warning(scenario):
+    simulation = Simulation(scenario)
+    print(model_report.text(scenario, simulation.coordinates))
+    if words := warning(simulation):
         print(f"\nwarning: {words}")
     return DONE
 

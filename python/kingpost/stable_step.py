@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .errors import KingpostError
-from .scenario import Scenario, as_scenario
+from .scenario import Scenario
 from .simulate import Simulation
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ DAMPED = 0.02
 LONGEST_S, HALVINGS = 1e3, 60
 
 
-def stable_step(scenario: Scenario | str | Path) -> float | None:
+def stable_step(scenario_or_simulation: Scenario | Simulation | str | Path) -> float | None:
     """The longest stable step of a scenario's scheme, s; None where the scheme has no such limit.
 
     A step beyond it makes the quickest damped motion grow: a cylinder's pressure, a stop, the torsion of a
@@ -38,11 +38,12 @@ def stable_step(scenario: Scenario | str | Path) -> float | None:
     >>> print(f"{stable_step('flexible_boom'):.2g}")
     0.00084
     """
-    scenario = as_scenario(scenario, None, {})
-    growth = GROWTH.get(scenario.resolved["simulation"]["integrator"])
+    given = scenario_or_simulation
+    simulation = given if isinstance(given, Simulation) else Simulation(given)
+    growth = GROWTH.get(simulation.scenario.resolved["simulation"]["integrator"])
     if growth is None:
         return None
-    values = np.linalg.eigvals(Simulation(scenario).linearize().A.to_numpy())
+    values = np.linalg.eigvals(simulation.linearize().A.to_numpy())
     values = values[-values.real > DAMPED * np.abs(values)]
     # Motions that take an hour have no part in it, nor has what rounding leaves of none.
     values = values[np.abs(values) > 1 / LONGEST_S]
@@ -51,11 +52,11 @@ def stable_step(scenario: Scenario | str | Path) -> float | None:
     return float(min(_limit(growth, value) for value in values))
 
 
-def warning(scenario: Scenario) -> str | None:
+def warning(simulation: Simulation) -> str | None:
     """What to say of a step that is too long, before a run; None where it is not."""
-    settings = scenario.resolved["simulation"]
+    settings = simulation.scenario.resolved["simulation"]
     try:
-        limit = stable_step(scenario)
+        limit = stable_step(simulation)
     except KingpostError:
         # What cannot be linearised where it begins, the run itself says better.
         return None

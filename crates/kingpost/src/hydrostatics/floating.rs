@@ -126,6 +126,7 @@ impl Floating<'_> {
         tanks: &[(&SlackTank, HullTank)],
     ) -> HullAfloat {
         let (vertical, draught) = (position.vertical, self.database.hull.draught_m);
+        let [heel_rad, trim_rad] = heel_and_trim(vertical);
         let (mass, gravity) =
             (self.carried_weight().mass, self.centre_of_gravity() + self.liquid_shift(tanks, vertical));
         let free_surfaces = self.free_surfaces(tanks, vertical, tangents(vertical));
@@ -141,8 +142,8 @@ impl Floating<'_> {
             displacement_m3: water.volume,
             draught_m: vertical[2] * draught - position.height,
             database_draught_m: draught,
-            heel_rad: heel_and_trim(vertical)[0],
-            trim_rad: heel_and_trim(vertical)[1],
+            heel_rad,
+            trim_rad,
             keel_to_buoyancy_m: water.centre[2] + draught,
             metacentric_radius_m: water.metacentric_radius,
             keel_to_metacentre_m: water.metacentric_radius.map(|radius| water.centre[2] + draught + radius),

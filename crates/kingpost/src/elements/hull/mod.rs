@@ -176,11 +176,12 @@ impl<S: Scalar> Element<S> for Hull<S> {
         let filter = SlowFilter::read(now.place);
         filter.rates(&SlowFrame::of(&in_world), self.cutoff_rad_s).write(of.place);
         let slow = filter.frame();
-        let [centre, _] = self.carried.centre(at, self.frame.body, &slow);
-        CarriedFilter::read(now.carried).rates(centre, self.cutoff_rad_s).write(of.carried);
+        let (centre, average) = (self.carried.centre(at, self.frame.body, &slow), CarriedFilter::read(now.carried));
+        average.rates(centre[0], self.cutoff_rad_s).write(of.carried);
         if let Some(radiation) = &self.radiation {
-            let rates =
-                self.axes(at, &slow, self.off(at, &slow)).rates(&at.links.body_twist(at.model, self.frame.body));
+            let [off, _] = average.off(centre, self.cutoff_rad_s);
+            let axes = SeaAxes::of(&self.coefficients, &in_world, &slow, off);
+            let rates = axes.rates(&at.links.body_twist(at.model, self.frame.body));
             radiation.rates(&self.through_water(at, &slow, &rates), now.radiation, of.radiation);
         }
     }

@@ -1,10 +1,10 @@
-//! What watches the joints and closed loops of a run, and the headings of ships in waves.
+//! What watches the joints and closed loops of a run.
 
-use crate::elements::{AnyWatcher, Hull, JointSpring, MeanHeading, Pendant, Rod, of_kind};
+use crate::elements::{AnyWatcher, JointSpring, Pendant, Rod, of_kind};
 use crate::model::{Attachment, Constraint, Loop, Mode, Model};
 use crate::simulation::Setup;
 
-/// Of joints and loops that stand for ropes, and of hulls that waves excite.
+/// Of joints and loops that stand for ropes.
 pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     let Setup { model, world, elements, .. } = setup;
     let springs: Vec<usize> = of_kind(elements).map(|spring: &JointSpring| spring.coordinate).collect();
@@ -14,10 +14,7 @@ pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
         let joint = &model.joints[body];
         Box::new(Pendant::new(&joint.name, &model.bodies[body].name, -joint.kind.to_child()))
     });
-    let in_waves = of_kind(elements).filter(|hull: &&Hull| hull.excitation.is_some());
-    let headings =
-        in_waves.map(|hull| -> AnyWatcher { Box::new(MeanHeading::new(&model.bodies[hull.frame.body].name)) });
-    pendants.chain(model.loops.iter().filter_map(|closed| rod(model, closed))).chain(headings).collect()
+    pendants.chain(model.loops.iter().filter_map(|closed| rod(model, closed))).collect()
 }
 
 /// Whether a body that carries no other swings to all sides about a point of its parent off its centre, and no spring

@@ -7,14 +7,14 @@ use crate::elements::hull::{
     AddedMass, Carried, CoefficientFrame, Excitation, FloatingMesh, HullFrame, Hydrostatics, LinearLimits,
     MeanAttitude, MeshInWaves, Parts, QuadraticTerms, Radiation, added_inertia,
 };
-use crate::elements::{AnyElement, AnyWatcher, Hull};
+use crate::elements::{AnyElement, AnyWatcher, Hull, MeanHeading};
 use crate::model::{JointKind, Model};
 use crate::scalar::Scalar;
 use crate::scenario::leaf::Quantity;
 use crate::sea::database::{Attitude, Database};
 use crate::sea::hull::{HullMesh, LinearHydrostatics};
 use crate::sea::waves::WaveField;
-use crate::spatial::{Frame, SpatialInertia, Vector3, exp};
+use crate::spatial::{Frame, SpatialInertia, Vector3, rotation_from_roll_pitch_yaw};
 use crate::world::World;
 
 /// The model with the water's inertia, and the water's loads.
@@ -51,7 +51,7 @@ pub fn build<S: Quantity>(
             radiation,
             added_mass,
             coefficients,
-            watchers: watchers(given, database, origin.0.map(Scalar::value)),
+            watchers: watchers(given, database, origin.0.map(Scalar::value), excitation.is_some()),
             quadratic_terms: QuadraticTerms {
                 of_slow_motion: excitation.is_some(),
                 munk_by_table: has_current_table(scenario, given),
@@ -68,8 +68,8 @@ pub fn build<S: Quantity>(
 /// The axes of a database's coefficients in those of the upright hull.
 fn attitude<S: Scalar>(database: &Database) -> Frame<S> {
     let Some(Attitude { roll_rad, pitch_rad, height_m }) = database.hull.attitude else { return Frame::identity() };
-    let [roll, pitch] = [[roll_rad, 0.0, 0.0], [0.0, pitch_rad, 0.0]].map(|turn| exp(Vector3(turn.map(S::constant))));
-    Frame { rotation: pitch * roll, position: Vector3([0.0, 0.0, height_m].map(S::constant)) }.inverse()
+    let rotation = rotation_from_roll_pitch_yaw(Vector3([roll_rad, pitch_rad, 0.0].map(S::constant)));
+    Frame { rotation, position: Vector3([0.0, 0.0, height_m].map(S::constant)) }.inverse()
 }
 
 /// All that a hull carries, each with its share of the mass of all.
@@ -145,8 +145,14 @@ fn hydrostatics<S: Quantity>(
     }
 }
 
-/// What linear hydrodynamics hold for: the attitude of its coefficients, and where it floats by them, small motions.
-fn watchers<S>(given: &schema::Hydrodynamics<S>, database: &Database, origin: [f64; 3]) -> Vec<AnyWatcher> {
+/// What linear hydrodynamics hold for: the attitude of its coefficients, and where it floats by them, small motions; and the
+/// heading of a hull in waves.
+fn watchers<S>(
+    given: &schema::Hydrodynamics<S>,
+    database: &Database,
+    origin: [f64; 3],
+    in_waves: bool,
+) -> Vec<AnyWatcher> {
     let mut watchers: Vec<AnyWatcher> = Vec::new();
     if given.hydrostatics != HydrostaticsSchema::Mesh {
         let mesh = database.hull.mesh.as_ref().map_or(&[][..], |mesh| &mesh.vertices_m);
@@ -155,6 +161,9 @@ fn watchers<S>(given: &schema::Hydrodynamics<S>, database: &Database, origin: [f
     }
     if given.added_mass || given.radiation || given.excitation {
         watchers.push(Box::new(MeanAttitude::new(&given.body, database.hull.attitude)));
+    }
+    if in_waves {
+        watchers.push(Box::new(MeanHeading::new(&given.body)));
     }
     watchers
 }
