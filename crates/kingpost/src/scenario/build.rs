@@ -13,6 +13,7 @@ mod lines;
 mod loops;
 mod positioning;
 mod positioning_loop;
+mod ropes;
 mod sensors;
 mod soft_hold;
 mod station;
@@ -54,6 +55,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     station::check(&setup)?;
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
+    ropes::begin(&mut setup)?;
     equilibrium::settle(scenario, &mut setup)?;
     setup.watchers = watchers::of(&setup);
     Ok(setup)
@@ -68,6 +70,7 @@ pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result
     let mut setup = open(scenario)?;
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
+    ropes::begin(&mut setup)?;
     if scenario.simulation.begin_at_equilibrium {
         equilibrium::follow(alone, &mut setup)?;
         loops::close(scenario, &mut setup)?;
@@ -184,6 +187,7 @@ fn forces<S: Quantity>(
             ForceSchema::SlackTank(given) => forces.extend(tanks::slack(scenario, name, given, model)?),
             ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
             ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
+            ForceSchema::Rope(given) => forces.extend(ropes::build(scenario, name, given, model)?),
             ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model)?),
             ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
             ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),

@@ -42,13 +42,13 @@ fn outputs(name: &str) -> Vec<Output> {
 }
 
 /// Where an end is in the world, m.
-fn place<S: Scalar>(end: &Attachment<S>, model: &Model<S>, links: &LinkKinematics<S>) -> Vector3<S> {
+pub(super) fn place<S: Scalar>(end: &Attachment<S>, model: &Model<S>, links: &LinkKinematics<S>) -> Vector3<S> {
     let point = end.in_body.position;
     end.body.map_or(point, |body| links.body_frame(model, body).point(point))
 }
 
 /// How an end moves in the world, m/s.
-fn velocity<S: Scalar>(end: &Attachment<S>, at: &Moment<'_, S>) -> Vector3<S> {
+pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Moment<'_, S>) -> Vector3<S> {
     let Some(body) = end.body else { return Vector3::zero() };
     let twist = at.links.body_twist(at.model, body);
     let in_body = twist.linear + twist.angular.cross(end.in_body.position);

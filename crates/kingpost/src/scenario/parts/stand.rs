@@ -86,14 +86,20 @@ pub fn on_the_mounting(
 
 /// Paths of the fields whose `body` is the world.
 fn world_pins(node: &Node, path: &mut Vec<String>, into: &mut Vec<Vec<String>>) {
-    let Content::Fields(fields) = &node.content else { return };
-    for (name, field) in fields {
-        if name == "body" && field.node.to_value() == WORLD {
-            into.push(path.clone());
-        }
-        path.push(name.clone());
-        world_pins(&field.node, path, into);
+    let mut below = |name: String, node: &Node| {
+        path.push(name);
+        world_pins(node, path, into);
         path.pop();
+    };
+    match &node.content {
+        Content::Scalar(_) => {}
+        Content::List(entries) => entries.iter().enumerate().for_each(|(i, entry)| below(i.to_string(), entry)),
+        Content::Fields(fields) => {
+            fields.iter().for_each(|(name, field)| below(name.clone(), &field.node));
+            if fields.get("body").is_some_and(|field| field.node.to_value() == WORLD) {
+                into.push(path.clone());
+            }
+        }
     }
 }
 
@@ -174,6 +180,11 @@ impl Standing<'_> {
         let path = path.join(".");
         self.move_point(tree, &format!("{path}.position_m"));
         self.turn_axes(tree, &format!("{path}.orientation_rad"));
+        if let Some(axis) = numbers(self.whole, &format!("{path}.axis"))
+            && self.pose.angles != NONE
+        {
+            self.write(tree, &format!("{path}.axis"), &json!(self.pose.vector(axis).0));
+        }
         if self.on() != WORLD {
             let body = format!("{path}.body");
             put(tree, &body.split('.').collect::<Vec<_>>(), &json!(self.on()), &self.place("on"));

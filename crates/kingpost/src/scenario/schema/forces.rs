@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, SlackTank, SoftHold, SpringLine,
-    WindLoad, yes,
+    CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, Rope, SlackTank, SoftHold,
+    SpringLine, WindLoad, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -31,6 +31,8 @@ pub enum Force<S = f64> {
     SpringLine(SpringLine<S>),
     /// A mooring line that hangs, and may lie on the seabed.
     CatenaryLine(CatenaryLine<S>),
+    /// A rope over sheaves, which a drum may wind up.
+    Rope(Box<Rope<S>>),
     /// The wind on a body, by coefficients.
     WindLoad(Box<WindLoad<S>>),
     /// The current on a body, by coefficients.

@@ -1,0 +1,243 @@
+//! Ropes over sheaves: hoists, luffing ropes, slings, tuggers.
+
+mod path;
+mod station;
+
+pub use path::{Extent, Path};
+pub use station::{Efficiency, Round, Station};
+
+use crate::dynamics::Loads;
+use crate::elements::{Crossing, Declaration, DrawnLine, Element, Event, LineStyle, Moment, Output, Own, Situation};
+use crate::scalar::Scalar;
+
+/// An elastic rope without mass over a [`Path`], which pulls and never pushes.
+///
+/// With the length l of the path, the unstretched length L that lies on it, the stretch e = l - L and
+/// 1/k = L/EA + 1/k_s, where k_s is the stiffness of all that gives way in series with it (the crane's own, as the *simple wire coupling* of
+/// SIMO has it),
+///
+/// ```text
+/// T = max(k (e + tau e'), 0) where e > 0, else 0
+/// V = k e^2 / 2,       -dV/dL = k e + (k e)^2 / (2 EA)
+/// ```
+///
+/// A drum that turns by theta pays out L = L0 +- R theta. Its torque is R times the tension and R (k e)^2 / (2 EA): what is
+/// wound on stores strain energy, and without this term the rope would make or lose energy as it is paid out under
+/// tension. At the sheaves friction takes its share; damping and friction are heat.
+#[derive(Clone, Debug)]
+pub struct Rope<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// What it runs over.
+    pub path: Path<S>,
+    /// The drum at its first end.
+    pub drum: Option<Drum<S>>,
+    /// L at the start, m.
+    pub unstretched_length: S,
+    /// EA, N.
+    pub axial_stiffness: S,
+    /// 1/k_s, m/N.
+    pub series_compliance: S,
+    /// tau, s.
+    pub damping_time: S,
+    /// Tension at which it parts, N.
+    pub breaking_load: Option<S>,
+}
+
+/// A drum: a coordinate that a rope is wound up by.
+#[derive(Clone, Copy, Debug)]
+pub struct Drum<S = f64> {
+    /// Index in q.
+    pub position: usize,
+    /// Index in v.
+    pub coordinate: usize,
+    /// Rope paid out per angle, m: the radius, negative where positive rates haul in.
+    pub paid_out: S,
+    /// Its angle at the start, rad.
+    pub start: S,
+}
+
+/// A rope at a moment.
+#[derive(Clone, Copy, Debug)]
+struct Stretched<S> {
+    /// L, m, and its rate, m/s.
+    unstretched: S,
+    paid_out: S,
+    /// e, m, and its rate, m/s.
+    stretch: S,
+    rate: S,
+    /// k e and T at the last end, N; both 0 where it is slack.
+    elastic: S,
+    tension: S,
+    /// (k e)^2 / (2 EA), N: strain energy of the rope that the drum takes up, per length.
+    carried: S,
+    /// rad.
+    range_left: S,
+}
+
+/// Mode: whether the rope has parted.
+const PARTED: usize = 0;
+/// Events, in the order of [`Rope::declare`].
+const EVENTS: [Event; 5] = [
+    Event { what: "goes slack", crossing: Crossing::Falling },
+    Event { what: "comes taut", crossing: Crossing::Rising },
+    Event { what: "is hauled in to its end", crossing: Crossing::Falling },
+    Event { what: "turns about a sheave by more than 265 or less than -85 degrees", crossing: Crossing::Falling },
+    Event { what: "parts", crossing: Crossing::Rising },
+];
+const HAULED_IN: usize = 2;
+const OUT_OF_RANGE: usize = 3;
+const PARTS: usize = 4;
+/// L, of that at the start, below which a rope is hauled in to its end: its stiffness stays that of this length.
+const SHORTEST: f64 = 1e-3;
+/// Points that the last leg of a picture is drawn through.
+const POINTS_OF_LAST_LEG: usize = 17;
+
+impl<S: Scalar> Element<S> for Rope<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let number = |variable, description, unit| Output::number(variable, description, "rope", &self.name, unit);
+        let points = 2 * (self.path.stations().len() - 2) + POINTS_OF_LAST_LEG;
+        Declaration {
+            modes: vec!["parted".to_owned()],
+            outputs: vec![
+                number("rope_tension", "tension of a rope at its last end", &["N"]),
+                number("rope_first_tension", "tension of a rope at its first end, or its drum", &["N"]),
+                number("rope_length", "unstretched length of a rope between its ends, or paid out by its drum", &["m"]),
+                number("rope_pay_out_rate", "rate at which a drum pays out rope", &["m/s"]),
+                number(
+                    "rope_stretch",
+                    "length of a rope's path beyond its unstretched length; negative: slack",
+                    &["m"],
+                ),
+            ],
+            lines: vec![DrawnLine { name: self.name.clone(), style: LineStyle::Rope, radius_m: 0.0, points }],
+            events: EVENTS[..if self.breaking_load.is_some() { PARTS + 1 } else { PARTS }].to_vec(),
+            ..Declaration::default()
+        }
+    }
+
+    /// Adds the pulls at all stations, the torque on the drum, and the heat.
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let now = self.stretched(at);
+        let [first, mut power] = self.path.pull(now.tension, now.rate, |station, wrench| {
+            loads.wrenches.extend(station.on_body(at, wrench));
+        });
+        if let Some(drum) = &self.drum {
+            loads.force[drum.coordinate] += drum.paid_out * (first + now.carried);
+            power += now.paid_out * (first + now.carried);
+        }
+        let stored = now.elastic * now.rate - now.carried * now.paid_out;
+        loads.power.dissipated += -(power + stored);
+    }
+
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let now = self.stretched(at);
+        now.elastic * now.stretch * S::constant(0.5)
+    }
+
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        let now = self.stretched(at);
+        let [first, _] = self.path.pull(now.tension, now.rate, |_, _| {});
+        out.extend([now.tension, first, now.unstretched, now.paid_out, now.stretch]);
+    }
+
+    fn witness(&mut self, event: usize, at: &Moment<'_, S>) -> S {
+        let now = self.stretched(at);
+        match (event, self.breaking_load) {
+            (HAULED_IN, _) => now.unstretched - self.shortest(),
+            (OUT_OF_RANGE, _) => now.range_left,
+            (PARTS, Some(load)) if at.modes[PARTED] == 0 => self.largest(&now) - load,
+            (PARTS, _) => -S::ONE,
+            // The tension is positive where both the spring and spring with damper pull.
+            _ => now.stretch + self.damping_time * now.rate.select_below(0.0, || now.rate, || S::ZERO),
+        }
+    }
+
+    fn respond(&mut self, event: usize, _at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+        if event == PARTS {
+            own.modes[PARTED] = 1;
+        }
+    }
+
+    /// Straight but for the last leg of a slack rope, which sags: of a flat parabola that is longer than its chord d by e the sag is
+    /// sqrt(3/8 d e).
+    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+        let now = self.stretched(at);
+        let last = self.path.stations().len() - 2;
+        let slack = now.stretch.select_below(0.0, || -now.stretch, || S::ZERO);
+        for (k, [from, to]) in self.path.straights().enumerate() {
+            if k < last {
+                points.extend(from.0.into_iter().chain(to.0));
+                continue;
+            }
+            let way = to - from;
+            let sag = (S::constant(0.375) * way.norm() * slack).sqrt();
+            for i in 0..POINTS_OF_LAST_LEG {
+                let share = S::constant(i as f64 / (POINTS_OF_LAST_LEG - 1) as f64);
+                let point = from + way * share;
+                points.extend([point[0], point[1], point[2] - S::constant(4.0) * share * (S::ONE - share) * sag]);
+            }
+        }
+    }
+
+    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+        self.path.stations().windows(2).map(|ends| [ends[0].centre.body, ends[1].centre.body]).collect()
+    }
+
+    fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
+        let stations = self.path.stations();
+        Some([stations[0].centre.body, stations[stations.len() - 1].centre.body])
+    }
+}
+
+impl<S: Scalar> Rope<S> {
+    /// Where a run begins, before an equilibrium is sought: counts the drum's wrap and the rope that it pays out from here.
+    /// Returns the length of the path, m.
+    pub fn begin_at(&mut self, at: &Moment<'_, S>) -> S {
+        self.path.begin(at);
+        if let Some(drum) = &mut self.drum {
+            drum.start = at.q[drum.position];
+        }
+        self.path.extent(at).length
+    }
+
+    /// The tension that a stretch of a length at rest makes, N.
+    pub fn tension_at_rest(&self, stretch: S) -> S {
+        stretch / (self.unstretched_length / self.axial_stiffness + self.series_compliance)
+    }
+
+    fn stretched(&mut self, at: &Moment<'_, S>) -> Stretched<S> {
+        let Extent { length, rate, range_left } = self.path.extent(at);
+        let (turned, turning) =
+            self.drum.map_or((S::ZERO, S::ZERO), |drum| (at.q[drum.position] - drum.start, at.v[drum.coordinate]));
+        let per_angle = self.drum.map_or(S::ZERO, |drum| drum.paid_out);
+        let (unstretched, paid_out) = (self.unstretched_length + per_angle * turned, per_angle * turning);
+        let (stretch, rate) = (length - unstretched, rate - paid_out);
+        let shortest = self.shortest();
+        let elastic_length = unstretched.select_less(shortest, || shortest, || unstretched);
+        let stiffness = S::ONE / (elastic_length / self.axial_stiffness + self.series_compliance);
+        let parted = at.modes.get(PARTED).is_some_and(|mode| *mode != 0) && at.situation == Situation::Running;
+        let taut = |force: S| {
+            if parted { S::ZERO } else { stretch.select_below(0.0, || S::ZERO, || force) }
+        };
+        let (elastic, pull) = (taut(stiffness * stretch), taut(stiffness * (stretch + self.damping_time * rate)));
+        let tension = pull.select_below(0.0, || S::ZERO, || pull);
+        let strain_energy = || elastic * elastic / (self.axial_stiffness + self.axial_stiffness);
+        let carried = unstretched.select_less(shortest, || S::ZERO, strain_energy);
+        Stretched { unstretched, paid_out, stretch, rate, elastic, tension, carried, range_left }
+    }
+
+    /// The larger of the tensions at both ends.
+    fn largest(&self, now: &Stretched<S>) -> S {
+        let [first, _] = self.path.pull(now.tension, now.rate, |_, _| {});
+        first.select_less(now.tension, || now.tension, || first)
+    }
+
+    fn shortest(&self) -> S {
+        self.unstretched_length * S::constant(SHORTEST)
+    }
+}

@@ -1,0 +1,251 @@
+//! The path of a rope over points, sheaves and a drum: its length, and what a tension in it does to the bodies.
+//!
+//! With the centres c_i of the stations, the way w = c_(i+1) - c_i of a leg, d = |w|, u = w / d, the sheaves' radii R_i
+//! and axes a_i, about which the rope turns on its way from its first end to its last,
+//!
+//! ```text
+//! l = sum over legs of sqrt(d^2 - rho^2) + rho asin(rho / d),  plus the sum over sheaves of R_i beta_i
+//! rho = R_i - (a_i . a_(i+1)) R_(i+1)
+//! beta_i = atan2(a_i . (u_(i-1) x u_i), u_(i-1) . u_i),  from -90 to 270 degrees
+//! ```
+//!
+//! This is the length of a belt where its legs lie in the planes of the sheaves, and a smooth function of centres and axes
+//! where they do not. Forces and moments are its derivatives times the tension: they agree with the energy on any path.
+
+use super::station::{Motion, Round, Station};
+use crate::elements::Moment;
+use crate::scalar::Scalar;
+use crate::spatial::{Vector3, Wrench};
+use core::f64::consts::FRAC_PI_2;
+
+/// The largest angle at a sheave from the middle of its range, rad: 175 degrees.
+const FARTHEST: f64 = 175.0 * core::f64::consts::PI / 180.0;
+
+/// Speed of the rope over a sheave about which the friction changes its sign smoothly, m/s.
+const SMOOTHING_M_S: f64 = 0.01;
+
+/// The stations of a rope in their order, and the memory to evaluate them.
+#[derive(Clone, Debug)]
+pub struct Path<S = f64> {
+    /// At least two. The last is a point; the first is a point or a drum.
+    stations: Vec<Station<S>>,
+    /// Of a drum at the first station.
+    drum: Option<Wrap<S>>,
+    places: Vec<Place<S>>,
+    legs: Vec<Leg<S>>,
+}
+
+/// How the rope lies on a drum where a run begins.
+#[derive(Clone, Copy, Debug)]
+struct Wrap<S> {
+    /// The direction that the angle of the wrap is counted from, in the axes of the body that carries the drum.
+    from: Vector3<S>,
+    /// Length from there to where the rope leaves the drum, m.
+    length: S,
+}
+
+/// A station where the bodies are; vectors in world axes.
+#[derive(Clone, Copy, Debug)]
+struct Place<S> {
+    motion: Motion<S>,
+    axis: Vector3<S>,
+    /// Moments on the station's body per tension of the legs before and behind it, m.
+    moments: [Vector3<S>; 2],
+}
+
+/// A leg between two stations; vectors in world axes.
+#[derive(Clone, Copy, Debug)]
+struct Leg<S> {
+    /// Unit vector between the centres.
+    along: Vector3<S>,
+    /// Between the centres, m.
+    distance: S,
+    /// The axis about which the rope is turned from the line of centres, by the angle of this sine and cosine.
+    axis: Vector3<S>,
+    sine: S,
+    cosine: S,
+    /// Derivative of the path's length by the place of the station behind.
+    gradient: Vector3<S>,
+    /// Its share of the rate of the path's length, m/s.
+    rate: S,
+}
+
+/// Length of a path.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent<S> {
+    /// From the first end, or from where the rope leaves its drum, to the last end, m; all falls of a leg count.
+    pub length: S,
+    /// Its rate, m/s.
+    pub rate: S,
+    /// How far the angle at every sheave is from where its range ends, rad: below 0 within the last 5 degrees.
+    pub range_left: S,
+}
+
+impl<S: Scalar> Path<S> {
+    /// A path over at least two stations.
+    pub fn new(stations: Vec<Station<S>>) -> Self {
+        let zero = Vector3::zero();
+        let motion = Motion { centre: zero, velocity: zero, angular_velocity: zero };
+        let place = Place { motion, axis: zero, moments: [zero; 2] };
+        let (distance, sine, cosine, rate) = (S::ONE, S::ZERO, S::ONE, S::ZERO);
+        let leg = Leg { along: zero, distance, axis: zero, sine, cosine, gradient: zero, rate };
+        let (places, legs) = (vec![place; stations.len()], vec![leg; stations.len().saturating_sub(1)]);
+        Self { stations, drum: None, places, legs }
+    }
+
+    /// The stations, in order.
+    pub fn stations(&self) -> &[Station<S>] {
+        &self.stations
+    }
+
+    /// Where a run begins: the wrap on the drum is counted from here.
+    pub fn begin(&mut self, at: &Moment<'_, S>) {
+        let Some(drum) = self.stations[0].round else { return };
+        self.stand(at);
+        let across = self.legs[0].along.cross(self.places[0].axis);
+        let from = self.stations[0].to_body(at, across * (S::ONE / across.norm()));
+        let angle = S::constant(FRAC_PI_2) + self.legs[0].lean();
+        self.drum = Some(Wrap { from, length: angle * drum.radius });
+    }
+
+    /// The two legs that touch first, where two sheaves overlap: the numbers of their stations.
+    pub fn overlap(&mut self, at: &Moment<'_, S>) -> Option<usize> {
+        self.stand(at);
+        self.legs.iter().position(|leg| !leg.sine.all(|sine| sine.abs() < 1.0))
+    }
+
+    /// Length and rate where the bodies are.
+    pub fn extent(&mut self, at: &Moment<'_, S>) -> Extent<S> {
+        self.stand(at);
+        let mut length = self.drum.map_or(S::ZERO, |wrap| -wrap.length);
+        for (k, leg) in self.legs.iter_mut().enumerate() {
+            let (behind, lean) = (&self.stations[k + 1], leg.lean());
+            length += leg.distance * (leg.cosine + leg.sine * lean) * behind.falls;
+            leg.gradient = leg.along * (leg.cosine * behind.falls);
+            if let (Some(_), Some(behind)) = (self.stations[k].round, behind.round) {
+                let moment = self.places[k].axis.cross(self.places[k + 1].axis) * (lean * behind.radius);
+                self.places[k].moments[1] += moment;
+                self.places[k + 1].moments[0] += -moment;
+            }
+        }
+        let (mut rate, mut range_left) = (S::ZERO, S::constant(FARTHEST));
+        for i in 0..self.legs.len() {
+            if let Some(round) = self.stations[i].round {
+                let from_middle = self.turn(i, &round, at);
+                length += round.radius * (from_middle + S::constant(FRAC_PI_2));
+                let left = S::constant(FARTHEST) - from_middle.select_below(0.0, || -from_middle, || from_middle);
+                range_left = left.select_less(range_left, || left, || range_left);
+            }
+        }
+        for (leg, ends) in self.legs.iter_mut().zip(self.places.windows(2)) {
+            let [(first, behind_first), (second, before_second)] =
+                [(ends[0].motion, ends[0].moments[1]), (ends[1].motion, ends[1].moments[0])];
+            leg.rate = leg.gradient.dot(second.velocity - first.velocity)
+                - first.angular_velocity.dot(behind_first)
+                - second.angular_velocity.dot(before_second);
+            rate += leg.rate;
+        }
+        Extent { length, rate, range_left }
+    }
+
+    /// Places of the stations and ways of the legs.
+    fn stand(&mut self, at: &Moment<'_, S>) {
+        for (place, station) in self.places.iter_mut().zip(&self.stations) {
+            let axis = station.round.map_or(Vector3::zero(), |round| station.to_world(at, round.axis));
+            *place = Place { motion: station.motion(at), axis, moments: [Vector3::zero(); 2] };
+        }
+        for (k, leg) in self.legs.iter_mut().enumerate() {
+            let ends = [k, k + 1].map(|i| (self.stations[i].round.map(|round| round.radius), self.places[i].axis));
+            let (rho, axis) = match ends {
+                [(Some(first), a), (Some(second), b)] => (first - a.dot(b) * second, a),
+                [(Some(radius), axis), (None, _)] => (radius, axis),
+                [(None, _), (Some(radius), axis)] => (-radius, axis),
+                [(None, _), (None, _)] => (S::ZERO, Vector3::zero()),
+            };
+            let way = self.places[k + 1].motion.centre - self.places[k].motion.centre;
+            let distance = at_least_something(way.norm_squared()).sqrt();
+            // Sheaves that overlap have no straight rope between them.
+            let sine = (rho / distance).clipped(-S::ONE, S::ONE);
+            let cosine = at_least_something(S::ONE - sine * sine).sqrt();
+            *leg = Leg { along: way * (S::ONE / distance), distance, axis, sine, cosine, ..*leg };
+        }
+    }
+
+    /// beta of a round station less 90 degrees; adds R times its derivatives to the legs beside it, and notes its moments.
+    fn turn(&mut self, i: usize, round: &Round<S>, at: &Moment<'_, S>) -> S {
+        let (axis, behind) = (self.places[i].axis, self.legs[i].along);
+        let before = match (i.checked_sub(1), self.drum) {
+            (Some(k), _) => self.legs[k].along,
+            (None, Some(wrap)) => self.stations[0].to_world(at, wrap.from),
+            (None, None) => return S::constant(-FRAC_PI_2),
+        };
+        let (cosine, sine) = (before.dot(behind), axis.dot(before.cross(behind)));
+        let scale = round.radius / at_least_something(cosine * cosine + sine * sine);
+        let by_behind = (axis.cross(before) * cosine - before * sine) * scale;
+        let by_before = (behind.cross(axis) * cosine - behind * sine) * scale;
+        self.legs[i].turns_with(by_behind);
+        self.places[i].moments[1] += behind.cross(by_behind);
+        // The direction that the wrap on a drum is counted from stands still in the station's body.
+        if let Some(k) = i.checked_sub(1) {
+            self.legs[k].turns_with(by_before);
+            self.places[i].moments[0] += before.cross(by_before);
+        }
+        (-cosine).atan2(sine)
+    }
+
+    /// Hands a tension at the last end to the bodies, as [`extent`](Self::extent) saw them: to each station the wrench, in
+    /// world axes, of the legs beside it, whose tensions differ by what friction takes at the sheaves. The rope runs over a
+    /// sheave as fast as the drum pays out more than the legs before it lengthen; all of them lengthen by `stretch_rate`, m/s, more
+    /// than it pays out. So friction never gives energy. Returns the tension at the first end, N, and the power that the
+    /// bodies received, W.
+    pub fn pull(&self, tension: S, stretch_rate: S, mut hand: impl FnMut(&Station<S>, &Wrench<S>)) -> [S; 2] {
+        let (mut power, mut speed) = (S::ZERO, -stretch_rate);
+        let (mut behind, mut by_behind) = (tension, Vector3::zero());
+        for (i, (station, place)) in self.stations.iter().zip(&self.places).enumerate().rev() {
+            let ratio = |round: Round<S>| round.efficiency.ratio(speed, SMOOTHING_M_S);
+            let before = behind * station.round.filter(|_| i > 0).map_or(S::ONE, ratio);
+            let leg = i.checked_sub(1).map(|k| &self.legs[k]);
+            let by_before = leg.map_or(Vector3::zero(), |leg| leg.gradient * before);
+            let force = by_behind - by_before;
+            let moment = place.moments[0] * before + place.moments[1] * behind;
+            power += force.dot(place.motion.velocity) + moment.dot(place.motion.angular_velocity);
+            hand(station, &Wrench { moment, force });
+            speed += leg.map_or(S::ZERO, |leg| leg.rate);
+            (behind, by_behind) = (before, by_before);
+        }
+        [behind, power]
+    }
+
+    /// The straight parts of the legs, as [`extent`](Self::extent) saw the bodies: from where each touches the station before it to
+    /// where it touches the one behind, world, m.
+    pub fn straights(&self) -> impl Iterator<Item = [Vector3<S>; 2]> + '_ {
+        let touches = |i: usize, leg: &Leg<S>| {
+            let foot = leg.direction().cross(self.places[i].axis);
+            let radius = self.stations[i].round.map_or(S::ZERO, |round| round.radius);
+            self.places[i].motion.centre + foot * radius
+        };
+        self.legs.iter().enumerate().map(move |(k, leg)| [touches(k, leg), touches(k + 1, leg)])
+    }
+}
+
+impl<S: Scalar> Leg<S> {
+    /// The angle from the line of centres to the rope, rad.
+    fn lean(&self) -> S {
+        self.sine.atan2(self.cosine)
+    }
+
+    /// The rope's direction in the plane of its sheaves.
+    fn direction(&self) -> Vector3<S> {
+        self.along * self.cosine + self.axis.cross(self.along) * self.sine
+    }
+
+    /// Adds what a derivative by the unit vector along the leg is by the place of the station behind it.
+    fn turns_with(&mut self, by_along: Vector3<S>) {
+        self.gradient += (by_along - self.along * self.along.dot(by_along)) * (S::ONE / self.distance);
+    }
+}
+
+/// A number that is not negative, or the least that can be divided by.
+fn at_least_something<S: Scalar>(x: S) -> S {
+    x.select_below(f64::MIN_POSITIVE, || S::constant(f64::MIN_POSITIVE), || x)
+}

@@ -1,0 +1,90 @@
+//! What a rope runs over: points, sheaves, a drum.
+
+use crate::elements::Moment;
+use crate::elements::lines::{place, velocity};
+use crate::model::Attachment;
+use crate::scalar::Scalar;
+use crate::spatial::{Vector3, Wrench};
+
+/// A place on a rope's path.
+#[derive(Clone, Debug)]
+pub struct Station<S = f64> {
+    /// A point, or the centre of a sheave or a drum: on a body or in the world.
+    pub centre: Attachment<S>,
+    /// What is round there; `None` for a point that the rope ends at or runs through.
+    pub round: Option<Round<S>>,
+    /// Parallel falls of the leg that ends here.
+    pub falls: S,
+}
+
+/// A sheave or a drum.
+#[derive(Clone, Copy, Debug)]
+pub struct Round<S = f64> {
+    /// Unit vector about which the rope turns on its way from its first end, body axes.
+    pub axis: Vector3<S>,
+    /// To the middle of the rope, m.
+    pub radius: S,
+    /// What friction in the bearing and bending of the rope leave.
+    pub efficiency: Efficiency<S>,
+}
+
+/// The smaller over the larger tension of a rope that runs over a sheave.
+#[derive(Clone, Copy, Debug)]
+pub struct Efficiency<S = f64> {
+    /// While the rope runs towards its first end.
+    pub hoisting: S,
+    /// While it runs towards its last.
+    pub lowering: S,
+}
+
+impl<S: Scalar> Efficiency<S> {
+    /// Tension before a sheave over that behind it; `speed` is that of the rope towards its last end, m/s. Smooth, 1 at rest,
+    /// and never on the side that would give energy.
+    pub fn ratio(&self, speed: S, smoothing_m_s: f64) -> S {
+        let smoothing = S::constant(smoothing_m_s);
+        let way = speed / (speed * speed + smoothing * smoothing).sqrt();
+        let (lowering, hoisting) = (self.lowering, S::ONE / self.hoisting);
+        let (odd, even) = ((lowering - hoisting) * S::constant(0.5), (lowering + hoisting) * S::constant(0.5) - S::ONE);
+        S::ONE + way * (odd + way * even)
+    }
+}
+
+/// How a station moves: all in world axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion<S> {
+    /// m.
+    pub centre: Vector3<S>,
+    /// m/s.
+    pub velocity: Vector3<S>,
+    /// Of its body, rad/s.
+    pub angular_velocity: Vector3<S>,
+}
+
+impl<S: Scalar> Station<S> {
+    /// Where the station is and how it moves.
+    pub(super) fn motion(&self, at: &Moment<'_, S>) -> Motion<S> {
+        let angular_velocity = self.centre.body.map_or(Vector3::zero(), |body| {
+            at.links.body_frame(at.model, body).rotation * at.links.body_twist(at.model, body).angular
+        });
+        let centre = place(&self.centre, at.model, at.links);
+        Motion { centre, velocity: velocity(&self.centre, at), angular_velocity }
+    }
+
+    /// A vector in the axes of the station's body, in world axes.
+    pub(super) fn to_world(&self, at: &Moment<'_, S>, vector: Vector3<S>) -> Vector3<S> {
+        self.centre.body.map_or(vector, |body| at.links.body_frame(at.model, body).rotation * vector)
+    }
+
+    /// A vector in world axes, in the axes of the station's body.
+    pub(super) fn to_body(&self, at: &Moment<'_, S>, vector: Vector3<S>) -> Vector3<S> {
+        self.centre.body.map_or(vector, |body| at.links.to_body_axes(at.model, body, vector))
+    }
+
+    /// The body that a wrench at the station acts on, and the wrench in its axes about its centre of mass; `None` on the
+    /// world.
+    pub(super) fn on_body(&self, at: &Moment<'_, S>, in_world: &Wrench<S>) -> Option<(usize, Wrench<S>)> {
+        let body = self.centre.body?;
+        let (force, moment) = (self.to_body(at, in_world.force), self.to_body(at, in_world.moment));
+        Some((body, Wrench { moment: moment + self.centre.in_body.position.cross(force), force }))
+    }
+}

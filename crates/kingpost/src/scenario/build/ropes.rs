@@ -1,0 +1,196 @@
+//! Ropes: what they run over, and how long they are where a run begins.
+
+use super::super::schema::{self, PaysOut, RopeStation, Scenario};
+use super::cylinders::attachment;
+use super::{FieldError, known};
+use crate::dynamics::{Clock, LinkKinematics};
+use crate::elements::ropes::{Drum, Efficiency, Path, Round, Station};
+use crate::elements::{AnyElement, Moment, Rope, Situation, of_kind_mut};
+use crate::model::{Attachment, JointKind, Model};
+use crate::scenario::leaf::Quantity;
+use crate::simulation::Setup;
+use crate::spatial::{Frame, Vector3};
+
+/// Strain at the start beyond which a length is a mistake: steel has parted long before.
+const LARGEST_STRAIN: f64 = 0.05;
+
+/// Falls of one leg, at most.
+const MOST_FALLS: u32 = 100;
+
+/// One rope, where it is on and all that it runs over is there.
+pub fn build<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    given: &schema::Rope<S>,
+    model: &Model<S>,
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    let field = |rest: String| format!("forces.{name}.rope.{rest}");
+    check_order(&given.path, &field)?;
+    let mut stations = Vec::new();
+    let mut drum = None;
+    for (i, station) in given.path.iter().enumerate() {
+        let place = Placing { scenario, model, field: field(format!("path.{i}.{}", station.on().0)) };
+        let found = match station {
+            RopeStation::Point(point) => place.point(point)?,
+            RopeStation::Sheave(sheave) => place.sheave(sheave)?,
+            RopeStation::Drum(given) => place.drum(given)?.map(|(station, found)| {
+                drum = Some(found);
+                station
+            }),
+        };
+        stations.push(found);
+    }
+    check_falls(&given.path, &field)?;
+    let stations: Option<Vec<Station<S>>> = stations.into_iter().collect();
+    let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
+    Ok(Some(Box::new(Rope {
+        name: name.to_owned(),
+        path: Path::new(stations),
+        drum,
+        unstretched_length: given.unstretched_length_m.map_or(S::ZERO, |length| length.get()),
+        axial_stiffness: given.axial_stiffness_n.get(),
+        series_compliance: given.series_stiffness_n_per_m.map_or(S::ZERO, |stiffness| S::ONE / stiffness.get()),
+        damping_time: given.damping_time_s.get(),
+        breaking_load: given.breaking_load_n.map(|load| load.get()),
+    })))
+}
+
+/// A rope begins at a point or a drum and ends at a point, with no drum between.
+fn check_order<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
+    if path.len() < 2 {
+        return Err(FieldError::new(field("path".to_owned()), format!("{} places", path.len()), "at least two"));
+    }
+    let last = path.len() - 1;
+    for (i, station) in path.iter().enumerate() {
+        let allowed = match (i, station) {
+            (0, RopeStation::Sheave(_)) => "a point or a drum, where a rope begins",
+            (i, RopeStation::Sheave(_) | RopeStation::Drum(_)) if i == last => "a point, where a rope ends",
+            (i, RopeStation::Drum(_)) if i > 0 => "a point or a sheave: a drum stands where the rope begins",
+            _ => continue,
+        };
+        return Err(FieldError::new(field(format!("path.{i}")), format!("a {}", station.on().0), allowed));
+    }
+    Ok(())
+}
+
+/// Several falls run between points: rope on a sheave is led one fall at a time.
+fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
+    for (i, pair) in path.windows(2).enumerate() {
+        let RopeStation::Point(point) = &pair[1] else { continue };
+        let at = || field(format!("path.{}.point.falls", i + 1));
+        if !(1..=MOST_FALLS).contains(&point.falls) {
+            return Err(FieldError::new(at(), point.falls, format!("a number from 1 to {MOST_FALLS}")));
+        }
+        if point.falls > 1 && !matches!(pair[0], RopeStation::Point(_)) {
+            let found = format!("{} from a {}", point.falls, pair[0].on().0);
+            return Err(FieldError::new(at(), found, "1: several falls run between two points"));
+        }
+    }
+    Ok(())
+}
+
+/// Where a station is read, and its field.
+struct Placing<'a, S> {
+    scenario: &'a Scenario<S>,
+    model: &'a Model<S>,
+    field: String,
+}
+
+impl<S: Quantity> Placing<'_, S> {
+    /// A point of a body, or of the world; `None` on a body that is not there.
+    fn centre(&self, body: &schema::Name, position_m: [S; 3]) -> Result<Option<Attachment<S>>, FieldError> {
+        let bodies = self.scenario.bodies.keys().map(|body| body.as_str());
+        known(&format!("{}.body", self.field), body, bodies.chain([schema::WORLD]))?;
+        let pin = schema::Pin { body: body.clone(), position_m };
+        if pin.named_body().is_some_and(|body| self.model.body(body).is_none()) {
+            return Ok(None);
+        }
+        attachment(self.scenario, self.model, &format!("{}.position_m", self.field), &pin).map(Some)
+    }
+
+    fn point(&self, given: &schema::RopePoint<S>) -> Result<Option<Station<S>>, FieldError> {
+        let falls = S::constant(f64::from(given.falls));
+        let centre = self.centre(&given.body, given.position_m)?;
+        Ok(centre.map(|centre| Station { centre, round: None, falls }))
+    }
+
+    fn sheave(&self, given: &schema::Sheave<S>) -> Result<Option<Station<S>>, FieldError> {
+        let [hoisting, lowering] =
+            [("hoisting", given.efficiency_hoisting.get()), ("lowering", given.efficiency_lowering.get())];
+        for (which, efficiency) in [hoisting, lowering] {
+            if !efficiency.all(|efficiency| efficiency > 0.0) {
+                let field = format!("{}.efficiency_{which}", self.field);
+                return Err(FieldError::new(field, efficiency, "a number above 0, up to 1"));
+            }
+        }
+        let efficiency = Efficiency { hoisting: hoisting.1, lowering: lowering.1 };
+        let round = Round { axis: Vector3(given.axis.get()).direction(), radius: given.radius_m.get(), efficiency };
+        let centre = self.centre(&given.body, given.position_m)?;
+        Ok(centre.map(|centre| Station { centre, round: Some(round), falls: S::ONE }))
+    }
+
+    /// A drum stands on the body that carries its joint.
+    fn drum(&self, given: &schema::RopeDrum<S>) -> Result<Option<(Station<S>, Drum<S>)>, FieldError> {
+        let (field, joint) = (format!("{}.joint", self.field), given.joint.as_str());
+        let revolute = |(_, body): &(&schema::Name, &schema::Body<S>)| matches!(body.joint, schema::Joint::Revolute(_));
+        let joints =
+            self.scenario.bodies.iter().filter(revolute).map(|(name, body)| super::bodies::joint_name(name, body));
+        known(&field, joint, joints)?;
+        let Some(coordinate) = self.model.coordinate(joint) else { return Ok(None) };
+        let Some((body, _)) = self.model.owner(coordinate) else { return Ok(None) };
+        let node = &self.model.tree.nodes[body];
+        let JointKind::Revolute(hinge) = &node.kind else { return Ok(None) };
+        let sign = match given.pays_out {
+            PaysOut::WithPositiveRate => S::ONE,
+            PaysOut::WithNegativeRate => -S::ONE,
+        };
+        let radius = given.radius_m.get();
+        let round = Round {
+            axis: hinge.placement().rotation * hinge.axis() * sign,
+            radius,
+            efficiency: Efficiency { hoisting: S::ONE, lowering: S::ONE },
+        };
+        let centre = self.model.attachment(node.parent, Frame::translation(hinge.placement().position));
+        let drum = Drum { position: node.positions, coordinate, paid_out: radius * sign, start: S::ZERO };
+        Ok(Some((Station { centre, round: Some(round), falls: S::ONE }, drum)))
+    }
+}
+
+/// Takes the lengths where the run begins, its loops closed.
+///
+/// # Errors
+/// Sheaves that overlap; a rope that is shorter than its path by more than steel stretches.
+pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
+    let Setup { model, world, elements, q, v, .. } = setup;
+    let mut links = LinkKinematics::new(model);
+    links.update(model, q, v);
+    let clock = Clock { time_s: 0.0, middle_s: 0.0 };
+    let (states, inputs, numbers, modes): (&[S], &[S], &[S], &[i64]) = Default::default();
+    let situation = Situation::AtRest;
+    let at = Moment { clock, situation, world, model, links: &links, q, v, states, inputs, numbers, modes };
+    for rope in of_kind_mut::<S, Rope<S>>(elements) {
+        let name = rope.name.clone();
+        let field = |rest: &str| format!("forces.{name}.rope.{rest}");
+        if let Some(leg) = rope.path.overlap(&at) {
+            let found = format!("a place that overlaps the one before, {}", leg);
+            return Err(FieldError::new(field(&format!("path.{}", leg + 1)), found, "places apart from each other"));
+        }
+        let length = rope.begin_at(&at);
+        if !length.all(|length| length > 0.0) {
+            return Err(FieldError::new(field("path"), format!("a path of {length} m"), "one longer than 0"));
+        }
+        if rope.unstretched_length.vanishes() {
+            rope.unstretched_length = length;
+        }
+        let strain = length / rope.unstretched_length - S::ONE;
+        if !strain.all(|strain| strain <= LARGEST_STRAIN) {
+            let found = format!("{} m, on a path of {length} m", rope.unstretched_length);
+            let allowed = format!(
+                "at least {} m: no rope stretches by more than 5 %",
+                length / S::constant(1.0 + LARGEST_STRAIN)
+            );
+            return Err(FieldError::new(field("unstretched_length_m"), found, allowed));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,154 @@
+//! Ropes over sheaves, and the drums that wind them up.
+
+use serde::{Deserialize, Serialize};
+
+use super::{CoordinateName, Direction, Fraction, Name, NonNegative, Positive, yes};
+use crate::scenario::leaf::Leaf;
+
+/// An elastic rope without mass that runs over sheaves: a hoist, a sling, a tugger line. It pulls where its path is longer
+/// than the rope, else it is slack.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Rope", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Rope<S = f64> {
+    /// Whether it is there.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// What it runs over, from its first end to its last: it begins at a point or a drum and ends at a point.
+    pub path: Vec<RopeStation<S>>,
+    /// Length without tension of the rope on its path at the start, m; without it, the rope is just taut at the start.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unstretched_length_m: Option<Positive<S>>,
+    /// EA: tension per strain, N.
+    #[serde(rename = "axial_stiffness_N")]
+    pub axial_stiffness_n: Positive<S>,
+    /// Stiffness of what gives way in series with the rope, the crane's boom and foundation say, N/m; without it, nothing
+    /// does.
+    #[serde(default, rename = "series_stiffness_N_per_m", skip_serializing_if = "Option::is_none")]
+    pub series_stiffness_n_per_m: Option<Positive<S>>,
+    /// Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' beside k e. Of wire ropes 0.01 to
+    /// 0.02 s.
+    #[serde(default)]
+    pub damping_time_s: NonNegative<S>,
+    /// Tension at which the rope parts, N; without it, it does not.
+    #[serde(default, rename = "breaking_load_N", skip_serializing_if = "Option::is_none")]
+    pub breaking_load_n: Option<Positive<S>>,
+}
+
+/// A place on a rope's path.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "RopeStation", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum RopeStation<S = f64> {
+    /// A point that the rope ends at, or runs through freely.
+    Point(RopePoint<S>),
+    /// A sheave.
+    Sheave(Sheave<S>),
+    /// The drum that the rope is wound on: only where it begins.
+    Drum(RopeDrum<S>),
+}
+
+/// A point on a rope's path.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "RopePoint", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct RopePoint<S = f64> {
+    /// The body, or `world`.
+    pub body: Name,
+    /// The point in the body's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [S; 3],
+    /// Parallel falls of the rope from the place before to this one: their pull is so many tensions.
+    #[serde(default = "one")]
+    pub falls: u32,
+}
+
+/// A sheave that a rope runs over.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Sheave", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Sheave<S = f64> {
+    /// The body, or `world`.
+    pub body: Name,
+    /// The centre in the body's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [S; 3],
+    /// To the middle of the rope, m.
+    pub radius_m: Positive<S>,
+    /// The axis in the body's axes, any length: the rope turns about it, by the right hand, on its way from the first end
+    /// to the last, from -90 to 270 degrees.
+    pub axis: Direction<S>,
+    /// The smaller over the larger tension at the sheave while the rope is hauled in, towards its first end.
+    #[serde(default = "all")]
+    pub efficiency_hoisting: Fraction<S>,
+    /// The same while it is paid out.
+    #[serde(default = "all")]
+    pub efficiency_lowering: Fraction<S>,
+}
+
+/// A drum that a rope is wound on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "RopeDrum", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct RopeDrum<S = f64> {
+    /// The revolute joint by which the drum turns, on the body that carries it.
+    pub joint: CoordinateName,
+    /// To the middle of the rope, m.
+    pub radius_m: Positive<S>,
+    /// The rate of the joint that pays out rope. The rope leaves the drum on the side that moves along with it then.
+    #[serde(default)]
+    pub pays_out: PaysOut,
+}
+
+/// The rate of a drum's joint that pays out rope.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum PaysOut {
+    /// Positive rates.
+    #[default]
+    WithPositiveRate,
+    /// Negative rates.
+    WithNegativeRate,
+}
+
+/// The default of `falls`.
+const fn one() -> u32 {
+    1
+}
+
+/// The default of efficiencies: no friction.
+fn all<S: Leaf>() -> Fraction<S> {
+    Fraction::literal(1.0)
+}
+
+impl<S: Leaf> RopeStation<S> {
+    /// The name of its kind, and the body that it names; `None` for a drum, which stands on a joint.
+    pub fn on(&self) -> (&'static str, Option<&Name>) {
+        match self {
+            Self::Point(point) => ("point", Some(&point.body)),
+            Self::Sheave(sheave) => ("sheave", Some(&sheave.body)),
+            Self::Drum(_) => ("drum", None),
+        }
+    }
+}
