@@ -65,7 +65,7 @@ export class FakeEngine implements Engine {
   }
 
   lines_json(): string {
-    return JSON.stringify([{ name: "painter", style: "rope", radius_m: 0, points: 2 }]);
+    return JSON.stringify([{ name: "painter", style: "line", radius_m: 0, points: 2 }]);
   }
 
   line_points(): Float64Array {

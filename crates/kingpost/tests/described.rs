@@ -66,7 +66,7 @@ fn length(points: &[[f64; 3]]) -> f64 {
 fn every_rope_is_drawn_from_end_to_end() {
     for z_m in [0.0, 3.0, -10.0] {
         let mut simulation = with_lines(z_m).simulation().expect("it builds");
-        assert!(simulation.lines().iter().all(|line| line.style == LineStyle::Rope));
+        assert!(simulation.lines().iter().all(|line| line.style == LineStyle::Line));
         let drawn = drawn(&mut simulation);
         let names: Vec<&str> = drawn.iter().map(|(name, _)| name.as_str()).collect();
         assert_eq!(names, ["rope", "slack", "taut", "hawser"]);

@@ -532,7 +532,7 @@ export interface DrawnLine {
   /**
    * What it looks like.
    */
-  style: "rope" | "barrel" | "rod" | "pin";
+  style: "line" | "barrel" | "rod" | "pin";
   /**
    * Radius, m; 0 where it is too thin to be drawn to scale.
    */

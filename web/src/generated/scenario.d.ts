@@ -1928,6 +1928,9 @@ export type Force =
       catenary_line: CatenaryLine;
     }
   | {
+      rope: Rope;
+    }
+  | {
       wind_load: WindLoad;
     }
   | {
@@ -2143,6 +2146,69 @@ export type CatenaryLine = {
    */
   seabed?: boolean;
 };
+/**
+ * An elastic rope without mass that runs over sheaves: a hoist, a sling, a tugger line. It pulls where its path is longer
+ * than the rope, else it is slack.
+ */
+export type Rope = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it is there.
+   */
+  enabled?: boolean;
+  /**
+   * What it runs over, from its first end to its last: it begins at a point or a drum and ends at a point.
+   */
+  path: RopeStation[];
+  /**
+   * Length without tension of the rope on its path at the start, m; without it, the rope is just taut at the start.
+   */
+  unstretched_length_m?: number | null;
+  /**
+   * EA: tension per strain, N.
+   */
+  axial_stiffness_N?: number;
+  /**
+   * The same as `axial_stiffness_N`, in the unit of this name.
+   */
+  axial_stiffness_kN?: number;
+  /**
+   * Stiffness of what gives way in series with the rope, the crane's boom and foundation say, N/m; without it, nothing
+   * does.
+   */
+  series_stiffness_N_per_m?: number | null;
+  /**
+   * The same as `series_stiffness_N_per_m`, in the unit of this name.
+   */
+  series_stiffness_kN_per_m?: number | null;
+  /**
+   * Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' beside k e. Of wire ropes 0.01 to
+   * 0.02 s.
+   */
+  damping_time_s?: number;
+  /**
+   * Tension at which the rope parts, N; without it, it does not.
+   */
+  breaking_load_N?: number | null;
+  /**
+   * The same as `breaking_load_N`, in the unit of this name.
+   */
+  breaking_load_kN?: number | null;
+};
+/**
+ * A place on a rope's path.
+ */
+export type RopeStation =
+  | {
+      point: RopePoint;
+    }
+  | {
+      sheave: Sheave;
+    }
+  | {
+      drum: RopeDrum;
+    };
 /**
  * The coefficients.
  */
@@ -3620,6 +3686,79 @@ export interface Pin2 {
    * @maxItems 3
    */
   position_m?: [number, number, number];
+}
+/**
+ * A point on a rope's path.
+ */
+export interface RopePoint {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * Parallel falls of the rope from the place before to this one: their pull is so many tensions.
+   */
+  falls?: number;
+}
+/**
+ * A sheave that a rope runs over.
+ */
+export interface Sheave {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The centre in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * To the middle of the rope, m.
+   */
+  radius_m: number;
+  /**
+   * The axis in the body's axes, any length: the rope turns about it, by the right hand, on its way from the first end
+   * to the last, from -90 to 270 degrees.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  axis: [number, number, number];
+  /**
+   * The smaller over the larger tension at the sheave while the rope is hauled in, towards its first end.
+   */
+  efficiency_hoisting?: number;
+  /**
+   * The same while it is paid out.
+   */
+  efficiency_lowering?: number;
+}
+/**
+ * A drum that a rope is wound on.
+ */
+export interface RopeDrum {
+  /**
+   * The revolute joint by which the drum turns, on the body that carries it.
+   */
+  joint: string;
+  /**
+   * To the middle of the rope, m.
+   */
+  radius_m: number;
+  /**
+   * The rate of the joint that pays out rope. The rope leaves the drum on the side that moves along with it then.
+   */
+  pays_out?: "with_positive_rate" | "with_negative_rate";
 }
 /**
  * The wind on a body by coefficients of its relative velocity.

@@ -12,7 +12,7 @@ export interface Palette {
   barrel: Color;
   rod: Color;
   pin: Color;
-  rope: Color;
+  line: Color;
   grid: Color;
   /** Of the water. */
   trough: Color;
@@ -38,7 +38,7 @@ export function readPalette(): Palette {
     barrel: colour("--scene-barrel"),
     rod: colour("--scene-rod"),
     pin: colour("--scene-pin"),
-    rope: colour("--scene-rope"),
+    line: colour("--scene-line"),
     grid: colour("--scene-grid"),
     trough: colour("--scene-trough"),
     crest: colour("--scene-crest"),

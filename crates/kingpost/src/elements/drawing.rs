@@ -22,7 +22,7 @@ pub struct DrawnLine {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum LineStyle {
     /// Rope, wire or chain.
-    Rope,
+    Line,
     /// The outer tube of what telescopes.
     Barrel,
     /// What slides in it.

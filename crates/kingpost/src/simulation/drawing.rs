@@ -9,7 +9,7 @@ impl Simulation {
     pub fn lines(&self) -> Vec<DrawnLine> {
         let rope = |(_, joint): (usize, &Joint)| DrawnLine {
             name: joint.name.clone(),
-            style: LineStyle::Rope,
+            style: LineStyle::Line,
             radius_m: 0.0,
             points: 2,
         };

@@ -19,7 +19,7 @@ const POINTS: usize = 49;
 
 /// What every line declares: its tensions, and itself to draw.
 fn declaration(name: &str) -> Declaration {
-    let drawn = DrawnLine { name: name.to_owned(), style: LineStyle::Rope, radius_m: 0.0, points: POINTS };
+    let drawn = DrawnLine { name: name.to_owned(), style: LineStyle::Line, radius_m: 0.0, points: POINTS };
     Declaration { outputs: outputs(name), lines: vec![drawn], ..Declaration::default() }
 }
 

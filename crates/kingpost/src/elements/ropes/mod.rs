@@ -114,7 +114,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
                     &["m"],
                 ),
             ],
-            lines: vec![DrawnLine { name: self.name.clone(), style: LineStyle::Rope, radius_m: 0.0, points }],
+            lines: vec![DrawnLine { name: self.name.clone(), style: LineStyle::Line, radius_m: 0.0, points }],
             events: EVENTS[..if self.breaking_load.is_some() { PARTS + 1 } else { PARTS }].to_vec(),
             ..Declaration::default()
         }

@@ -184,9 +184,9 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
         }
         let strain = length / rope.unstretched_length - S::ONE;
         if !strain.all(|strain| strain <= LARGEST_STRAIN) {
-            let found = format!("{} m, on a path of {length} m", rope.unstretched_length);
+            let found = format!("{} m, on a path of {length:.4} m", rope.unstretched_length);
             let allowed = format!(
-                "at least {} m: no rope stretches by more than 5 %",
+                "at least {:.4} m: no rope stretches by more than 5 %",
                 length / S::constant(1.0 + LARGEST_STRAIN)
             );
             return Err(FieldError::new(field("unstretched_length_m"), found, allowed));

@@ -95,10 +95,10 @@ pub struct Sheave<S = f64> {
     /// to the last, from -90 to 270 degrees.
     pub axis: Direction<S>,
     /// The smaller over the larger tension at the sheave while the rope is hauled in, towards its first end.
-    #[serde(default = "all")]
+    #[serde(default = "all::<S>")]
     pub efficiency_hoisting: Fraction<S>,
     /// The same while it is paid out.
-    #[serde(default = "all")]
+    #[serde(default = "all::<S>")]
     pub efficiency_lowering: Fraction<S>,
 }
 
