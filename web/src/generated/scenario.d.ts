@@ -2648,6 +2648,12 @@ export type Drive =
       linear_servo: LinearServo;
     }
   | {
+      controlled_drive: ControlledDrive;
+    }
+  | {
+      linear_controlled_drive: LinearControlledDrive;
+    }
+  | {
       brake: Brake;
     }
   | {
@@ -2815,6 +2821,222 @@ export type LinearServo = {
    * The same as `force_limit_N`, in the unit of this name.
    */
   force_limit_kN?: number;
+};
+/**
+ * A drive that turns an axis as its set-point says, within its limits: a winch, a slewing gear.
+ */
+export type ControlledDrive = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The revolute joint, or `joint.axis` for an axis that another joint turns about.
+   */
+  joint: string;
+  /**
+   * What it follows. An input, named as the drive, adds to it.
+   */
+  set_point:
+    | {
+        torque: TorqueSetPoint;
+      }
+    | {
+        speed: RateSetPoint;
+      }
+    | {
+        position: AngleSetPoint;
+      };
+  /**
+   * Largest rate of its reference, rad/s.
+   */
+  speed_limit_rad_s?: number;
+  /**
+   * The same as `speed_limit_rad_s`, in the unit of this name.
+   */
+  speed_limit_deg_s?: number;
+  /**
+   * Largest acceleration of its reference, rad/s^2.
+   */
+  acceleration_limit_rad_s2?: number;
+  /**
+   * The same as `acceleration_limit_rad_s2`, in the unit of this name.
+   */
+  acceleration_limit_deg_s2?: number;
+  /**
+   * Largest jerk of its reference, rad/s^3; without it, the acceleration may jump.
+   */
+  jerk_limit_rad_s3?: number | null;
+  /**
+   * The same as `jerk_limit_rad_s3`, in the unit of this name.
+   */
+  jerk_limit_deg_s3?: number | null;
+  /**
+   * Largest torque, N m.
+   */
+  torque_limit_N_m?: number;
+  /**
+   * The same as `torque_limit_N_m`, in the unit of this name.
+   */
+  torque_limit_kN_m?: number;
+  /**
+   * Largest power that it gives, W; braking is limited by its torque alone.
+   */
+  power_limit_W?: number | null;
+  /**
+   * The same as `power_limit_W`, in the unit of this name.
+   */
+  power_limit_kW?: number | null;
+  /**
+   * Torque per angle that it is behind its reference, N m/rad.
+   */
+  stiffness_N_m_per_rad?: number;
+  /**
+   * The same as `stiffness_N_m_per_rad`, in the unit of this name.
+   */
+  stiffness_kN_m_per_rad?: number;
+  /**
+   * Torque per rate that it is behind its reference, N m s/rad.
+   */
+  damping_N_m_s_per_rad?: number;
+  /**
+   * The same as `damping_N_m_s_per_rad`, in the unit of this name.
+   */
+  damping_kN_m_s_per_rad?: number;
+  /**
+   * Time in which its reference comes to a new rate where no limit holds, s.
+   */
+  response_time_s?: number;
+};
+/**
+ * A torque to give.
+ */
+export type TorqueSetPoint = {
+  /**
+   * The torque, N m.
+   */
+  torque_N_m?: number;
+  /**
+   * The same as `torque_N_m`, in the unit of this name.
+   */
+  torque_kN_m?: number;
+};
+/**
+ * A rate to keep.
+ */
+export type RateSetPoint = {
+  /**
+   * The rate, rad/s.
+   */
+  rate_rad_s?: number;
+  /**
+   * The same as `rate_rad_s`, in the unit of this name.
+   */
+  rate_deg_s?: number;
+};
+/**
+ * An angle to go to.
+ */
+export type AngleSetPoint = {
+  /**
+   * The angle, rad.
+   */
+  angle_rad?: number;
+  /**
+   * The same as `angle_rad`, in the unit of this name.
+   */
+  angle_deg?: number;
+};
+/**
+ * A drive that moves an axis as its set-point says, within its limits.
+ */
+export type LinearControlledDrive = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The prismatic joint, or `joint.axis` for an axis that another joint slides along.
+   */
+  joint: string;
+  /**
+   * What it follows. An input, named as the drive, adds to it.
+   */
+  set_point:
+    | {
+        force: ForceSetPoint;
+      }
+    | {
+        speed: SpeedSetPoint;
+      }
+    | {
+        position: ExtensionSetPoint;
+      };
+  /**
+   * Largest speed of its reference, m/s.
+   */
+  speed_limit_m_s: number;
+  /**
+   * Largest acceleration of its reference, m/s^2.
+   */
+  acceleration_limit_m_s2: number;
+  /**
+   * Largest jerk of its reference, m/s^3; without it, the acceleration may jump.
+   */
+  jerk_limit_m_s3?: number | null;
+  /**
+   * Largest force, N.
+   */
+  force_limit_N?: number;
+  /**
+   * The same as `force_limit_N`, in the unit of this name.
+   */
+  force_limit_kN?: number;
+  /**
+   * Largest power that it gives, W; braking is limited by its force alone.
+   */
+  power_limit_W?: number | null;
+  /**
+   * The same as `power_limit_W`, in the unit of this name.
+   */
+  power_limit_kW?: number | null;
+  /**
+   * Force per extension that it is behind its reference, N/m.
+   */
+  stiffness_N_per_m?: number;
+  /**
+   * The same as `stiffness_N_per_m`, in the unit of this name.
+   */
+  stiffness_kN_per_m?: number;
+  /**
+   * Force per speed that it is behind its reference, N s/m.
+   */
+  damping_N_s_per_m?: number;
+  /**
+   * The same as `damping_N_s_per_m`, in the unit of this name.
+   */
+  damping_kN_s_per_m?: number;
+  /**
+   * Time in which its reference comes to a new speed where no limit holds, s.
+   */
+  response_time_s?: number;
+};
+/**
+ * A force to give.
+ */
+export type ForceSetPoint = {
+  /**
+   * The force, N.
+   */
+  force_N?: number;
+  /**
+   * The same as `force_N`, in the unit of this name.
+   */
+  force_kN?: number;
 };
 /**
  * Dry friction about an axis, `torque rate / sqrt(rate^2 + smoothing^2)` when set.
@@ -3951,6 +4173,24 @@ export interface Pulse {
    * Time at full strength the other way, s; 0 is a pulse that does not reverse.
    */
   reverse_s?: number;
+}
+/**
+ * A speed to keep.
+ */
+export interface SpeedSetPoint {
+  /**
+   * The speed, m/s.
+   */
+  speed_m_s?: number;
+}
+/**
+ * An extension to go to.
+ */
+export interface ExtensionSetPoint {
+  /**
+   * The extension, m.
+   */
+  extension_m?: number;
 }
 /**
  * Pin on one body.

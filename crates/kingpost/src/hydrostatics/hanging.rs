@@ -1,8 +1,8 @@
 //! Loads that hang freely, on a joint or a line: to the ship their weight acts where they hang from.
 
 use crate::dynamics::Kinematics;
-use crate::elements::drives::{Brake, Cylinder, Motor, PrescribedMotion, Servo, WaveMotion};
-use crate::elements::{CatenaryLine, Hull, JointSpring, SpringLine, of_kind};
+use crate::elements::drives::{Brake, ControlledDrive, Cylinder, Motor, PrescribedMotion, Servo, WaveMotion};
+use crate::elements::{CatenaryLine, Hull, JointSpring, Rope, SpringLine, of_kind};
 use crate::model::{Attachment, JointKind, Mode, Model};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
@@ -14,8 +14,9 @@ use serde::Serialize;
 /// is free, and no spring, brake, servo or motor acts on that; and where no closed loop, cylinder or
 /// spring line is tied to what it carries, and it has no hull of its own.
 ///
-/// Spring lines count where they end in one point of the ship and carry a body that floats by its joint, and nothing else
-/// holds that: no water, loop, cylinder or other line.
+/// Spring lines and ropes count where they end in one point of the ship, or are legs of one rope, and carry a body that
+/// floats by its joint, and nothing else holds that: no water, loop, cylinder or other line. Legs of one rope carry the same,
+/// so that their load hangs from the middle of their ends; where one runs over a sheave, its end is the sheave's centre.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HangingLoad {
@@ -37,7 +38,7 @@ pub struct HangingLoad {
 pub(super) struct Restraints {
     coordinates: Vec<usize>,
     bodies: Vec<usize>,
-    /// Spring lines by name.
+    /// Spring lines and the legs of ropes, by name.
     lines: Vec<(String, [Attachment; 2])>,
     /// What loops, cylinders and mooring lines are tied to.
     tied: Vec<usize>,
@@ -51,14 +52,19 @@ impl Restraints {
         let by_springs = of_kind(elements).map(|spring: &JointSpring| spring.coordinate);
         let by_motors = of_kind(elements).map(|motor: &Motor| motor.coordinate);
         let by_servos = of_kind(elements).map(|servo: &Servo| servo.coordinate);
+        let by_controlled = of_kind(elements).map(|drive: &ControlledDrive| drive.coordinate);
         let by_brakes = of_kind(elements).map(|brake: &Brake| brake.friction.coordinate);
         let prescribed = of_kind(elements).map(|motion: &PrescribedMotion| motion.coordinate);
         let with_waves = of_kind(elements).flat_map(WaveMotion::<f64>::coordinates);
-        let driven = by_motors.chain(by_servos).chain(by_brakes).chain(prescribed).chain(with_waves);
+        let driven =
+            by_motors.chain(by_servos).chain(by_controlled).chain(by_brakes).chain(prescribed).chain(with_waves);
         let loops = setup.model.loops.iter().map(|closed| [&closed.first, &closed.second]);
         let cylinders = of_kind(elements).map(|cylinder: &Cylinder| [&cylinder.first, &cylinder.second]);
         let lines = of_kind(elements).map(|line: &SpringLine| (line.name.clone(), [line.first, line.second]));
-        let lines: Vec<(String, [Attachment; 2])> = lines.collect();
+        let legs = of_kind(elements).flat_map(|rope: &Rope| {
+            rope.path.stations().windows(2).map(|ends| (rope.name.clone(), [ends[0].centre, ends[1].centre]))
+        });
+        let lines: Vec<(String, [Attachment; 2])> = lines.chain(legs).collect();
         let moored = of_kind(elements).filter_map(|line: &CatenaryLine| line.fairlead.body);
         let ends = loops.chain(cylinders).flatten().filter_map(|end: &Attachment| end.body);
         let tied: Vec<usize> = ends.chain(moored).collect();
@@ -121,10 +127,13 @@ pub(super) fn on_lines(model: &Model, at: &Kinematics, hull: usize, restraints: 
             let from_ship = |end: &Attachment| end.body.is_some_and(|body| ship.contains(&body));
             let (line, end) = outside.first()?;
             let first = point(end)?;
-            let together =
-                |end: &Attachment| from_ship(end) && point(end).is_some_and(|p| (p - first).norm() < ONE_POINT_M);
-            let all = outside.iter().all(|(_, end)| together(end));
-            all.then(|| OnLine { line: (*line).clone(), bodies, point: first })
+            let together = |name: &String, end: &Attachment| {
+                from_ship(end) && (name == *line || point(end).is_some_and(|p| (p - first).norm() < ONE_POINT_M))
+            };
+            let all = outside.iter().all(|(name, end)| together(name, end));
+            let sum = outside.iter().filter_map(|(_, end)| point(end)).fold(Vector3::zero(), |sum, end| sum + end);
+            let point = sum * (1.0 / outside.len() as f64);
+            all.then(|| OnLine { line: (*line).clone(), bodies, point })
         })
         .collect()
 }

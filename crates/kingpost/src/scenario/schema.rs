@@ -4,6 +4,7 @@
 
 mod axes;
 mod bodies;
+mod controlled_drives;
 mod cylinder;
 mod drives;
 mod dynamic_positioning;
@@ -43,6 +44,10 @@ pub use axes::{
 pub use bodies::{
     Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
     SphereShape,
+};
+pub use controlled_drives::{
+    AngleSetPoint, AngleSetPoints, ControlledDrive, ExtensionSetPoint, ForceSetPoint, LengthSetPoints,
+    LinearControlledDrive, RateSetPoint, SpeedSetPoint, TorqueSetPoint,
 };
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
 pub use drives::{Brake, BrakeState, Drive, History, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};

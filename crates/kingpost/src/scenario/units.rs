@@ -27,9 +27,12 @@ const fn alias(ending: &'static str, si: &'static str, factor: f64) -> UnitAlias
 const DEGREE: f64 = PI / 180.0;
 
 /// Every unit alias. No ending is the end of another.
-pub const UNIT_ALIASES: [UnitAlias; 13] = [
+pub const UNIT_ALIASES: [UnitAlias; 16] = [
     alias("_deg", "_rad", DEGREE),
     alias("_deg_s", "_rad_s", DEGREE),
+    alias("_deg_s2", "_rad_s2", DEGREE),
+    alias("_deg_s3", "_rad_s3", DEGREE),
+    alias("_kW", "_W", 1000.0),
     alias("_t", "_kg", 1000.0),
     alias("_t_m2", "_kg_m2", 1000.0),
     alias("_kN", "_N", 1000.0),
@@ -44,7 +47,7 @@ pub const UNIT_ALIASES: [UnitAlias; 13] = [
 ];
 
 /// How names of quantities in SI units end, and the unit that each ending stands for.
-const SI_ENDINGS: [(&str, &str); 28] = [
+const SI_ENDINGS: [(&str, &str); 32] = [
     ("_s", "s"),
     ("_m", "m"),
     ("_rad", "rad"),
@@ -56,7 +59,11 @@ const SI_ENDINGS: [(&str, &str); 28] = [
     ("_m4", "m^4"),
     ("_m_s", "m/s"),
     ("_m_s2", "m/s^2"),
+    ("_m_s3", "m/s^3"),
     ("_rad_s", "rad/s"),
+    ("_rad_s2", "rad/s^2"),
+    ("_rad_s3", "rad/s^3"),
+    ("_W", "W"),
     ("_rad_per_m", "rad/m"),
     ("_s_per_m", "s/m"),
     ("_s_per_rad", "s/rad"),

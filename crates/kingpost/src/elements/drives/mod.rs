@@ -1,6 +1,7 @@
 //! What makes joints move, one file each.
 
 mod brake;
+mod controlled_drive;
 mod cylinder;
 mod motor;
 mod prescribed;
@@ -9,6 +10,7 @@ mod servo;
 mod wave_motion;
 
 pub use brake::Brake;
+pub use controlled_drive::{ControlledDrive, DriveLimits, SetPoint};
 pub use cylinder::{Aim, Cylinder};
 pub use motor::Motor;
 pub use prescribed::PrescribedMotion;

@@ -5,7 +5,7 @@ use super::axes::axes;
 use super::bodies::joint_name;
 use super::{FieldError, cylinders, histories, known, sensors, wave_motion};
 use crate::dynamics::Clock;
-use crate::elements::drives::{Brake, Motor, Profile, Servo};
+use crate::elements::drives::{Brake, ControlledDrive, DriveLimits, Motor, Profile, Servo, SetPoint};
 use crate::elements::{AnyElement, CoulombFriction, Input};
 use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
@@ -31,7 +31,7 @@ pub fn build<S: Quantity>(
         known(&format!("{}.joint", parts.field), parts.joint, allowed.iter().map(String::as_str))?;
         let profile = match parts.law {
             Law::Motor { history, pulse, list, .. } => histories::of_motor(&parts.field, history, pulse, list)?,
-            Law::Servo { .. } | Law::Brake { .. } => Profile::constant(),
+            Law::Servo { .. } | Law::Brake { .. } | Law::Controlled { .. } => Profile::constant(),
         };
         let Some(coordinate) = model.coordinate(parts.joint).filter(|_| parts.enabled) else { continue };
         let Some((_, position)) = model.axis_coordinate(coordinate) else { continue };
@@ -44,6 +44,21 @@ pub fn build<S: Quantity>(
             Law::Servo { numbers: [target, stiffness, damping, limit] } => {
                 let offset = offset(scenario, name, parts.motion);
                 Box::new(Servo { position, coordinate, target, stiffness, damping, limit, offset })
+            }
+            Law::Controlled { set_point, value, limits, numbers: [stiffness, damping, response_time] } => {
+                let (name, motion) = (name.to_string(), parts.motion);
+                Box::new(ControlledDrive {
+                    name,
+                    position,
+                    coordinate,
+                    motion,
+                    set_point,
+                    value,
+                    limits,
+                    stiffness,
+                    damping,
+                    response_time,
+                })
             }
             Law::Brake { state: BrakeState::Released, .. } => continue,
             Law::Brake { numbers: [friction, smoothing], state } => {
@@ -106,6 +121,13 @@ enum Law<'a, S> {
     Servo {
         numbers: [S; 4],
     },
+    /// Stiffness, damping, time of response.
+    Controlled {
+        set_point: SetPoint,
+        value: S,
+        limits: DriveLimits<S>,
+        numbers: [S; 3],
+    },
     /// Capacity, smoothing speed.
     Brake {
         numbers: [S; 2],
@@ -135,6 +157,40 @@ impl<'a, S: Quantity> Parts<'a, S> {
                 let (stiffness, damping) = (d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get());
                 let numbers = [d.target_m, stiffness, damping, d.force_limit_n.get()];
                 ("linear_servo", d.enabled, &d.joint, Translation, Law::Servo { numbers })
+            }
+            schema::Drive::ControlledDrive(d) => {
+                let (set_point, value) = match d.set_point {
+                    schema::AngleSetPoints::Torque(given) => (SetPoint::Effort, given.torque_n_m),
+                    schema::AngleSetPoints::Speed(given) => (SetPoint::Speed, given.rate_rad_s),
+                    schema::AngleSetPoints::Position(given) => (SetPoint::Position, given.angle_rad),
+                };
+                let limits = DriveLimits {
+                    speed: d.speed_limit_rad_s.get(),
+                    acceleration: d.acceleration_limit_rad_s2.get(),
+                    jerk: d.jerk_limit_rad_s3.map(|limit| limit.get()),
+                    effort: d.torque_limit_n_m.get(),
+                    power: d.power_limit_w.map(|limit| limit.get()),
+                };
+                let numbers = [d.stiffness_n_m_per_rad.get(), d.damping_n_m_s_per_rad.get(), d.response_time_s.get()];
+                let law = Law::Controlled { set_point, value, limits, numbers };
+                ("controlled_drive", d.enabled, &d.joint, Rotation, law)
+            }
+            schema::Drive::LinearControlledDrive(d) => {
+                let (set_point, value) = match d.set_point {
+                    schema::LengthSetPoints::Force(given) => (SetPoint::Effort, given.force_n),
+                    schema::LengthSetPoints::Speed(given) => (SetPoint::Speed, given.speed_m_s),
+                    schema::LengthSetPoints::Position(given) => (SetPoint::Position, given.extension_m),
+                };
+                let limits = DriveLimits {
+                    speed: d.speed_limit_m_s.get(),
+                    acceleration: d.acceleration_limit_m_s2.get(),
+                    jerk: d.jerk_limit_m_s3.map(|limit| limit.get()),
+                    effort: d.force_limit_n.get(),
+                    power: d.power_limit_w.map(|limit| limit.get()),
+                };
+                let numbers = [d.stiffness_n_per_m.get(), d.damping_n_s_per_m.get(), d.response_time_s.get()];
+                let law = Law::Controlled { set_point, value, limits, numbers };
+                ("linear_controlled_drive", d.enabled, &d.joint, Translation, law)
             }
             schema::Drive::Brake(d) => {
                 let numbers = [d.torque_n_m.get(), d.smoothing_rad_s.get()];

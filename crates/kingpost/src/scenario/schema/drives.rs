@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::axes::slow;
 use super::histories::HistoryList;
-use super::{CoordinateName, Cylinder, NonNegative, Positive, yes};
+use super::{ControlledDrive, CoordinateName, Cylinder, LinearControlledDrive, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
 /// What acts between two bodies, mostly in the joint that connects them.
@@ -24,6 +24,10 @@ pub enum Drive<S = f64> {
     Servo(Servo<S>),
     /// A spring and damper with a force limit that moves an axis to a target.
     LinearServo(LinearServo<S>),
+    /// A drive that turns an axis as its set-point says, within its limits.
+    ControlledDrive(Box<ControlledDrive<S>>),
+    /// A drive that moves an axis as its set-point says, within its limits.
+    LinearControlledDrive(Box<LinearControlledDrive<S>>),
     /// Dry friction about an axis, set and released.
     Brake(Brake<S>),
     /// Dry friction along an axis, set and released.

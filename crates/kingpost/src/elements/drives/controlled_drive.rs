@@ -1,0 +1,246 @@
+//! A drive that follows a set-point within its limits: a winch, a slewing gear, a luffing drive.
+
+use crate::dynamics::Loads;
+use crate::elements::{Declaration, Element, Input, Kept, Moment, Output, Own, Situation};
+use crate::model::AxisMotion;
+use crate::scalar::Scalar;
+
+/// A reference that moves to the set-point within limits of speed, acceleration and jerk, and an effort that follows it:
+///
+/// ```text
+/// x_r' = v_r - (tau_free - tau) / c,    v_r' = a_r
+/// a_t  = (v_t - v_r) / T,               within +-a_max
+/// a_r  = a_t,  or with a limit of jerk  a_r' = 4 (a_t - a_r) / T,  within +-j_max
+/// tau_free = k (x_r - q) + c (v_r - v),   tau within +-tau_max, and where it drives within P_max / |v|
+/// ```
+///
+/// The speed wanted is the set-point, within +-v_max; of a position x it is `v_t = a T (sqrt(1 + 2 |e| / (a T^2)) - 1)` towards it,
+/// with e = x - x_r and a = a_max / 2: from there it stops in time. Where the effort is at its limit the reference gives way with
+/// the load, so that the drive does not catch up afterwards (back-calculation: Astrom & Hagglund, *Advanced PID
+/// Control*, 2006, sec. 3.5).
+#[derive(Clone, Debug)]
+pub struct ControlledDrive<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// Index in q.
+    pub position: usize,
+    /// Index in v.
+    pub coordinate: usize,
+    /// Whether it turns or slides.
+    pub motion: AxisMotion,
+    /// What it follows.
+    pub set_point: SetPoint,
+    /// The set-point, to which the input is added: N m or N, rad/s or m/s, rad or m.
+    pub value: S,
+    /// What it may do.
+    pub limits: DriveLimits<S>,
+    /// k, N m/rad or N/m.
+    pub stiffness: S,
+    /// c, N m s/rad or N s/m; above 0.
+    pub damping: S,
+    /// T, s.
+    pub response_time: S,
+}
+
+/// What a drive follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SetPoint {
+    /// A torque or a force, at once.
+    Effort,
+    /// A speed.
+    Speed,
+    /// A position.
+    Position,
+}
+
+/// Limits of a drive, in rad and N m or in m and N.
+#[derive(Clone, Copy, Debug)]
+pub struct DriveLimits<S = f64> {
+    /// v_max.
+    pub speed: S,
+    /// a_max.
+    pub acceleration: S,
+    /// j_max.
+    pub jerk: Option<S>,
+    /// tau_max.
+    pub effort: S,
+    /// P_max, W.
+    pub power: Option<S>,
+}
+
+/// States: the reference.
+const POSITION: usize = 0;
+const SPEED: usize = 1;
+const ACCELERATION: usize = 2;
+
+/// The effort of a drive, and what it would be without limits.
+struct Effort<S> {
+    free: S,
+    given: S,
+    /// The limit that holds here.
+    limit: S,
+}
+
+impl<S: Scalar> Element<S> for ControlledDrive<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let [position, speed, acceleration, effort] = match self.motion {
+            AxisMotion::Rotation => ["rad", "rad/s", "rad/s^2", "N m"],
+            AxisMotion::Translation => ["m", "m/s", "m/s^2", "N"],
+        };
+        let reference = [("position", position), ("speed", speed), ("acceleration", acceleration)];
+        let (unit, farthest) = match self.set_point {
+            SetPoint::Effort => (effort, self.limits.effort.value()),
+            SetPoint::Speed => (speed, self.limits.speed.value()),
+            SetPoint::Position => (position, FARTHEST),
+        };
+        let input =
+            Input { name: self.name.clone(), unit, lower: -farthest, upper: farthest, value: 0.0, signal: None };
+        let states = reference[..self.state_count()].iter().map(|(name, unit)| Kept::new(*name, unit));
+        Declaration {
+            states: states.collect(),
+            inputs: vec![input],
+            outputs: self.shown(),
+            keeps_states: true,
+            ..Declaration::default()
+        }
+    }
+
+    /// The reference begins where the drive stands, at the rate that it has.
+    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        if let [position, speed, ..] = own.states {
+            (*position, *speed) = (at.q[self.position], at.v[self.coordinate]);
+        }
+    }
+
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let effort = self.effort(at).given;
+        loads.force[self.coordinate] += effort;
+        loads.power.drives += effort * at.v[self.coordinate];
+    }
+
+    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+        let effort = self.effort(at);
+        let wanted = self.wanted_acceleration(at);
+        match (rates, at.states) {
+            ([of_position, of_speed], [_, speed]) => {
+                *of_position = *speed - (effort.free - effort.given) / self.damping;
+                *of_speed = wanted;
+            }
+            ([of_position, of_speed, of_acceleration], [_, speed, acceleration]) => {
+                *of_position = *speed - (effort.free - effort.given) / self.damping;
+                *of_speed = *acceleration;
+                let jerk = (wanted - *acceleration) * (S::constant(4.0) / self.reaction());
+                *of_acceleration = self.limits.jerk.map_or(jerk, |limit| jerk.clipped(-limit, limit));
+            }
+            _ => {}
+        }
+    }
+
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        let (effort, rate) = (self.effort(at), at.v[self.coordinate]);
+        let power = effort.given * rate;
+        let size = |x: S| x.select_below(0.0, || -x, || x);
+        let reference = at.states.get(SPEED).copied().unwrap_or(rate);
+        let [used, running, driving] = [effort.given / effort.limit, reference / self.limits.speed, power].map(size);
+        let driving = self.limits.power.map_or(S::ZERO, |limit| driving / limit);
+        out.extend([effort.given, reference, power, used, running, driving]);
+    }
+}
+
+/// Of a position's offset, rad or m.
+const FARTHEST: f64 = 1e6;
+
+impl<S: Scalar> ControlledDrive<S> {
+    fn state_count(&self) -> usize {
+        match (self.set_point, self.limits.jerk) {
+            (SetPoint::Effort, _) => 0,
+            (_, None) => ACCELERATION,
+            (_, Some(_)) => ACCELERATION + 1,
+        }
+    }
+
+    fn shown(&self) -> Vec<Output> {
+        let number = |variable, description, unit| Output::number(variable, description, "drive", &self.name, unit);
+        let [effort, reference] = match self.motion {
+            AxisMotion::Rotation => [
+                number("drive_torque", "torque of a drive", &["N m"]),
+                number("drive_reference_rate", "rate of the reference that a drive follows", &["rad/s"]),
+            ],
+            AxisMotion::Translation => [
+                number("drive_force", "force of a drive", &["N"]),
+                number("drive_reference_speed", "speed of the reference that a drive follows", &["m/s"]),
+            ],
+        };
+        vec![
+            effort,
+            reference,
+            number("drive_power", "power that a drive gives; negative: takes", &["W"]),
+            number("drive_effort_utilisation", "torque or force of a drive over its limit", &["1"]),
+            number("drive_speed_utilisation", "speed of a drive's reference over its limit", &["1"]),
+            number("drive_power_utilisation", "power of a drive over its limit; 0 where it has none", &["1"]),
+        ]
+    }
+
+    /// The set-point with what a hand or a controller adds to it.
+    fn target(&self, at: &Moment<'_, S>) -> S {
+        at.inputs.first().map_or(self.value, |offset| self.value + *offset)
+    }
+
+    fn effort(&self, at: &Moment<'_, S>) -> Effort<S> {
+        let (q, v) = (at.q[self.position], at.v[self.coordinate]);
+        let free = match at.states {
+            // While an equilibrium is sought, the drive holds where it is told to.
+            [position, ..] if at.situation != Situation::Running => self.stiffness * (*position - q) - self.damping * v,
+            [position, speed, ..] => self.stiffness * (*position - q) + self.damping * (*speed - v),
+            _ => self.target(at),
+        };
+        let limit = self.limits.effort;
+        let drives = free * v;
+        // Beyond P / tau_max the speed bounds the effort that drives; what brakes is bounded by tau_max alone.
+        let limit = self.limits.power.map_or(limit, |power| {
+            let speed = v.select_below(0.0, || -v, || v);
+            let knee = power / limit;
+            drives.select_below(
+                0.0,
+                || limit,
+                || speed.select_less(knee, || limit, || power / knee.select_less(speed, || speed, || knee)),
+            )
+        });
+        Effort { free, given: free.clipped(-limit, limit), limit }
+    }
+
+    /// T; with a limit of jerk not shorter than the reference needs to come to a new speed without overshoot.
+    fn reaction(&self) -> S {
+        let time = self.response_time;
+        self.limits.jerk.map_or(time, |jerk| {
+            let least = self.limits.acceleration / jerk;
+            time.select_less(least, || least, || time)
+        })
+    }
+
+    /// a_t.
+    fn wanted_acceleration(&self, at: &Moment<'_, S>) -> S {
+        let [position, speed] = [POSITION, SPEED].map(|i| at.states.get(i).copied().unwrap_or(S::ZERO));
+        let (limits, time) = (&self.limits, self.reaction());
+        let wanted = match self.set_point {
+            SetPoint::Position => self.approach(self.target(at) - position, time),
+            _ => self.target(at),
+        };
+        let wanted = wanted.clipped(-limits.speed, limits.speed);
+        ((wanted - speed) * (S::ONE / time)).clipped(-limits.acceleration, limits.acceleration)
+    }
+
+    /// The speed towards a position that is so far away: in proportion to a short way, and such that half of the
+    /// acceleration stops in time on a long one.
+    fn approach(&self, way: S, time: S) -> S {
+        let slow = S::constant(4.0) * time;
+        let braking = self.limits.acceleration * S::constant(0.5);
+        let size = way.select_below(0.0, || -way, || way);
+        let speed = braking * slow * ((S::ONE + (size + size) / (braking * slow * slow)).sqrt() - S::ONE);
+        way.select_below(0.0, || -speed, || speed)
+    }
+}
