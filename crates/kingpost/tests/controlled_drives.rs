@@ -146,3 +146,17 @@ drives:
     let scale = values(&mut hoisting, "work_by_drives")[0];
     assert!(values(&mut hoisting, "energy_error")[0].abs() < 1e-9 * scale);
 }
+
+/// At rest a drive holds its joint where the scenario puts it, and a run begins with what that takes.
+#[test]
+fn a_run_from_equilibrium_begins_with_the_effort_that_holds_the_load() {
+    let text = lift("speed: {}", STRONG).replace("duration_s: 60", "duration_s: 60, begin_at_equilibrium: true");
+    let mut held = simulation(&text);
+    assert!((values(&mut held, "drive_force")[0] - 1000.0 * GRAVITY).abs() < 1e-6);
+    held.step(500).expect("it holds");
+    assert!(held.state().q[0].abs() < 1e-9 && held.state().v[0].abs() < 1e-9);
+    let weak = text.replace("force_limit_kN: 50", "force_limit_kN: 9");
+    let error =
+        kingpost::scenario::read(&weak, "lift.yaml", &[]).and_then(|read| read.setup()).unwrap_err().to_string();
+    assert!(error.contains("hoist"), "{error}");
+}

@@ -300,3 +300,47 @@ forces:
     assert!(fixed.abs() > 0.05, "{fixed}");
     assert!((hanging - fixed).abs() < 1e-6 * fixed.abs(), "{hanging} {fixed}");
 }
+
+/// The largest tension in the rope of a load of 50 t under a hook block of 0.5 t that are stopped from 0.5 m/s; rope and sling
+/// have 1e8 N/m each.
+fn stiff_stop(settings: &str, steps: usize) -> f64 {
+    let text = format!(
+        "version: 1
+title: A stiff rope
+simulation: {{{settings}, duration_s: 1}}
+bodies:
+  block:
+    mass_kg: 500
+    shape: {{point: {{}}}}
+    joint: {{prismatic: {{name: block, axis: [0, 0, 1], position_m: [0, 0, -10], initial_speed_m_s: -0.5}}}}
+  load:
+    mass_kg: 50000
+    shape: {{point: {{}}}}
+    joint: {{prismatic: {{name: load, axis: [0, 0, 1], position_m: [0, 0, -20], initial_speed_m_s: -0.5}}}}
+forces:
+  gravity: {{gravity: {{acceleration_m_s2: {GRAVITY}}}}}
+  fall:
+    rope: {{path: [{{point: {{body: world}}}}, {{point: {{body: block}}}}], axial_stiffness_N: 1e9, damping_time_s: 0.001}}
+  sling:
+    rope: {{path: [{{point: {{body: block}}}}, {{point: {{body: load}}}}], axial_stiffness_N: 1e9, damping_time_s: 0.001}}
+"
+    );
+    let mut stopping = simulation(&text);
+    (0..steps).fold(0.0_f64, |most, _| {
+        stopping.step(1).expect("a stop");
+        most.max(values(&mut stopping, "rope_tension")[0])
+    })
+}
+
+/// The block alone has a period of 10 ms, a step here; the load's is 0.2 s, and its peak falls between two steps: 1 - cos(pi / 20)
+/// is 1.2 % of what the tension swings by.
+#[test]
+fn a_stiff_rope_over_a_light_hook_block_runs_at_10_ms_by_implicit_schemes() {
+    let exact = stiff_stop("step_s: 0.00005, integrator: rk4", 20_000);
+    for scheme in ["generalized_alpha", "implicit_midpoint", "newmark"] {
+        let found = stiff_stop(&format!("step_s: 0.01, integrator: {scheme}"), 100);
+        assert!((found / exact - 1.0).abs() < 0.01, "{scheme}: {found} N of {exact} N");
+        let finer = stiff_stop(&format!("step_s: 0.005, integrator: {scheme}"), 200);
+        assert!((finer / exact - 1.0).abs() < 0.001, "{scheme}: {finer} N of {exact} N");
+    }
+}

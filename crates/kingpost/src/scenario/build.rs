@@ -88,7 +88,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let mut elements = forces(scenario, &model, &world, (&q, &v))?;
     elements.extend(in_joints);
     elements.extend(in_water);
-    elements.extend(drives::build(scenario, &model, &world, &mut v)?);
+    elements.extend(drives::build(scenario, &model, &world, (&q, &mut v))?);
     elements.extend(sensors::build(scenario, &model)?);
     let wires = sensors::wires(scenario, &elements)?;
     for motion in of_kind::<S, WaveMotion<S>>(&elements) {

@@ -1,7 +1,7 @@
 //! A drive that follows a set-point within its limits: a winch, a slewing gear, a luffing drive.
 
 use crate::dynamics::Loads;
-use crate::elements::{Declaration, Element, Input, Kept, Moment, Output, Own, Situation};
+use crate::elements::{Declaration, Element, Input, Kept, Moment, Output, Own, Settling, Situation};
 use crate::model::AxisMotion;
 use crate::scalar::Scalar;
 
@@ -40,6 +40,10 @@ pub struct ControlledDrive<S = f64> {
     pub damping: S,
     /// T, s.
     pub response_time: S,
+    /// The coordinate where the scenario puts it: there the drive holds it while an equilibrium is sought.
+    pub start: S,
+    /// The effort that holds it there: a run begins with it.
+    pub hold: [S; 1],
 }
 
 /// What a drive follows.
@@ -100,19 +104,13 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         let input =
             Input { name: self.name.clone(), unit, lower: -farthest, upper: farthest, value: 0.0, signal: None };
         let states = reference[..self.state_count()].iter().map(|(name, unit)| Kept::new(*name, unit));
-        Declaration {
-            states: states.collect(),
-            inputs: vec![input],
-            outputs: self.shown(),
-            keeps_states: true,
-            ..Declaration::default()
-        }
+        Declaration { states: states.collect(), inputs: vec![input], outputs: self.shown(), ..Declaration::default() }
     }
 
-    /// The reference begins where the drive stands, at the rate that it has.
+    /// The reference begins ahead of the coordinate by what holds that, at the rate that it has.
     fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
         if let [position, speed, ..] = own.states {
-            (*position, *speed) = (at.q[self.position], at.v[self.coordinate]);
+            (*position, *speed) = (at.q[self.position] + self.hold[0] / self.stiffness, at.v[self.coordinate]);
         }
     }
 
@@ -140,6 +138,14 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         }
     }
 
+    fn settling(&self) -> Option<&dyn Settling<S>> {
+        (self.set_point != SetPoint::Effort).then_some(self)
+    }
+
+    fn settling_mut(&mut self) -> Option<&mut dyn Settling<S>> {
+        if self.set_point == SetPoint::Effort { None } else { Some(self) }
+    }
+
     fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let (effort, rate) = (self.effort(at), at.v[self.coordinate]);
         let power = effort.given * rate;
@@ -148,6 +154,27 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         let [used, running, driving] = [effort.given / effort.limit, reference / self.limits.speed, power].map(size);
         let driving = self.limits.power.map_or(S::ZERO, |limit| driving / limit);
         out.extend([effort.given, reference, power, used, running, driving]);
+    }
+}
+
+impl<S: Scalar> Settling<S> for ControlledDrive<S> {
+    fn trim(&self) -> &[S] {
+        &self.hold
+    }
+
+    fn set_trim(&mut self, trim: &[S]) {
+        self.hold.copy_from_slice(trim);
+    }
+
+    fn take_over(&mut self, at: &Moment<'_, S>) -> S {
+        let off = at.q[self.position] - self.start;
+        self.hold[0] += -(self.stiffness * off);
+        off.select_below(0.0, || -off, || off)
+    }
+
+    fn utilisation(&self, _at: &Moment<'_, S>) -> S {
+        let [hold] = self.hold;
+        hold.select_below(0.0, || -hold, || hold) / self.limits.effort
     }
 }
 
@@ -193,10 +220,11 @@ impl<S: Scalar> ControlledDrive<S> {
     fn effort(&self, at: &Moment<'_, S>) -> Effort<S> {
         let (q, v) = (at.q[self.position], at.v[self.coordinate]);
         let free = match at.states {
-            // While an equilibrium is sought, the drive holds where it is told to.
-            [position, ..] if at.situation != Situation::Running => self.stiffness * (*position - q) - self.damping * v,
-            [position, speed, ..] => self.stiffness * (*position - q) + self.damping * (*speed - v),
-            _ => self.target(at),
+            _ if self.set_point == SetPoint::Effort => self.target(at),
+            [position, speed, ..] if at.situation != Situation::Settling => {
+                self.stiffness * (*position - q) + self.damping * (*speed - v)
+            }
+            _ => return self.holding(q),
         };
         let limit = self.limits.effort;
         let drives = free * v;
@@ -211,6 +239,12 @@ impl<S: Scalar> ControlledDrive<S> {
             )
         });
         Effort { free, given: free.clipped(-limit, limit), limit }
+    }
+
+    /// The effort while an equilibrium is sought, without limits.
+    fn holding(&self, q: S) -> Effort<S> {
+        let effort = self.hold[0] + self.stiffness * (self.start - q);
+        Effort { free: effort, given: effort, limit: self.limits.effort }
     }
 
     /// T; with a limit of jerk not shorter than the reference needs to come to a new speed without overshoot.

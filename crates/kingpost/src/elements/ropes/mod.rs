@@ -75,8 +75,15 @@ struct Stretched<S> {
     range_left: S,
 }
 
-/// Mode: whether the rope has parted.
-const PARTED: usize = 0;
+/// The one mode: how the rope is, which events change, so that no step mixes two laws. Runs side by side that begin
+/// differently go by their stretch until the first event of one. A rope whose damper takes all of its pull goes slack while it
+/// is still longer; what the spring has left is heat.
+const BY_STRETCH: i64 = 0;
+const TAUT: i64 = 1;
+const SLACK: i64 = 2;
+const PARTED: i64 = 3;
+/// How far a taut rope may be short of its length before it goes slack, m: rounding.
+const ROUNDING_M: f64 = 1e-10;
 /// Events, in the order of [`Rope::declare`].
 const EVENTS: [Event; 5] = [
     Event { what: "goes slack", crossing: Crossing::Falling },
@@ -85,6 +92,8 @@ const EVENTS: [Event; 5] = [
     Event { what: "turns about a sheave by more than 265 or less than -85 degrees", crossing: Crossing::Falling },
     Event { what: "parts", crossing: Crossing::Rising },
 ];
+const GOES_SLACK: usize = 0;
+const COMES_TAUT: usize = 1;
 const HAULED_IN: usize = 2;
 const OUT_OF_RANGE: usize = 3;
 const PARTS: usize = 4;
@@ -102,7 +111,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         let number = |variable, description, unit| Output::number(variable, description, "rope", &self.name, unit);
         let points = 2 * (self.path.stations().len() - 2) + POINTS_OF_LAST_LEG;
         Declaration {
-            modes: vec!["parted".to_owned()],
+            modes: vec!["condition".to_owned()],
             outputs: vec![
                 number("rope_tension", "tension of a rope at its last end", &["N"]),
                 number("rope_first_tension", "tension of a rope at its first end, or its drum", &["N"]),
@@ -118,6 +127,15 @@ impl<S: Scalar> Element<S> for Rope<S> {
             events: EVENTS[..if self.breaking_load.is_some() { PARTS + 1 } else { PARTS }].to_vec(),
             ..Declaration::default()
         }
+    }
+
+    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        let pull = self.stretched(at).pull_length(self.damping_time);
+        own.modes[0] = match (pull.all(|pull| pull >= 0.0), pull.all(|pull| pull < 0.0)) {
+            (true, _) => TAUT,
+            (_, true) => SLACK,
+            _ => BY_STRETCH,
+        };
     }
 
     /// Adds the pulls at all stations, the torque on the drum, and the heat.
@@ -147,20 +165,26 @@ impl<S: Scalar> Element<S> for Rope<S> {
 
     fn witness(&mut self, event: usize, at: &Moment<'_, S>) -> S {
         let now = self.stretched(at);
+        let (mode, pull) = (condition(at), now.pull_length(self.damping_time));
         match (event, self.breaking_load) {
+            (GOES_SLACK, _) if mode == TAUT => pull + S::constant(ROUNDING_M),
+            (GOES_SLACK | COMES_TAUT, _) if mode == BY_STRETCH => pull,
+            (GOES_SLACK, _) => S::ONE,
+            (COMES_TAUT, _) if mode == SLACK => pull,
             (HAULED_IN, _) => now.unstretched - self.shortest(),
             (OUT_OF_RANGE, _) => now.range_left,
-            (PARTS, Some(load)) if at.modes[PARTED] == 0 => self.largest(&now) - load,
-            (PARTS, _) => -S::ONE,
-            // The tension is positive where both the spring and spring with damper pull.
-            _ => now.stretch + self.damping_time * now.rate.select_below(0.0, || now.rate, || S::ZERO),
+            (PARTS, Some(load)) if mode != PARTED => self.largest(&now) - load,
+            _ => -S::ONE,
         }
     }
 
     fn respond(&mut self, event: usize, _at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
-        if event == PARTS {
-            own.modes[PARTED] = 1;
-        }
+        own.modes[0] = match event {
+            GOES_SLACK => SLACK,
+            COMES_TAUT => TAUT,
+            PARTS => PARTED,
+            _ => return,
+        };
     }
 
     /// Straight but for the last leg of a slack rope, which sags: of a flat parabola that is longer than its chord d by e the sag is
@@ -194,6 +218,19 @@ impl<S: Scalar> Element<S> for Rope<S> {
     }
 }
 
+/// The mode of a rope in a run; at rest it goes by its stretch.
+fn condition<S>(at: &Moment<'_, S>) -> i64 {
+    let mode = at.modes.first().copied().unwrap_or(BY_STRETCH);
+    if at.situation == Situation::Running { mode } else { BY_STRETCH }
+}
+
+impl<S: Scalar> Stretched<S> {
+    /// Positive where both the spring and the spring with its damper pull, m.
+    fn pull_length(&self, damping_time: S) -> S {
+        self.stretch + damping_time * self.rate.select_below(0.0, || self.rate, || S::ZERO)
+    }
+}
+
 impl<S: Scalar> Rope<S> {
     /// Where a run begins, before an equilibrium is sought: counts the drum's wrap and the rope that it pays out from here.
     /// Returns the length of the path, m.
@@ -220,12 +257,15 @@ impl<S: Scalar> Rope<S> {
         let shortest = self.shortest();
         let elastic_length = unstretched.select_less(shortest, || shortest, || unstretched);
         let stiffness = S::ONE / (elastic_length / self.axial_stiffness + self.series_compliance);
-        let parted = at.modes.get(PARTED).is_some_and(|mode| *mode != 0) && at.situation == Situation::Running;
-        let taut = |force: S| {
-            if parted { S::ZERO } else { stretch.select_below(0.0, || S::ZERO, || force) }
+        let spring = |stretch: S| stiffness * stretch;
+        let pulling = |force: S| force.select_below(0.0, || S::ZERO, || force);
+        let (elastic, pull) = (spring(stretch), spring(stretch + self.damping_time * rate));
+        let where_longer = |force: S| stretch.select_below(0.0, || S::ZERO, || force);
+        let (elastic, tension) = match condition(at) {
+            TAUT => (elastic, pull),
+            SLACK | PARTED => (S::ZERO, S::ZERO),
+            _ => (where_longer(elastic), pulling(where_longer(pull))),
         };
-        let (elastic, pull) = (taut(stiffness * stretch), taut(stiffness * (stretch + self.damping_time * rate)));
-        let tension = pull.select_below(0.0, || S::ZERO, || pull);
         let strain_energy = || elastic * elastic / (self.axial_stiffness + self.axial_stiffness);
         let carried = unstretched.select_less(shortest, || S::ZERO, strain_energy);
         Stretched { unstretched, paid_out, stretch, rate, elastic, tension, carried, range_left }

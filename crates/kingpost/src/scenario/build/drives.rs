@@ -12,12 +12,12 @@ use crate::model::{Mode, Model};
 use crate::scenario::leaf::Quantity;
 use crate::world::World;
 
-/// The drives that are on; gives prescribed joints their initial rate in `v`.
+/// The drives that are on, of a model that starts at `q`; gives prescribed joints their initial rate in `v`.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
     world: &World<S>,
-    v: &mut [S],
+    (q, v): (&[S], &mut [S]),
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut drives: Vec<AnyElement<S>> = Vec::new();
     for (name, drive) in &scenario.drives {
@@ -58,6 +58,8 @@ pub fn build<S: Quantity>(
                     stiffness,
                     damping,
                     response_time,
+                    start: q[position],
+                    hold: [S::ZERO],
                 })
             }
             Law::Brake { state: BrakeState::Released, .. } => continue,

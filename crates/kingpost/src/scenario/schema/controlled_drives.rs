@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{CoordinateName, NonNegative, Positive, yes};
+use super::{CoordinateName, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
 /// A drive that turns an axis as its set-point says, within its limits: a winch, a slewing gear.
@@ -36,7 +36,7 @@ pub struct ControlledDrive<S = f64> {
     pub power_limit_w: Option<Positive<S>>,
     /// Torque per angle that it is behind its reference, N m/rad.
     #[serde(rename = "stiffness_N_m_per_rad")]
-    pub stiffness_n_m_per_rad: NonNegative<S>,
+    pub stiffness_n_m_per_rad: Positive<S>,
     /// Torque per rate that it is behind its reference, N m s/rad.
     #[serde(rename = "damping_N_m_s_per_rad")]
     pub damping_n_m_s_per_rad: Positive<S>,
@@ -135,7 +135,7 @@ pub struct LinearControlledDrive<S = f64> {
     pub power_limit_w: Option<Positive<S>>,
     /// Force per extension that it is behind its reference, N/m.
     #[serde(rename = "stiffness_N_per_m")]
-    pub stiffness_n_per_m: NonNegative<S>,
+    pub stiffness_n_per_m: Positive<S>,
     /// Force per speed that it is behind its reference, N s/m.
     #[serde(rename = "damping_N_s_per_m")]
     pub damping_n_s_per_m: Positive<S>,
