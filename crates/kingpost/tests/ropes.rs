@@ -4,9 +4,6 @@ mod common;
 
 use common::{simulation, values};
 
-/// Free fall, m/s^2.
-const GRAVITY: f64 = 9.80665;
-
 /// A ship, a boom that luffs on a spring, a drum and a load in free space, all turning: the rope goes from the drum over the
 /// boom's tip and the load's sheave, which turns the other way and is out of the plane, back to the boom. Short steps: where an
 /// event is located, the scheme's dense output is of order 4 only.

@@ -89,6 +89,9 @@ fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
     Ok(())
 }
 
+/// The station of a drum and the drum, where its joint is there.
+type OnDrum<S> = Option<(Station<S>, Drum<S>)>;
+
 /// Where a station is read, and its field.
 struct Placing<'a, S> {
     scenario: &'a Scenario<S>,
@@ -130,7 +133,7 @@ impl<S: Quantity> Placing<'_, S> {
     }
 
     /// A drum stands on the body that carries its joint.
-    fn drum(&self, given: &schema::RopeDrum<S>) -> Result<Option<(Station<S>, Drum<S>)>, FieldError> {
+    fn drum(&self, given: &schema::RopeDrum<S>) -> Result<OnDrum<S>, FieldError> {
         let (field, joint) = (format!("{}.joint", self.field), given.joint.as_str());
         let revolute = |(_, body): &(&schema::Name, &schema::Body<S>)| matches!(body.joint, schema::Joint::Revolute(_));
         let joints =
