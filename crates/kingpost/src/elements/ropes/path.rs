@@ -108,10 +108,12 @@ impl<S: Scalar> Path<S> {
         self.drum = Some(Wrap { from, length: angle * drum.radius });
     }
 
-    /// The two legs that touch first, where two sheaves overlap: the numbers of their stations.
-    pub fn overlap(&mut self, at: &Moment<'_, S>) -> Option<usize> {
+    /// The first leg between places that overlap: its number, the distance of the centres and the sum of the radii, m.
+    pub fn overlap(&mut self, at: &Moment<'_, S>) -> Option<(usize, [S; 2])> {
         self.stand(at);
-        self.legs.iter().position(|leg| !leg.sine.all(|sine| sine.abs() < 1.0))
+        let radius = |i: usize| self.stations[i].round.map_or(S::ZERO, |round| round.radius);
+        let mut legs = self.legs.iter().enumerate().map(|(k, leg)| (k, [leg.distance, radius(k) + radius(k + 1)]));
+        legs.find(|(_, [distance, radii])| !(*distance - *radii).all(|apart| apart > 0.0))
     }
 
     /// Length and rate where the bodies are.

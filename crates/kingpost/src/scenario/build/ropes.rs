@@ -174,9 +174,10 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     for rope in of_kind_mut::<S, Rope<S>>(elements) {
         let name = rope.name.clone();
         let field = |rest: &str| format!("forces.{name}.rope.{rest}");
-        if let Some(leg) = rope.path.overlap(&at) {
-            let found = format!("a place that overlaps the one before, {}", leg);
-            return Err(FieldError::new(field(&format!("path.{}", leg + 1)), found, "places apart from each other"));
+        if let Some((leg, [distance, radii])) = rope.path.overlap(&at) {
+            let found = format!("a place {distance:.4} m from the one before it");
+            let allowed = format!("one farther from it than {radii:.4} m, the radii of both");
+            return Err(FieldError::new(field(&format!("path.{}", leg + 1)), found, allowed));
         }
         let length = rope.begin_at(&at);
         if !length.all(|length| length > 0.0) {
