@@ -21,6 +21,7 @@ mod watchers;
 mod water;
 mod wave_motion;
 pub(super) mod waves;
+mod wind_and_current;
 mod world;
 
 pub use super::error::FieldError;
@@ -184,7 +185,7 @@ fn forces<S: Quantity>(
             ForceSchema::SlackTank(given) => forces.extend(tanks::slack(scenario, name, given, model)?),
             ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
             ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
-            ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model)?),
+            ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model, world)?),
             ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
             ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),
             ForceSchema::SoftHold(given) => forces.extend(soft_hold::build(scenario, name, given, model, start)?),
