@@ -1,4 +1,4 @@
-//! What is outside the model and the same for all that acts on it: gravity, the water and its waves, current, wind.
+//! What is outside the model and the same for all that acts on it: gravity, the water and its waves, current, wind and its gusts.
 //!
 //! It is realised once, when a run is built. Elements and views ask it at a place and a time; none keeps a sea, a wind or
 //! a gravity of its own.
