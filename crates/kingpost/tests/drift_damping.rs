@@ -2,10 +2,7 @@
 
 mod common;
 
-#[path = "common/barge.rs"]
-mod barge;
-
-use barge::{GRAVITY, LENGTH};
+use common::barge::{self, GRAVITY, LENGTH};
 use common::values;
 use core::f64::consts::{PI, TAU};
 use kingpost::scenario::{Files, Scenario, ScenarioError, read_with};
