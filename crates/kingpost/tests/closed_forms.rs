@@ -5,7 +5,7 @@ mod common;
 use common::closed_forms::{GRAVITY, Pendulum};
 use kingpost::elements::drives::{Motor, PrescribedMotion, Profile, Pulse, Servo};
 use kingpost::elements::hull::HullFrame;
-use kingpost::elements::{AnyElement, Gravity, JointDamping, ViscousDamping};
+use kingpost::elements::{AnyElement, DampedAgainst, Gravity, JointDamping, ViscousDamping};
 use kingpost::model::joint::{Floating, Prismatic, Revolute};
 use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
 use kingpost::plant::Form;
@@ -117,7 +117,7 @@ fn viscous_damping_lets_a_rate_decay_exponentially() {
     let (linear, angular) = (Vector3::new(0.0, 4.0, 0.0), Vector3::new(0.0, 0.0, 5.0));
     let damped = |start| {
         let place = HullFrame { body: 0, origin: Vector3::zero() };
-        let damping = ViscousDamping { place, linear, angular, matrix: None };
+        let damping = ViscousDamping { place, relative_to: DampedAgainst::Water, linear, angular, matrix: None };
         let damping = Box::new(damping);
         simulation(vec![body("ship", None, floating(), 8.0, [2.0; 3])], vec![damping], vec![], 0.005, start)
     };

@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 25] = [
+const STRUCTURE: [&str; 29] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -214,6 +214,10 @@ const STRUCTURE: [&str; 25] = [
     ".acceleration_m_s2",
     ".motion_reference_unit.period_s",
     ".delay_samples",
+    ".gusts.components",
+    ".gusts.lowest_Hz",
+    ".gusts.highest_Hz",
+    ".table.depths_m.",
 ];
 
 /// Gradients along leaves, those of a chunk in one run; a leaf without one is told by its name.
@@ -302,6 +306,11 @@ fn check(names: &[&'static str], steps: f64) {
 #[test]
 fn every_number_of_every_element_is_each_runs_own_and_has_its_derivative() {
     check(&["every_element.yaml"], 3.0);
+}
+
+#[test]
+fn so_it_is_in_other_winds_and_currents() {
+    check(&["wind_and_current.yaml"], 3.0);
 }
 
 #[test]

@@ -1862,7 +1862,30 @@ export type ElevationRecord = {
   highest_deg_s?: number | null;
 };
 /**
- * The wind: steady, the same everywhere at one height.
+ * The current at given depths, its components linear between them and below the last as there.
+ */
+export type CurrentTable = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Depths under the still water, m, from 0 on, increasing.
+   */
+  depths_m: number[];
+  /**
+   * Speed at each depth, m/s.
+   */
+  speeds_m_s: number[];
+  /**
+   * Direction that the current goes to at each depth, from the world's x axis, counter-clockwise, rad.
+   */
+  directions_rad?: number[];
+  /**
+   * The same as `directions_rad`, in the unit of this name.
+   */
+  directions_deg?: number[];
+};
+/**
+ * The wind: the same everywhere at one height, steady or with gusts.
  */
 export type Wind = {
   [k: string]: unknown;
@@ -1884,7 +1907,7 @@ export type Wind = {
    */
   reference_height_m?: number;
   /**
-   * How the speed goes with the height.
+   * How the mean speed goes with the height.
    */
   profile?:
     | "uniform"
@@ -1893,7 +1916,12 @@ export type Wind = {
       }
     | {
         logarithmic: Logarithmic;
-      };
+      }
+    | "npd";
+  /**
+   * What the speed does about its mean; without it, the wind is steady.
+   */
+  gusts?: Gusts | null;
   /**
    * Density of the air, kg/m^3.
    */
@@ -1943,8 +1971,7 @@ export type Force =
       soft_hold: SoftHold;
     };
 /**
- * A force and a moment against a body's velocity and angular velocity, each in body axes. Velocity is relative to the
- * water where the sea has a current.
+ * A force and a moment against a body's velocity and angular velocity, each in body axes.
  */
 export type ViscousDamping = {
   /**
@@ -1955,6 +1982,10 @@ export type ViscousDamping = {
    * The body.
    */
   body: string;
+  /**
+   * What its velocity is relative to.
+   */
+  relative_to?: "water" | "earth";
   /**
    * The point that the force acts at, and whose velocity counts, in the body's drawing frame, m; without it, the
    * centre of mass.
@@ -2061,6 +2092,11 @@ export type Hydrodynamics = {
    * `wave_pressure`.
    */
   wave_drift?: boolean;
+  /**
+   * Whether the drift forces change with the velocity of the hull through the water, by Aranha's formula for deep water:
+   * damping of slow surge and sway by the waves, and more or less drift in a current. Needs `wave_drift`.
+   */
+  wave_drift_damping?: boolean;
   /**
    * First-order wave loads are taken at the place and heading that pass a filter of sixth order with this cut-off, rad/s:
    * well below the waves' frequencies, above those of the ship's drift, which it follows without lag.
@@ -3703,20 +3739,23 @@ export interface Sea {
    */
   ramp_s?: number;
   /**
-   * Velocity of the water at the surface along the world's x and y, m/s.
+   * Velocity of the water at the surface along the world's x and y, m/s; of a current by a table left out.
    *
    * @minItems 2
    * @maxItems 2
    */
   current_m_s?: [number, number];
   /**
-   * How the current goes with depth: for loads of the current by coefficients; damping and radiation see that at the
-   * surface.
+   * How the current goes with depth: for loads of the current by coefficients; damping, radiation and drift see that at
+   * the surface.
    */
   current_profile?:
     | "uniform"
     | {
         power_law: PowerLaw;
+      }
+    | {
+        table: CurrentTable;
       };
 }
 /**
@@ -3772,6 +3811,69 @@ export interface Logarithmic {
   roughness_m: number;
 }
 /**
+ * Gusts: the speed of the wind about its mean, drawn from a spectrum with the run's seed. They blow along the mean wind and meet
+ * the whole ship at once.
+ */
+export interface Gusts {
+  /**
+   * Whether they blow.
+   */
+  enabled?: boolean;
+  /**
+   * Their spectrum.
+   */
+  spectrum?:
+    | "npd"
+    | {
+        api: ApiGusts;
+      }
+    | {
+        kaimal: KaimalGusts;
+      };
+  /**
+   * Number of components.
+   */
+  components?: number;
+  /**
+   * Whether amplitudes are random too, or those of the spectrum.
+   */
+  amplitudes?: "deterministic" | "random";
+  /**
+   * Slower gusts are left out, Hz: 1/3600 unless given, for a mean over one hour.
+   */
+  lowest_Hz?: number;
+  /**
+   * Faster gusts are left out, Hz: they are smaller than a ship.
+   */
+  highest_Hz?: number;
+  /**
+   * Time over which they grow from nothing at the start, s.
+   */
+  ramp_s?: number;
+}
+/**
+ * S = sigma^2 / f_p / (1 + 1.5 f / f_p)^(5/3), f_p = c U / z, sigma as API RP 2A has it over the height z.
+ */
+export interface ApiGusts {
+  /**
+   * c: 0.01 to 0.1, 0.025 unless given.
+   */
+  peak_coefficient?: number;
+}
+/**
+ * S = 4 sigma^2 (L / U) / (1 + 6 f L / U)^(5/3), sigma = I U.
+ */
+export interface KaimalGusts {
+  /**
+   * I, the deviation of the speed as a share of the mean.
+   */
+  turbulence_intensity: number;
+  /**
+   * L, m: by IEC 61400-1 5.67 times the height, from 60 m on 340 m.
+   */
+  length_scale_m: number;
+}
+/**
  * Weight of every body, downwards along the world's z axis.
  */
 export interface Gravity {
@@ -3785,8 +3887,7 @@ export interface Gravity {
   acceleration_m_s2?: number;
 }
 /**
- * A force -c |v| v and a moment -c |omega| omega, component by component in body axes; v is relative to the water where
- * the sea has a current.
+ * A force -c |v| v and a moment -c |omega| omega, component by component in body axes.
  */
 export interface QuadraticDamping {
   /**
@@ -3797,6 +3898,10 @@ export interface QuadraticDamping {
    * The body.
    */
   body: string;
+  /**
+   * What its velocity is relative to.
+   */
+  relative_to?: "water" | "earth";
   /**
    * The point that the force acts at, and whose velocity counts, in the body's drawing frame, m.
    *
@@ -4028,10 +4133,28 @@ export interface CurrentLoad {
    */
   position_m?: [number, number, number];
   /**
-   * Draught over which the square of the current is averaged where it has a profile, m.
+   * Draught over which the current is averaged where it has a profile, m.
    */
   draught_m?: number | null;
+  /**
+   * Which speed counts where the current has a profile.
+   */
+  speed?:
+    | "mean_square"
+    | "mean"
+    | {
+        at_depth: CurrentAtDepth;
+      };
   coefficients: FlowCoefficients1;
+}
+/**
+ * A depth.
+ */
+export interface CurrentAtDepth {
+  /**
+   * Under the still water, m.
+   */
+  depth_m: number;
 }
 /**
  * A controller that keeps a point of a ship over a place and the ship on a heading by its thrusters.

@@ -5,6 +5,7 @@
 //! results, in snapshots, in A and B. Nothing else names a kind.
 
 mod coulomb_friction;
+mod damped_against;
 mod declaration;
 mod delay;
 mod drawing;
@@ -32,6 +33,7 @@ mod viscous_damping;
 mod watcher;
 
 pub use coulomb_friction::CoulombFriction;
+pub use damped_against::DampedAgainst;
 pub use declaration::{Components, Crossing, Declaration, Event, Frame, Input, Kept, Output, WRENCH};
 pub use delay::Delay;
 pub use drawing::{DrawnLine, LineStyle};

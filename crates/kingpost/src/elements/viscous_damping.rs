@@ -1,17 +1,19 @@
 //! Damping in proportion to a body's rates: of a hull in the water, or the paper's in its place.
 
 use super::hull::HullFrame;
-use super::{Element, Moment};
+use super::{DampedAgainst, Element, Moment};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3, Wrench};
 
 /// `F = -c v` and `M = -zeta omega`, component by component in body axes at a point, v relative to the
-/// water; and what a full 6x6 matrix adds, `(F, M) = -B (v, omega)`.
+/// water or to the earth; and what a full 6x6 matrix adds, `(F, M) = -B (v, omega)`.
 #[derive(Clone, Debug)]
 pub struct ViscousDamping<S = f64> {
     /// The damped body, and the point that the force acts at and whose velocity counts.
     pub place: HullFrame<S>,
+    /// What that velocity is relative to.
+    pub relative_to: DampedAgainst,
     /// c along x, y, z, N s/m.
     pub linear: Vector3<S>,
     /// zeta about x, y, z (roll, pitch, yaw), N m s.
@@ -23,7 +25,7 @@ pub struct ViscousDamping<S = f64> {
 impl<S: Scalar> Element<S> for ViscousDamping<S> {
     /// Adds the damping, the heat that it makes, and the work of the current.
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
-        let (through, stream) = self.place.through_water(at, at.world.surface_current());
+        let (through, stream) = self.place.through_water(at, self.relative_to.velocity(at.world));
         let along = |c: Vector3<S>, rate: Vector3<S>| Vector3(core::array::from_fn(|i| c[i] * rate[i]));
         let mut wrench =
             Wrench { moment: along(self.angular, through.angular), force: along(self.linear, through.linear) };

@@ -14,6 +14,7 @@
 mod floating;
 mod free_surface;
 mod hanging;
+mod in_current;
 mod righting;
 mod wave_data;
 
@@ -142,6 +143,7 @@ impl Scenario {
         let mut sunk: Vec<&str> = Vec::new();
         for &(hull, database) in &hulls {
             let floating = Floating { hull, database, model: &model, at: &now, world, slack_tanks, restraints };
+            report.warnings.extend(floating.current_warnings());
             match floating.check_capacity() {
                 Err(error) if restraints.floats_alone(&model, hull.frame.body) => return Err(error),
                 Err(error) => {

@@ -22,6 +22,7 @@ mod watchers;
 mod water;
 mod wave_motion;
 pub(super) mod waves;
+mod wind_and_current;
 mod world;
 
 pub use super::error::FieldError;
@@ -188,7 +189,7 @@ fn forces<S: Quantity>(
             ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
             ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
             ForceSchema::Rope(given) => forces.extend(ropes::build(scenario, name, given, model)?),
-            ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model)?),
+            ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model, world)?),
             ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
             ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),
             ForceSchema::SoftHold(given) => forces.extend(soft_hold::build(scenario, name, given, model, start)?),

@@ -11,6 +11,7 @@ mod dynamic_positioning;
 mod flexible;
 mod flow;
 mod forces;
+mod gusts;
 mod histories;
 mod hydrodynamics;
 mod integrators;
@@ -58,8 +59,12 @@ pub use dynamic_positioning::{
 pub use flexible::{
     CircularTube, DampingRatio, Flexible, FlexibleDamping, GeneralSection, RectangularTube, Section, StiffnessTime,
 };
-pub use flow::{CurrentLoad, CurrentProfile, FlowCoefficients, Logarithmic, PowerLaw, Wind, WindLoad, WindProfile};
-pub use forces::{Force, Gravity, QuadraticDamping, ViscousDamping};
+pub use flow::{
+    CurrentAtDepth, CurrentLoad, CurrentProfile, CurrentSpeed, CurrentTable, FlowCoefficients, Logarithmic, PowerLaw,
+    Wind, WindLoad, WindProfile,
+};
+pub use forces::{DampedAgainst, Force, Gravity, QuadraticDamping, ViscousDamping};
+pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
 pub use histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};

@@ -6,6 +6,7 @@
 //! `Re{X a e^(-i w t)}`. For zero forward speed.
 
 mod check;
+mod drift;
 mod physical;
 
 use serde::Deserialize;
@@ -223,16 +224,6 @@ impl Database {
     /// Whether the incident wave's own pressure is told apart from diffraction.
     pub fn has_froude_krylov(&self) -> bool {
         self.froude_krylov.real.iter().flatten().flatten().any(|force| *force != 0.0)
-    }
-
-    /// Mean drift at a frequency between two of the grid, linear in frequency: surge and sway force and yaw moment per
-    /// amplitude squared, by direction; nothing where the data has none.
-    pub fn mean_drift(&self, omega_rad_s: f64) -> Vec<[f64; 3]> {
-        let Some(drift) = &self.mean_drift else { return Vec::new() };
-        let (below, share) = self.bracket(omega_rad_s);
-        let (a, b) = (&drift[below], &drift[below + 1]);
-        let between = |k: usize| core::array::from_fn(|mode| a[k][mode] + share * (b[k][mode] - a[k][mode]));
-        (0..self.wave_directions_rad.len()).map(between).collect()
     }
 
     /// Whether a frequency lies within the grid.

@@ -3,28 +3,149 @@
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A current that may decay towards the bottom.
-#[derive(Clone, Copy, Debug)]
+/// A current that may change with the depth.
+#[derive(Clone, Debug)]
 pub struct Current<S = f64> {
     /// Velocity at the surface, world, m/s.
     pub surface: Vector3<S>,
-    /// n of U(z) = U ((h + z) / h)^n over the depth h; `None` where it is the same at all depths.
-    pub exponent: Option<S>,
+    /// How it goes with the depth.
+    pub profile: CurrentProfile<S>,
+}
+
+/// A current over depth.
+#[derive(Clone, Debug)]
+pub enum CurrentProfile<S = f64> {
+    /// The same at all depths.
+    Uniform,
+    /// n of U(z) = U ((h + z) / h)^n over the depth h.
+    PowerLaw(S),
+    /// Velocities at given depths.
+    Table(CurrentTable<S>),
+}
+
+/// Velocities at depths that increase from 0, linear between them and below the last as there.
+#[derive(Clone, Debug)]
+pub struct CurrentTable<S = f64> {
+    /// m.
+    pub depths: Vec<f64>,
+    /// World, m/s, one for each depth.
+    pub velocities: Vec<[S; 2]>,
+}
+
+/// Which velocity of a current counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CurrentAt<S = f64> {
+    /// That at the surface.
+    Surface,
+    /// That whose drag V |V| is the mean of the current's over this draught, m.
+    MeanSquareOver(S),
+    /// The mean over this draught, m.
+    MeanOver(S),
+    /// That at this depth, m.
+    Depth(S),
 }
 
 impl<S: Scalar> Current<S> {
     /// Water that stands.
     pub fn none() -> Self {
-        Self { surface: Vector3::zero(), exponent: None }
+        Self { surface: Vector3::zero(), profile: CurrentProfile::Uniform }
     }
 
-    /// The velocity whose square is the mean of that of the current over the draught T, world, m/s: its square is, of that
-    /// at the surface, h / T (1 - (1 - T / h)^(2 n + 1)) / (2 n + 1).
-    pub fn over(&self, draught: Option<S>, depth: Option<S>) -> Vector3<S> {
-        let (Some(exponent), Some(draught), Some(depth)) = (self.exponent, draught, depth) else { return self.surface };
-        let power = S::constant(2.0) * exponent + S::ONE;
+    /// The velocity that counts over a sea's depth, m; world, m/s.
+    pub fn at(&self, place: &CurrentAt<S>, depth: Option<S>) -> Vector3<S> {
+        match (&self.profile, depth) {
+            (CurrentProfile::PowerLaw(exponent), Some(depth)) => self.surface * share(place, *exponent, depth),
+            (CurrentProfile::Table(table), _) => match place {
+                CurrentAt::Surface => self.surface,
+                CurrentAt::MeanSquareOver(draught) => table.mean_square(*draught),
+                CurrentAt::MeanOver(draught) => level(table.mean(*draught, |velocity| velocity)),
+                CurrentAt::Depth(depth) => level(table.at(*depth)),
+            },
+            _ => self.surface,
+        }
+    }
+}
+
+/// The share of the surface's speed that counts by the power law: of the square it is, over the draught T,
+/// h / T (1 - (1 - T / h)^(2 n + 1)) / (2 n + 1).
+fn share<S: Scalar>(place: &CurrentAt<S>, exponent: S, depth: S) -> S {
+    let mean_of_power = |exponent: S, draught: S| {
+        let power = exponent + S::ONE;
         let over_part = || (power * (-draught / depth).ln_1p()).exp_m1();
         let left = (depth - draught).select_below(f64::MIN_POSITIVE, || -S::ONE, over_part);
-        self.surface * (-left * depth / draught / power).sqrt()
+        -left * depth / draught / power
+    };
+    match place {
+        CurrentAt::Surface => S::ONE,
+        CurrentAt::MeanSquareOver(draught) => mean_of_power(S::constant(2.0) * exponent, *draught).sqrt(),
+        CurrentAt::MeanOver(draught) => mean_of_power(exponent, *draught),
+        CurrentAt::Depth(below) => {
+            let left = S::ONE - *below / depth;
+            left.select_below(f64::MIN_POSITIVE, || S::ZERO, || left.pow(exponent))
+        }
+    }
+}
+
+fn level<S: Scalar>([x, y]: [S; 2]) -> Vector3<S> {
+    Vector3::new(x, y, S::ZERO)
+}
+
+/// Points and weights of the Gauss-Legendre rule on (0, 1) (Abramowitz & Stegun, table 25.4, n = 4).
+const RULE: [(f64, f64); 4] = [
+    (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
+    (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
+    (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
+    (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
+];
+
+/// Square of a speed below which there is no drag, m^2/s^2.
+const STILL: f64 = 1e-18;
+
+impl<S: Scalar> CurrentTable<S> {
+    /// At a depth, m.
+    fn at(&self, depth: S) -> [S; 2] {
+        let rows = self.depths.windows(2).zip(self.velocities.windows(2));
+        rows.fold(self.velocities[0], |sum, (depths, velocities)| {
+            let share = self.covered(depths, depth) / S::constant(depths[1] - depths[0]);
+            core::array::from_fn(|k| sum[k] + (velocities[1][k] - velocities[0][k]) * share)
+        })
+    }
+
+    /// How much of a row's interval of depth is above a depth, m.
+    fn covered(&self, row: &[f64], depth: S) -> S {
+        (depth - S::constant(row[0])).clipped(S::ZERO, S::constant(row[1] - row[0]))
+    }
+
+    /// The mean over a draught, m, of what is made of the velocity: exact for polynomials of order 7 between rows.
+    fn mean(&self, draught: S, of: impl Fn([S; 2]) -> [S; 2]) -> [S; 2] {
+        let mut sum = [S::ZERO; 2];
+        let mut add = |velocity: [S; 2], weight: S| {
+            let part = of(velocity);
+            sum = core::array::from_fn(|k| sum[k] + part[k] * weight);
+        };
+        for (depths, velocities) in self.depths.windows(2).zip(self.velocities.windows(2)) {
+            let (covered, whole) = (self.covered(depths, draught), S::constant(depths[1] - depths[0]));
+            for (point, weight) in RULE {
+                let share = covered * S::constant(point) / whole;
+                let of_row = |k: usize| velocities[0][k] + (velocities[1][k] - velocities[0][k]) * share;
+                add(core::array::from_fn(of_row), covered * S::constant(weight));
+            }
+        }
+        let last = self.depths.len() - 1;
+        let below = draught - S::constant(self.depths[last]);
+        add(self.velocities[last], below.select_below(0.0, || S::ZERO, || below));
+        sum.map(|x| x / draught)
+    }
+
+    /// V of `V |V|` = the mean of `U |U|`.
+    fn mean_square(&self, draught: S) -> Vector3<S> {
+        let size = |[x, y]: [S; 2]| {
+            let square = x * x + y * y;
+            square.select_below(STILL, || S::ZERO, || square.select_below(STILL, || S::ONE, || square).sqrt())
+        };
+        let [x, y] = self.mean(draught, |velocity| velocity.map(|component| component * size(velocity)));
+        let drag = size([x, y]);
+        let root = drag.select_below(STILL, || S::ONE, || drag).sqrt();
+        level([x, y].map(|component| drag.select_below(STILL, || S::ZERO, || component / root)))
     }
 }

@@ -1,12 +1,14 @@
-//! What is outside the model and the same for all that acts on it: gravity, the water and its waves, current, wind.
+//! What is outside the model and the same for all that acts on it: gravity, the water and its waves, current, wind and its gusts.
 //!
 //! It is realised once, when a run is built. Elements and views ask it at a place and a time; none keeps a sea, a wind or
 //! a gravity of its own.
 
 mod current;
+mod gusts;
 mod wind;
 
-pub use current::Current;
+pub use current::{Current, CurrentAt, CurrentProfile, CurrentTable};
+pub use gusts::{GustError, GustRealisation, GustSpectrum, Gusts, GustsAtHeight, MeanWind};
 pub use wind::{Wind, WindProfile};
 
 use crate::scalar::Scalar;
@@ -69,9 +71,9 @@ impl<S: Scalar> World<S> {
         self.current.surface
     }
 
-    /// Velocity of the water whose square is the mean over a draught (m), world, m/s; without a draught that at the surface.
-    pub fn current_over(&self, draught: Option<S>) -> Vector3<S> {
-        self.current.over(draught, self.depth)
+    /// Velocity of the water that counts, waves apart, world, m/s.
+    pub fn current_at(&self, place: &CurrentAt<S>) -> Vector3<S> {
+        self.current.at(place, self.depth)
     }
 }
 

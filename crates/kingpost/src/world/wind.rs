@@ -1,10 +1,11 @@
-//! The wind: steady, the same everywhere at one height.
+//! The wind: the same everywhere at one height, steady or with gusts.
 
+use super::gusts::{Gusts, GustsAtHeight, MeanWind};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A wind, by its speed at one height and how that goes with the height.
-#[derive(Clone, Copy, Debug)]
+/// A wind, by its mean speed at one height and how that goes with the height.
+#[derive(Clone, Debug)]
 pub struct Wind<S = f64> {
     /// Mean speed at the reference height, m/s.
     pub speed: S,
@@ -12,13 +13,15 @@ pub struct Wind<S = f64> {
     pub direction: [S; 2],
     /// Above the still water, m.
     pub reference_height: S,
-    /// Speed over height.
+    /// Mean speed over height.
     pub profile: WindProfile<S>,
+    /// What its speed does about the mean; `None` where it is steady.
+    pub gusts: Option<Gusts<S>>,
     /// Density of the air, kg/m^3.
     pub air_density: S,
 }
 
-/// Speed of the wind over height.
+/// Mean speed of the wind over height.
 #[derive(Clone, Copy, Debug)]
 pub enum WindProfile<S = f64> {
     /// The same at all heights.
@@ -27,14 +30,33 @@ pub enum WindProfile<S = f64> {
     PowerLaw(S),
     /// U ln(z / z_0) / ln(z_reference / z_0), with the roughness z_0, m.
     Logarithmic(S),
+    /// U (1 + C ln(z / 10 m)) with C = 0.0573 (1 + 0.15 U)^(1/2), U the mean over one hour at 10 m, which is the reference
+    /// height (ISO 19901-1:2015, A.7.3).
+    Npd,
 }
 
 impl<S: Scalar> Wind<S> {
-    /// Velocity at a height above the still water, m; world, m/s.
+    /// Mean velocity at a height above the still water, m; world, m/s.
     pub fn at_height(&self, height: S) -> Vector3<S> {
-        let speed = self.speed * self.share_at(height);
+        self.along(self.mean_speed(height))
+    }
+
+    /// A velocity of this speed in the wind's direction, world.
+    pub fn along(&self, speed: S) -> Vector3<S> {
         let [cos, sin] = self.direction;
         Vector3::new(speed * cos, speed * sin, S::ZERO)
+    }
+
+    /// The gusts at a height above the still water, m.
+    pub fn gusts_at_height(&self, height: S) -> Option<GustsAtHeight<S>> {
+        let at_ten_metres = self.mean_speed(S::constant(10.0));
+        let mean = MeanWind { height, speed: self.mean_speed(height), at_ten_metres };
+        self.gusts.as_ref().map(|gusts| gusts.at_height(&mean))
+    }
+
+    /// Mean speed at a height, m/s.
+    fn mean_speed(&self, height: S) -> S {
+        self.speed * self.share_at(height)
     }
 
     /// Speed at a height, of that at the reference height.
@@ -43,6 +65,10 @@ impl<S: Scalar> Wind<S> {
             WindProfile::Uniform => S::ONE,
             WindProfile::PowerLaw(exponent) => (height / self.reference_height).pow(exponent),
             WindProfile::Logarithmic(roughness) => (height / roughness).ln() / (self.reference_height / roughness).ln(),
+            WindProfile::Npd => {
+                let slope = S::constant(0.0573) * (S::ONE + S::constant(0.15) * self.speed).sqrt();
+                S::ONE + slope * (height / self.reference_height).ln()
+            }
         }
     }
 }

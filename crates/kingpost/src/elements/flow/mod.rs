@@ -9,7 +9,7 @@ use super::{Declaration, Element, Frame, Moment, Output};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
-use crate::world::World;
+use crate::world::{CurrentAt, GustsAtHeight, World};
 
 /// Forces of a flow by the square of its velocity relative to the body,
 ///
@@ -28,6 +28,8 @@ pub struct FlowLoad<S = f64> {
     pub place: HullFrame<S>,
     /// What flows.
     pub flow: Flow<S>,
+    /// The wind's gusts there, where it has any.
+    pub gusts: Option<GustsAtHeight<S>>,
     /// A_x and A_y, m^2, and L, m.
     pub sizes: [S; 3],
     /// C_x, C_y and C_n over theta.
@@ -39,17 +41,17 @@ pub struct FlowLoad<S = f64> {
 pub enum Flow<S = f64> {
     /// The wind at this height above the still water, m.
     Wind(S),
-    /// The current, its square the mean over this draught, m; without one, that at the surface.
-    Current(Option<S>),
+    /// The current, by the velocity that counts.
+    Current(CurrentAt<S>),
 }
 
 impl<S: Scalar> Flow<S> {
-    /// Velocity in the world, m/s, and density, kg/m^3.
+    /// Mean velocity in the world, m/s, and density, kg/m^3.
     pub fn in_world(&self, world: &World<S>) -> (Vector3<S>, S) {
         match (self, &world.wind) {
             (Self::Wind(height), Some(wind)) => (wind.at_height(*height), wind.air_density),
             (Self::Wind(_), None) => (Vector3::zero(), S::ZERO),
-            (Self::Current(draught), _) => (world.current_over(*draught), world.water_density),
+            (Self::Current(place), _) => (world.current_at(place), world.water_density),
         }
     }
 }
@@ -65,7 +67,9 @@ impl<S: Scalar> Element<S> for FlowLoad<S> {
     fn declare(&self) -> Declaration {
         let description = "force and moment of wind or current about the reference point of its coefficients";
         let force = Output::wrench("flow_force", description, "flow", &self.name, Frame::Body);
-        Declaration { outputs: vec![force], ..Declaration::default() }
+        let description = "speed over ground of the wind or current that a load is of";
+        let speed = Output::number("flow_speed", description, "flow", &self.name, &["m/s"]);
+        Declaration { outputs: vec![force, speed], ..Declaration::default() }
     }
 
     /// Adds the load, and its work.
@@ -79,13 +83,27 @@ impl<S: Scalar> Element<S> for FlowLoad<S> {
         let Wrench { moment, force } = self.wrench(at);
         out.extend(force.0);
         out.extend(moment.0);
+        let [x, y, _] = self.velocity(at).0.0;
+        let square = x * x + y * y;
+        out.push(square.select_below(STILL, || S::ZERO, || square.select_below(STILL, || S::ONE, || square).sqrt()));
     }
 }
 
 impl<S: Scalar> FlowLoad<S> {
+    /// Velocity in the world, with gusts but where an equilibrium is meant, m/s, and density, kg/m^3.
+    fn velocity(&self, at: &Moment<'_, S>) -> (Vector3<S>, S) {
+        let (mean, density) = self.flow.in_world(at.world);
+        match (&self.gusts, &at.world.wind) {
+            (Some(gusts), Some(wind)) if at.situation.has_waves() => {
+                (mean + wind.along(gusts.speed(at.clock.time_s)), density)
+            }
+            _ => (mean, density),
+        }
+    }
+
     /// Force (N) and moment (N m) about the reference point, in body axes.
     pub fn wrench(&self, at: &Moment<'_, S>) -> Wrench<S> {
-        let (flow, density) = self.flow.in_world(at.world);
+        let (flow, density) = self.velocity(at);
         let [x, y, length] = self.sizes;
         let half = density * S::constant(0.5);
         let scales = [half * x, half * y, half * y * length];

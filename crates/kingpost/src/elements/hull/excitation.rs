@@ -1,10 +1,11 @@
 //! Forces of the incident waves on a hull, of first order and their slow drift.
 
 use super::by_heading::ByHeading;
+use super::drift_damping::{RATES, rates};
 use super::place::SlowFrame;
 use crate::scalar::Scalar;
 use crate::sea::database::Database;
-use crate::sea::waves::WaveField;
+use crate::sea::waves::{WaveField, wave_number};
 
 /// `F = Re sum X(w, beta - psi) a e^(i (k.x - w t + epsilon))`, about the hull's reference point, in
 /// the axes of the slow frame, with its place x and heading psi; a with the ramp of the waves.
@@ -25,14 +26,27 @@ pub struct Excitation<S = f64> {
     /// The waves at the slow frame's place, a e^(i q).
     real: Vec<S>,
     imaginary: Vec<S>,
-    /// Real and imaginary part of X, mode by mode; then D of surge, sway and yaw, if drift acts.
+    /// Real and imaginary part of X, mode by mode; then D of surge, sway and yaw, if drift acts, and what it gains by velocity.
     transfer: ByHeading<S>,
     drifts: bool,
+    /// Whether [`rates`] follow, by which D changes with the hull's velocity.
+    by_velocity: bool,
     /// The last force, and the time and frame that it was computed for.
     last: Option<(f64, SlowFrame<S>)>,
     force: [S; 6],
     drift: [S; 6],
+    /// Of the drift, by velocity.
+    rates: [S; RATES],
     elevation: S,
+}
+
+/// The velocity of a hull along the axes of the slow frame, m/s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HullVelocity<S = f64> {
+    /// Relative to the water.
+    pub through_water: [S; 2],
+    /// Relative to the earth.
+    pub over_ground: [S; 2],
 }
 
 /// What of the incident waves acts.
@@ -42,6 +56,8 @@ pub struct Parts {
     pub froude_krylov: bool,
     /// The mean and slowly varying drift, from the database's mean drift.
     pub drift: bool,
+    /// Whether the drift changes with the velocity of the hull, by Aranha's formula.
+    pub drift_damping: bool,
 }
 
 /// Real and imaginary part of six modes.
@@ -52,25 +68,29 @@ const DRIFTING: [usize; 3] = [0, 1, 5];
 impl<S: Scalar> Excitation<S> {
     /// From a hull's data, in these waves: every call wants the same. Components outside the data's frequencies make no force.
     pub fn new(database: &Database, field: &WaveField<S>, parts: Parts) -> Self {
+        let drifts = parts.drift && database.mean_drift.is_some();
+        let by_velocity = drifts && parts.drift_damping;
         let of_wave = |omega: f64| {
             let covered = if database.covers(omega) { 1.0 } else { 0.0 };
             let x = database.excitation(omega, parts.froude_krylov);
             let d = database.mean_drift(omega);
+            let by_velocity =
+                if by_velocity { rates(database, omega, wave_number(omega, field.water())) } else { Vec::new() };
             move |part: usize| -> Vec<f64> {
                 match part.checked_sub(FIRST_ORDER) {
                     None => x.iter().map(|x| covered * x[part / 2][part % 2]).collect(),
-                    Some(drifting) => d.iter().map(|d| covered * d[drifting]).collect(),
+                    Some(drifting) if drifting < DRIFTING.len() => d.iter().map(|d| covered * d[drifting]).collect(),
+                    Some(rate) => by_velocity.iter().map(|d| covered * d[rate - DRIFTING.len()]).collect(),
                 }
             }
         };
         let rows: Vec<_> = field.components().map(|wave| of_wave(wave.angular_frequency_rad_s.value())).collect();
         let directions: Vec<f64> = field.components().map(|wave| wave.direction_rad.value()).collect();
-        let drifts = parts.drift && database.mean_drift.is_some();
-        let count = FIRST_ORDER + if drifts { DRIFTING.len() } else { 0 };
+        let count = FIRST_ORDER + if drifts { DRIFTING.len() } else { 0 } + if by_velocity { RATES } else { 0 };
         let transfer = ByHeading::new(count, &directions, |part, wave| rows[wave](part));
         let (real, imaginary) = (vec![S::ZERO; field.len()], vec![S::ZERO; field.len()]);
-        let (force, drift, elevation) = ([S::ZERO; 6], [S::ZERO; 6], S::ZERO);
-        Self { real, imaginary, transfer, drifts, last: None, force, drift, elevation }
+        let (force, drift, rates, elevation) = ([S::ZERO; 6], [S::ZERO; 6], [S::ZERO; RATES], S::ZERO);
+        Self { real, imaginary, transfer, drifts, by_velocity, last: None, force, drift, rates, elevation }
     }
 
     /// Force (N) and moment (N m) at a time, s.
@@ -79,10 +99,44 @@ impl<S: Scalar> Excitation<S> {
         self.force
     }
 
-    /// Mean and slowly varying force (N) and moment (N m) at a time, s.
-    pub fn drift(&mut self, field: &WaveField<S>, time_s: f64, slow: &SlowFrame<S>) -> [S; 6] {
+    /// Mean and slowly varying force (N) and moment (N m) at a time, s, of a hull that moves so.
+    pub fn drift(
+        &mut self,
+        field: &WaveField<S>,
+        time_s: f64,
+        slow: &SlowFrame<S>,
+        velocity: &HullVelocity<S>,
+    ) -> [S; 6] {
         self.update(field, time_s, slow);
-        self.drift
+        let mut drift = self.drift;
+        if self.by_velocity {
+            add_by_velocity(&mut drift, &self.rates, velocity);
+        }
+        drift
+    }
+
+    /// The mean of the drift over all times after the ramp, at a heading (rad) and a velocity.
+    pub fn mean_drift(&mut self, field: &WaveField<S>, heading: S, velocity: &HullVelocity<S>) -> [S; 6] {
+        let waves = field.len();
+        let x = self.transfer.at(heading);
+        let mean = |part: usize| {
+            let energy = field.components().map(|wave| wave.amplitude_m * wave.amplitude_m);
+            x[part * waves..][..waves].iter().zip(energy).fold(S::ZERO, |sum, (d, square)| sum + *d * square)
+        };
+        let mut drift = [S::ZERO; 6];
+        if self.drifts {
+            (FIRST_ORDER..).zip(DRIFTING).for_each(|(part, mode)| drift[mode] = mean(part));
+        }
+        if self.by_velocity {
+            let rates = core::array::from_fn(|rate| mean(FIRST_ORDER + DRIFTING.len() + rate));
+            add_by_velocity(&mut drift, &rates, velocity);
+        }
+        drift
+    }
+
+    /// Whether mean and slowly varying forces act, and whether they change with the hull's velocity.
+    pub fn drift_parts(&self) -> [bool; 2] {
+        [self.drifts, self.by_velocity]
     }
 
     /// Elevation of the incident waves at the slow frame's place, m.
@@ -107,12 +161,26 @@ impl<S: Scalar> Excitation<S> {
         self.elevation = sum(&self.real);
         if self.drifts {
             let out_of_phase = sum(&self.imaginary);
-            for (part, mode) in (FIRST_ORDER..).zip(DRIFTING) {
+            let of_part = |part: usize| {
                 let d = &x[part * waves..][..waves];
-                self.drift[mode] = dot(d, &self.real) * self.elevation + dot(d, &self.imaginary) * out_of_phase;
+                dot(d, &self.real) * self.elevation + dot(d, &self.imaginary) * out_of_phase
+            };
+            for (part, mode) in (FIRST_ORDER..).zip(DRIFTING) {
+                self.drift[mode] = of_part(part);
+            }
+            if self.by_velocity {
+                self.rates = core::array::from_fn(|rate| of_part(FIRST_ORDER + DRIFTING.len() + rate));
             }
         }
         self.last = Some(key);
+    }
+}
+
+/// Adds what surge and sway gain by velocity.
+fn add_by_velocity<S: Scalar>(drift: &mut [S; 6], rates: &[S; RATES], velocity: &HullVelocity<S>) {
+    let ([x, y], [u, v]) = (velocity.through_water, velocity.over_ground);
+    for (drift, rates) in drift.iter_mut().zip(rates.as_chunks::<4>().0) {
+        *drift += rates[0] * x + rates[1] * y + rates[2] * u + rates[3] * v;
     }
 }
 

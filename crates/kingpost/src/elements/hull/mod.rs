@@ -6,6 +6,7 @@
 mod added_mass;
 mod by_heading;
 mod carried;
+mod drift_damping;
 mod excitation;
 mod linear_limits;
 mod mean_attitude;
@@ -19,7 +20,7 @@ pub use added_mass::{AddedMass, QuadraticTerms, added_inertia};
 use by_heading::ByHeading;
 pub use carried::Carried;
 use carried::CarriedFilter;
-pub use excitation::{Excitation, Parts};
+pub use excitation::{Excitation, HullVelocity, Parts};
 pub use linear_limits::LinearLimits;
 pub use mean_attitude::{LARGEST_LIST_DEG, MeanAttitude};
 pub use mesh_in_waves::MeshInWaves;
@@ -154,12 +155,14 @@ impl<S: Scalar> Element<S> for Hull<S> {
             by_the_sea = radiation.force(States::of(at.states).radiation);
         }
         let (waves, time_s) = (at.world.waves.as_ref().filter(|_| at.situation.has_waves()), at.clock.time_s);
-        if let (Some(excitation), Some(waves)) = (&mut self.excitation, waves) {
-            let (first, drift) = (excitation.force(waves, time_s, &slow), excitation.drift(waves, time_s, &slow));
-            by_the_sea = core::array::from_fn(|mode| by_the_sea[mode] + first[mode] + drift[mode]);
-        }
         let off = self.off(at, &slow);
         let axes = self.axes(at, &slow, off);
+        let velocity = self.velocity(at, &slow, &axes);
+        if let (Some(excitation), Some(waves)) = (&mut self.excitation, waves) {
+            let first = excitation.force(waves, time_s, &slow);
+            let drift = excitation.drift(waves, time_s, &slow, &velocity);
+            by_the_sea = core::array::from_fn(|mode| by_the_sea[mode] + first[mode] + drift[mode]);
+        }
         let mut by_the_sea =
             axes.wrench_to_body(&of_modes(by_the_sea)) + self.in_flowing_water(at, &axes, off[1], loads);
         if let (Some(mesh), Some(waves)) = (&mut self.wave_pressure, waves) {
@@ -195,11 +198,13 @@ impl<S: Scalar> Element<S> for Hull<S> {
     fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let slow = self.slow_frame(at);
         let (none, time_s, specific_weight) = ([S::ZERO; 6], at.clock.time_s, at.world.specific_weight());
+        let axes = self.axes(at, &slow, self.off(at, &slow));
+        let velocity = self.velocity(at, &slow, &axes);
         let (elevation, mut excitation_force, drift) = match (&mut self.excitation, &at.world.waves) {
             (Some(excitation), Some(waves)) => (
                 excitation.elevation(waves, time_s, &slow),
                 excitation.force(waves, time_s, &slow),
-                excitation.drift(waves, time_s, &slow),
+                excitation.drift(waves, time_s, &slow, &velocity),
             ),
             _ => (S::ZERO, none, none),
         };
@@ -207,8 +212,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
             let hull = self.frame.frame(at.model, at.links);
             let still = self.hydrostatics.wrench(&FloatingPosition::of(&hull), specific_weight);
             let by_pressure = mesh.pressure(waves, &hull, specific_weight, time_s, &still);
-            let along =
-                self.axes(at, &slow, self.off(at, &slow)).wrench_of_body(&self.frame.about_centre(&by_pressure));
+            let along = axes.wrench_of_body(&self.frame.about_centre(&by_pressure));
             excitation_force.iter_mut().zip(modes(along.force, along.moment)).for_each(|(sum, force)| *sum += force);
         }
         out.push(elevation);
@@ -314,6 +318,14 @@ impl<S: Scalar> Hull<S> {
 
     fn axes(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, [off, _]: [[S; 2]; 2]) -> SeaAxes<S> {
         SeaAxes::of(&self.coefficients, &self.coefficients.frame(at.model, at.links), slow, off)
+    }
+
+    /// The hull's velocity, with what of it goes with the waves: that has no mean beside the slow changes of the drift.
+    fn velocity(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, axes: &SeaAxes<S>) -> HullVelocity<S> {
+        let rates = axes.rates(&at.links.body_twist(at.model, self.frame.body));
+        let [x, y, ..] = self.through_water(at, slow, &rates);
+        let [u, v, _] = rates.linear.0;
+        HullVelocity { through_water: [x, y], over_ground: [u, v] }
     }
 
     /// Rates along the axes of the sea's loads, relative to the water.

@@ -3,7 +3,7 @@
 use super::super::schema::{self, Scenario};
 use super::{FieldError, known};
 use crate::elements::hull::HullFrame;
-use crate::elements::{AnyElement, QuadraticDamping, ViscousDamping};
+use crate::elements::{AnyElement, DampedAgainst, QuadraticDamping, ViscousDamping};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::spatial::Vector3;
@@ -29,10 +29,18 @@ pub fn viscous<S: Quantity>(
     });
     Ok(Some(Box::new(ViscousDamping {
         place: HullFrame { body, origin },
+        relative_to: against(given.relative_to),
         linear: Vector3(given.linear_n_s_m.map(|c| c.get())),
         angular: Vector3(given.angular_n_m_s.map(|c| c.get())),
         matrix: matrix.transpose()?,
     })))
+}
+
+fn against(given: schema::DampedAgainst) -> DampedAgainst {
+    match given {
+        schema::DampedAgainst::Water => DampedAgainst::Water,
+        schema::DampedAgainst::Earth => DampedAgainst::Earth,
+    }
 }
 
 /// By how much the symmetric part of a matrix of damping may be negative, of its diagonal: rounding in what was printed.
@@ -73,6 +81,7 @@ pub fn quadratic<S: Quantity>(
     let origin = from_centre(scenario, &given.body, Vector3(given.position_m));
     Ok(Some(Box::new(QuadraticDamping {
         place: HullFrame { body, origin },
+        relative_to: against(given.relative_to),
         linear: Vector3(given.linear_n_s2_m2.map(|c| c.get())),
         angular: Vector3(given.angular_n_m_s2.map(|c| c.get())),
     })))

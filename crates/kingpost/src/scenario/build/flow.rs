@@ -8,7 +8,7 @@ use crate::elements::{AnyElement, hull::HullFrame};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::spatial::Vector3;
-use crate::world::World;
+use crate::world::{CurrentAt, CurrentProfile, World};
 
 /// The wind on a body, where it is on and its body there.
 pub fn wind<S: Quantity>(
@@ -16,6 +16,7 @@ pub fn wind<S: Quantity>(
     name: &str,
     given: &schema::WindLoad<S>,
     model: &Model<S>,
+    world: &World<S>,
 ) -> Result<Option<AnyElement<S>>, FieldError> {
     let field = format!("forces.{name}.wind_load");
     rigid(scenario, format!("{field}.body"), &given.body)?;
@@ -29,6 +30,7 @@ pub fn wind<S: Quantity>(
         name: name.to_owned(),
         place: HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) },
         flow: Flow::Wind(given.height_m.get()),
+        gusts: world.wind.as_ref().and_then(|wind| wind.gusts_at_height(given.height_m.get())),
         sizes: sizes(&given.coefficients),
         coefficients,
     })))
@@ -45,12 +47,13 @@ pub fn water<S: Quantity>(
     let field = format!("forces.{name}.current_load");
     rigid(scenario, format!("{field}.body"), &given.body)?;
     let coefficients = table(&format!("{field}.coefficients"), &given.coefficients)?;
-    check_draught(world, given, &field)?;
+    let counts = current_at(world, given, &field)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     Ok(Some(Box::new(FlowLoad {
         name: name.to_owned(),
         place: HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) },
-        flow: Flow::Current(given.draught_m.map(|draught| draught.get())),
+        flow: Flow::Current(counts),
+        gusts: None,
         sizes: sizes(&given.coefficients),
         coefficients,
     })))
@@ -79,8 +82,18 @@ fn table<S: Quantity>(field: &str, given: &schema::FlowCoefficients<S>) -> Resul
     })
 }
 
+/// The lowest height of the NPD profile, m: further down it goes through 0.
+const LEAST_NPD_M: f64 = 1.0;
+
 /// An error unless the wind has a speed at a height.
 fn check_height<S: Quantity>(wind: &schema::Wind<S>, height: S, field: &str) -> Result<(), FieldError> {
+    if wind.profile == schema::WindProfile::Npd && !height.all(|height| height >= LEAST_NPD_M) {
+        return Err(FieldError::new(
+            format!("{field}.height_m"),
+            height,
+            format!("at least {LEAST_NPD_M} m, by the profile npd"),
+        ));
+    }
     let schema::WindProfile::Logarithmic(law) = wind.profile else { return Ok(()) };
     let (reference, roughness) = (wind.reference_height_m.get(), law.roughness_m.get());
     if !(reference - roughness).all(|room| room > 0.0) {
@@ -94,21 +107,35 @@ fn check_height<S: Quantity>(wind: &schema::Wind<S>, height: S, field: &str) -> 
     Ok(())
 }
 
-/// An error unless a current with a profile has a mean over the draught.
-fn check_draught<S: Quantity>(world: &World<S>, load: &schema::CurrentLoad<S>, field: &str) -> Result<(), FieldError> {
-    if world.current.exponent.is_none() {
-        return Ok(());
+/// The velocity that counts of a current; an error where a profile has none over the draught or at the depth.
+fn current_at<S: Quantity>(
+    world: &World<S>,
+    load: &schema::CurrentLoad<S>,
+    field: &str,
+) -> Result<CurrentAt<S>, FieldError> {
+    match (&world.current.profile, world.depth) {
+        (CurrentProfile::Uniform, _) => return Ok(CurrentAt::Surface),
+        (CurrentProfile::PowerLaw(_), None) => {
+            let found = "power_law, over infinite depth";
+            return Err(FieldError::new("sea.current_profile", found, "uniform, or a sea.depth_m"));
+        }
+        _ => {}
     }
-    let Some(depth) = world.depth else {
-        let found = "power_law, over infinite depth";
-        return Err(FieldError::new("sea.current_profile", found, "uniform, or a sea.depth_m"));
+    let reaches = |name: &str, below: S| match world.depth {
+        Some(depth) if !(depth - below).all(|room| room >= 0.0) => {
+            Err(FieldError::new(format!("{field}.{name}"), below, format!("at most sea.depth_m, {depth}")))
+        }
+        _ => Ok(below),
     };
-    let Some(draught) = load.draught_m.map(|draught| draught.get()) else {
+    let draught = || {
         let allowed = "a draught, for a current with a profile";
-        return Err(FieldError::new(format!("{field}.draught_m"), "nothing", allowed));
+        let given = load.draught_m.map(|draught| draught.get());
+        let given = given.ok_or_else(|| FieldError::new(format!("{field}.draught_m"), "nothing", allowed))?;
+        reaches("draught_m", given)
     };
-    if (depth - draught).all(|room| room >= 0.0) {
-        return Ok(());
+    match load.speed {
+        schema::CurrentSpeed::MeanSquare => draught().map(CurrentAt::MeanSquareOver),
+        schema::CurrentSpeed::Mean => draught().map(CurrentAt::MeanOver),
+        schema::CurrentSpeed::AtDepth(at) => reaches("speed.at_depth.depth_m", at.depth_m.get()).map(CurrentAt::Depth),
     }
-    Err(FieldError::new(format!("{field}.draught_m"), draught, format!("at most sea.depth_m, {depth}")))
 }

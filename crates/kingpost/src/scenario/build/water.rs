@@ -228,9 +228,17 @@ fn excitation<S: Quantity>(
         let found = "true, with wave_pressure, whose mean over the mesh is a part of the same drift";
         return Err(FieldError::new(field("wave_drift"), found, "one of the two"));
     }
+    if given.wave_drift_damping && !given.wave_drift {
+        return Err(FieldError::new(
+            field("wave_drift_damping"),
+            "true, without wave_drift",
+            "false, or wave_drift: true",
+        ));
+    }
     let Some(waves) = world.waves.as_ref().filter(|_| given.excitation) else { return Ok(None) };
     check_coverage(&field("database"), database.band_rad_s(), world)?;
-    let parts = Parts { froude_krylov: !given.wave_pressure, drift: given.wave_drift };
+    let parts =
+        Parts { froude_krylov: !given.wave_pressure, drift: given.wave_drift, drift_damping: given.wave_drift_damping };
     Ok(Some(Excitation::new(database, waves, parts)))
 }
 

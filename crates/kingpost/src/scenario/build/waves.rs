@@ -168,12 +168,17 @@ fn drawn(spectrum: Spectrum, direction_rad: f64, given: &WaveRealisation) -> Res
         None => Spreading::LongCrested,
         Some(exponent) => Spreading::cos_2s(exponent.get())?,
     };
-    let amplitudes = match given.amplitudes {
-        WaveAmplitudes::Deterministic => Amplitudes::Deterministic,
-        WaveAmplitudes::Random => Amplitudes::Random,
-    };
+    let amplitudes = amplitudes(given.amplitudes);
     let band = band(given.lowest_rad_s, given.highest_rad_s);
     Ok(WaveSystem { spectrum, spreading, direction_rad, components: given.components, amplitudes, band })
+}
+
+/// How amplitudes are drawn.
+pub(super) fn amplitudes(given: WaveAmplitudes) -> Amplitudes {
+    match given {
+        WaveAmplitudes::Deterministic => Amplitudes::Deterministic,
+        WaveAmplitudes::Random => Amplitudes::Random,
+    }
 }
 
 /// The frequencies that are kept, where anything is cut off.

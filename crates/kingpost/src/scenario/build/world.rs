@@ -1,44 +1,23 @@
-//! What is outside: gravity, the sea with its waves and its current, the wind.
+//! What is outside: gravity, the sea with its waves, its current and the wind.
 
-use super::super::schema::{self, CurrentProfile, Force as ForceSchema, PowerLaw, Scenario};
+use super::super::schema::{self, Force as ForceSchema, Scenario};
 use super::waves::{self, Wave};
-use super::{FieldError, gravity_of};
+use super::{FieldError, gravity_of, wind_and_current};
 use crate::scenario::leaf::Quantity;
 use crate::sea::waves::{Water, WaveField};
-use crate::spatial::Vector3;
-use crate::world::{Current, Wind, WindProfile, World};
+use crate::world::World;
 
 /// The world of a scenario, its waves drawn.
 pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<World<S>, FieldError> {
     let sea = scenario.sea.clone().unwrap_or_default();
-    let [x, y] = sea.current_m_s;
-    let exponent = match sea.current_profile {
-        CurrentProfile::Uniform => None,
-        CurrentProfile::PowerLaw(PowerLaw { exponent }) => Some(exponent.get()),
-    };
     Ok(World {
         gravity: gravity(scenario).map_or(S::ZERO, |(gravity, _)| gravity),
         water_density: sea.density_kg_m3.get(),
         depth: sea.depth_m.map(|depth| depth.get()),
         waves: incident_waves(scenario, &sea)?,
-        current: Current { surface: Vector3::new(x, y, S::ZERO), exponent },
-        wind: scenario.wind.as_ref().map(wind),
+        current: wind_and_current::current(&sea)?,
+        wind: wind_and_current::wind(scenario)?,
     })
-}
-
-fn wind<S: Quantity>(given: &schema::Wind<S>) -> Wind<S> {
-    let (sin, cos) = given.direction_rad.sin_cos();
-    Wind {
-        speed: given.speed_m_s.get(),
-        direction: [cos, sin],
-        reference_height: given.reference_height_m.get(),
-        profile: match given.profile {
-            schema::WindProfile::Uniform => WindProfile::Uniform,
-            schema::WindProfile::PowerLaw(PowerLaw { exponent }) => WindProfile::PowerLaw(exponent.get()),
-            schema::WindProfile::Logarithmic(law) => WindProfile::Logarithmic(law.roughness_m.get()),
-        },
-        air_density: given.air_density_kg_m3.get(),
-    }
 }
 
 /// The waves of the scenario's sea, where there are any. The water's density is that of their pressure alone.

@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Name, NonNegative, Positive, yes};
+use super::{Gusts, Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// The wind: steady, the same everywhere at one height.
+/// The wind: the same everywhere at one height, steady or with gusts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -21,9 +21,12 @@ pub struct Wind<S = f64> {
     /// Height above the still water that the speed is given at, m.
     #[serde(default = "ten_metres::<S>")]
     pub reference_height_m: Positive<S>,
-    /// How the speed goes with the height.
+    /// How the mean speed goes with the height.
     #[serde(default)]
     pub profile: WindProfile<S>,
+    /// What the speed does about its mean; without it, the wind is steady.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gusts: Option<Gusts<S>>,
     /// Density of the air, kg/m^3.
     #[serde(default = "air::<S>")]
     pub air_density_kg_m3: Positive<S>,
@@ -52,6 +55,8 @@ pub enum WindProfile<S = f64> {
     PowerLaw(PowerLaw<S>),
     /// By the logarithm of the height over a roughness.
     Logarithmic(Logarithmic<S>),
+    /// That of the NPD spectrum, of the mean over one hour at 10 m (ISO 19901-1).
+    Npd,
 }
 
 impl<S: Leaf> Default for WindProfile<S> {
@@ -93,7 +98,7 @@ pub struct Logarithmic<S = f64> {
 }
 
 /// Speed of the current over depth.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
@@ -106,6 +111,56 @@ pub enum CurrentProfile<S = f64> {
     Uniform,
     /// By a power of the height over the bottom, for tides.
     PowerLaw(PowerLaw<S>),
+    /// By a table, as it is measured; `current_m_s` is then left out.
+    Table(CurrentTable<S>),
+}
+
+/// The current at given depths, its components linear between them and below the last as there.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "CurrentTable", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct CurrentTable<S = f64> {
+    /// Depths under the still water, m, from 0 on, increasing.
+    pub depths_m: Vec<f64>,
+    /// Speed at each depth, m/s.
+    pub speeds_m_s: Vec<S>,
+    /// Direction that the current goes to at each depth, from the world's x axis, counter-clockwise, rad.
+    pub directions_rad: Vec<S>,
+}
+
+/// Which speed of a current with a profile a load is of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "CurrentSpeed", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum CurrentSpeed<S = f64> {
+    /// That whose square is the mean over the draught, as drag has it.
+    #[default]
+    MeanSquare,
+    /// The mean over the draught.
+    Mean,
+    /// That at a depth.
+    AtDepth(CurrentAtDepth<S>),
+}
+
+/// A depth.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "CurrentAtDepth", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct CurrentAtDepth<S = f64> {
+    /// Under the still water, m.
+    pub depth_m: NonNegative<S>,
 }
 
 /// The wind on a body by coefficients of its relative velocity.
@@ -150,9 +205,12 @@ pub struct CurrentLoad<S = f64> {
     /// The point that the force acts at and whose velocity counts, in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],
-    /// Draught over which the square of the current is averaged where it has a profile, m.
+    /// Draught over which the current is averaged where it has a profile, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub draught_m: Option<Positive<S>>,
+    /// Which speed counts where the current has a profile.
+    #[serde(default)]
+    pub speed: CurrentSpeed<S>,
     /// The coefficients.
     pub coefficients: FlowCoefficients<S>,
 }

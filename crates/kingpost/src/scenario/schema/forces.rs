@@ -64,8 +64,19 @@ impl<S: Leaf> Default for Gravity<S> {
     }
 }
 
-/// A force and a moment against a body's velocity and angular velocity, each in body axes. Velocity is relative to the
-/// water where the sea has a current.
+/// What a damped velocity is relative to, where the sea has a current.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum DampedAgainst {
+    /// The water at its surface: friction and eddies of the hull.
+    #[default]
+    Water,
+    /// The earth: what chains on the seabed and the slow drift in waves take from a moored ship. A current does not push by it.
+    Earth,
+}
+
+/// A force and a moment against a body's velocity and angular velocity, each in body axes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -79,6 +90,9 @@ pub struct ViscousDamping<S = f64> {
     pub enabled: bool,
     /// The body.
     pub body: Name,
+    /// What its velocity is relative to.
+    #[serde(default)]
+    pub relative_to: DampedAgainst,
     /// The point that the force acts at, and whose velocity counts, in the body's drawing frame, m; without it, the
     /// centre of mass.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -95,8 +109,7 @@ pub struct ViscousDamping<S = f64> {
     pub matrix: Option<Box<[[S; 6]; 6]>>,
 }
 
-/// A force -c |v| v and a moment -c |omega| omega, component by component in body axes; v is relative to the water where
-/// the sea has a current.
+/// A force -c |v| v and a moment -c |omega| omega, component by component in body axes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -110,6 +123,9 @@ pub struct QuadraticDamping<S = f64> {
     pub enabled: bool,
     /// The body.
     pub body: Name,
+    /// What its velocity is relative to.
+    #[serde(default)]
+    pub relative_to: DampedAgainst,
     /// The point that the force acts at, and whose velocity counts, in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],

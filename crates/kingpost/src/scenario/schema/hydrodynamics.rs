@@ -47,6 +47,10 @@ pub struct Hydrodynamics<S = f64> {
     /// `wave_pressure`.
     #[serde(default)]
     pub wave_drift: bool,
+    /// Whether the drift forces change with the velocity of the hull through the water, by Aranha's formula for deep water:
+    /// damping of slow surge and sway by the waves, and more or less drift in a current. Needs `wave_drift`.
+    #[serde(default)]
+    pub wave_drift_damping: bool,
     /// First-order wave loads are taken at the place and heading that pass a filter of sixth order with this cut-off, rad/s:
     /// well below the waves' frequencies, above those of the ship's drift, which it follows without lag.
     #[serde(default = "slow_motion_cutoff")]

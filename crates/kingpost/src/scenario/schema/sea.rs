@@ -24,10 +24,10 @@ pub struct Sea<S = f64> {
     pub waves: IndexMap<Name, Waves<S>>,
     /// Time over which the waves grow from nothing at the start, s.
     pub ramp_s: NonNegative,
-    /// Velocity of the water at the surface along the world's x and y, m/s.
+    /// Velocity of the water at the surface along the world's x and y, m/s; of a current by a table left out.
     pub current_m_s: [S; 2],
-    /// How the current goes with depth: for loads of the current by coefficients; damping and radiation see that at the
-    /// surface.
+    /// How the current goes with depth: for loads of the current by coefficients; damping, radiation and drift see that at
+    /// the surface.
     pub current_profile: CurrentProfile<S>,
 }
 

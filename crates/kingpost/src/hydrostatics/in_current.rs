@@ -1,0 +1,99 @@
+//! What a current does to the waves about a hull that its loads leave out.
+
+use super::floating::Floating;
+use crate::elements::hull::{Excitation, HullVelocity, Parts, SlowFrame};
+use crate::sea::waves::{WaveComponent, WaveField, group_velocity_m_s};
+
+/// A change of the waves' lengths, or of the mean drift, that a current would make is warned of beyond this share.
+const LARGEST_CHANGE: f64 = 0.05;
+/// Least tanh(k h) of the waves, on average, that a formula for deep water is for.
+const LEAST_DEEP: f64 = 0.98;
+
+impl Floating<'_> {
+    /// Of the waves' lengths in a current, of drift without a current's part, and of drift damping over a near bottom.
+    pub(super) fn current_warnings(&self) -> Vec<String> {
+        let (Some(waves), Some(excitation)) = (&self.world.waves, &self.hull.excitation) else { return Vec::new() };
+        let body = &self.model.bodies[self.hull.frame.body].name;
+        let found = match excitation.drift_parts() {
+            [_, true] => [self.length_warning(waves), depth_warning(waves)],
+            [true, false] => [self.length_warning(waves), self.drift_warning(waves)],
+            [false, false] => [self.length_warning(waves), None],
+        };
+        found.into_iter().flatten().map(|words| format!("{body}: {words}")).collect()
+    }
+
+    fn current(&self) -> [f64; 2] {
+        let [x, y, _] = self.world.surface_current().0;
+        [x, y]
+    }
+
+    /// Of (w - k.U)^2 = g k tanh(k h) at the frequency w at a fixed point, to first order in U: the length grows by U.e over
+    /// the group velocity.
+    fn length_warning(&self, waves: &WaveField) -> Option<String> {
+        let [x, y] = self.current();
+        let longer = |wave: &WaveComponent| {
+            let (sin, cos) = libm::sincos(wave.direction_rad);
+            (x * cos + y * sin) / group_velocity_m_s(wave.angular_frequency_rad_s, waves.water())
+        };
+        let mean = of_energy(waves, longer);
+        let words = || {
+            format!(
+                "its waves have the lengths that they have in water that stands: a current of {:.2} m/s would make them {:.1} % {} \
+                 at the same periods, on average (warned of beyond {:.0} %)",
+                libm::hypot(x, y),
+                100.0 * mean.abs(),
+                if mean > 0.0 { "longer" } else { "shorter" },
+                100.0 * LARGEST_CHANGE
+            )
+        };
+        (mean.abs() > LARGEST_CHANGE).then(words)
+    }
+
+    /// By what Aranha's formula gives for a hull at rest in the current.
+    fn drift_warning(&self, waves: &WaveField) -> Option<String> {
+        let [x, y] = self.current();
+        let slow = SlowFrame::of(&self.frame());
+        let [along, across, _] = slow.rotation().transpose_times(self.world.surface_current()).0;
+        let parts = Parts { froude_krylov: true, drift: true, drift_damping: true };
+        let mut excitation = Excitation::new(self.database, waves, parts);
+        let mut mean = |through_water: [f64; 2]| {
+            let velocity = HullVelocity { through_water, over_ground: [0.0; 2] };
+            let [surge, sway, ..] = excitation.mean_drift(waves, slow.heading, &velocity);
+            [surge, sway]
+        };
+        let (without, with) = (mean([0.0; 2]), mean([-along, -across]));
+        let change = libm::hypot(with[0] - without[0], with[1] - without[1]) / libm::hypot(without[0], without[1]);
+        let kn = |force: [f64; 2]| format!("surge {:.1} kN, sway {:.1} kN", force[0] / 1000.0, force[1] / 1000.0);
+        let words = || {
+            format!(
+                "its mean drift in the waves is that without a current, {}; a current of {:.2} m/s makes it {}, by {:.0} % another, \
+                 which wave_drift_damping: true has (warned of beyond {:.0} %)",
+                kn(without),
+                libm::hypot(x, y),
+                kn(with),
+                100.0 * change,
+                100.0 * LARGEST_CHANGE
+            )
+        };
+        (change > LARGEST_CHANGE).then(words)
+    }
+}
+
+fn depth_warning(waves: &WaveField) -> Option<String> {
+    let depth_m = waves.water().depth_m?;
+    let mean = of_energy(waves, |wave| libm::tanh(wave.wave_number_per_m * depth_m));
+    let words = || {
+        format!(
+            "its wave_drift_damping is by a formula for deep water, and tanh(k h) of its waves is {mean:.3} on average (warned of \
+             below {LEAST_DEEP})"
+        )
+    };
+    (mean < LEAST_DEEP).then(words)
+}
+
+/// The mean over the waves, each by its energy.
+fn of_energy(waves: &WaveField, number: impl Fn(&WaveComponent) -> f64) -> f64 {
+    let energy = |wave: &WaveComponent| wave.amplitude_m * wave.amplitude_m;
+    let all: f64 = waves.components().map(energy).sum();
+    waves.components().map(|wave| energy(wave) * number(wave)).sum::<f64>() / all
+}

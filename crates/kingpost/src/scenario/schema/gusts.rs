@@ -1,0 +1,100 @@
+//! Gusts of the wind.
+
+use serde::{Deserialize, Serialize};
+
+use super::{NonNegative, Positive, WaveAmplitudes};
+use crate::scenario::leaf::Leaf;
+
+/// Gusts: the speed of the wind about its mean, drawn from a spectrum with the run's seed. They blow along the mean wind and meet
+/// the whole ship at once.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Gusts", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct Gusts<S = f64> {
+    /// Whether they blow.
+    pub enabled: bool,
+    /// Their spectrum.
+    pub spectrum: GustSpectrum<S>,
+    /// Number of components.
+    pub components: usize,
+    /// Whether amplitudes are random too, or those of the spectrum.
+    pub amplitudes: WaveAmplitudes,
+    /// Slower gusts are left out, Hz: 1/3600 unless given, for a mean over one hour.
+    #[serde(rename = "lowest_Hz")]
+    pub lowest_hz: Positive,
+    /// Faster gusts are left out, Hz: they are smaller than a ship.
+    #[serde(rename = "highest_Hz")]
+    pub highest_hz: Positive,
+    /// Time over which they grow from nothing at the start, s.
+    pub ramp_s: NonNegative,
+}
+
+impl<S: Leaf> Default for Gusts<S> {
+    fn default() -> Self {
+        Self {
+            enabled: true,
+            spectrum: GustSpectrum::Npd,
+            components: 200,
+            amplitudes: WaveAmplitudes::Deterministic,
+            lowest_hz: Positive::literal(1.0 / 3600.0),
+            highest_hz: Positive::literal(0.5),
+            ramp_s: NonNegative::literal(0.0),
+        }
+    }
+}
+
+/// The spectrum of gusts, of the mean wind at the height of the load.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "GustSpectrum", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum GustSpectrum<S = f64> {
+    /// That of the Norwegian Petroleum Directorate, of ISO 19901-1 and API RP 2MET.
+    #[default]
+    Npd,
+    /// That of API RP 2A.
+    Api(ApiGusts<S>),
+    /// Kaimal's, as IEC 61400-1 writes it.
+    Kaimal(KaimalGusts<S>),
+}
+
+/// S = sigma^2 / f_p / (1 + 1.5 f / f_p)^(5/3), f_p = c U / z, sigma as API RP 2A has it over the height z.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "ApiGusts", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct ApiGusts<S = f64> {
+    /// c: 0.01 to 0.1, 0.025 unless given.
+    pub peak_coefficient: Positive<S>,
+}
+
+impl<S: Leaf> Default for ApiGusts<S> {
+    fn default() -> Self {
+        Self { peak_coefficient: Positive::literal(0.025) }
+    }
+}
+
+/// S = 4 sigma^2 (L / U) / (1 + 6 f L / U)^(5/3), sigma = I U.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "KaimalGusts", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct KaimalGusts<S = f64> {
+    /// I, the deviation of the speed as a share of the mean.
+    pub turbulence_intensity: Positive<S>,
+    /// L, m: by IEC 61400-1 5.67 times the height, from 60 m on 340 m.
+    pub length_scale_m: Positive<S>,
+}

@@ -1,0 +1,143 @@
+//! Gusts: the wind's speed about its mean, as a sum of many components.
+
+mod spectrum;
+
+pub use spectrum::{GustSpectrum, MeanWind};
+
+use crate::scalar::Scalar;
+use crate::sea::waves::{Amplitudes, MOST_COMPONENTS, Noise, ramp};
+
+/// The channels of noise of gusts begin here; those of wave systems are few.
+const FIRST_CHANNEL: u64 = 1 << 32;
+/// What a channel of noise is for.
+#[derive(Clone, Copy)]
+enum Draw {
+    Frequency = 0,
+    Phase = 1,
+    Amplitude = 2,
+}
+
+/// One realisation of a gusty wind; the same seed gives the same, bit for bit.
+///
+/// The band is cut into bins of equal width over ln f, over which f S(f) is broad. Each gives one component of the variance in
+/// its bin, at a frequency that is drawn evenly over ln f from it, so that the wind does not repeat, and with a phase from 0 to a
+/// turn. Frequencies and phases are the same at all heights: a gust meets the whole ship at once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gusts<S = f64> {
+    /// The spectrum.
+    pub spectrum: GustSpectrum<S>,
+    components: Vec<Component>,
+    ramp_s: f64,
+}
+
+/// How a realisation of gusts is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GustRealisation {
+    /// Of every random number.
+    pub seed: u64,
+    /// Number of components.
+    pub components: usize,
+    /// Lowest and highest frequency, Hz.
+    pub band_hz: [f64; 2],
+    /// How amplitudes are drawn.
+    pub amplitudes: Amplitudes,
+    /// Time over which the gusts grow from nothing, s.
+    pub ramp_s: f64,
+}
+
+/// What of a realisation cannot be: the field, and what it may be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GustError {
+    /// Field of the realisation.
+    pub field: &'static str,
+    /// What it is.
+    pub found: String,
+    /// What it may be.
+    pub allowed: String,
+}
+
+/// A component of the wind's speed, but for its amplitude.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Component {
+    /// Of its bin, Hz.
+    ends_hz: [f64; 2],
+    frequency_hz: f64,
+    phase_turns: f64,
+    /// Its variance over that in the bin.
+    share: f64,
+}
+
+/// The gusts at one height: what is computed, for a load that asks many times.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GustsAtHeight<S = f64> {
+    /// m/s.
+    amplitudes: Vec<S>,
+    frequencies_hz: Vec<f64>,
+    phases_turns: Vec<f64>,
+    ramp_s: f64,
+}
+
+impl<S: Scalar> Gusts<S> {
+    /// Draws a realisation.
+    ///
+    /// # Errors
+    /// No components or more than 20,000, a band that is empty.
+    pub fn new(spectrum: GustSpectrum<S>, of: &GustRealisation) -> Result<Self, GustError> {
+        let [lowest, highest] = of.band_hz;
+        if of.components == 0 || of.components > MOST_COMPONENTS {
+            let allowed = format!("a number from 1 to {MOST_COMPONENTS}");
+            return Err(GustError { field: "components", found: of.components.to_string(), allowed });
+        }
+        if highest <= lowest {
+            let allowed = format!("more than lowest_Hz, {lowest}");
+            return Err(GustError { field: "highest_Hz", found: highest.to_string(), allowed });
+        }
+        let (noise, count) = (Noise::new(of.seed), of.components as f64);
+        let (begin, width) = (libm::log(lowest), libm::log(highest / lowest) / count);
+        let component = |i: u64| {
+            let uniform = |draw: Draw| noise.uniform(FIRST_CHANNEL + draw as u64, i);
+            let at = |bins: f64| libm::exp(begin + width * bins);
+            let start = i as f64;
+            Component {
+                ends_hz: [at(start), at(start + 1.0)],
+                frequency_hz: at(start + uniform(Draw::Frequency)),
+                phase_turns: uniform(Draw::Phase),
+                share: match of.amplitudes {
+                    Amplitudes::Deterministic => 1.0,
+                    Amplitudes::Random => -libm::log(uniform(Draw::Amplitude)),
+                },
+            }
+        };
+        Ok(Self { spectrum, components: (0..of.components as u64).map(component).collect(), ramp_s: of.ramp_s })
+    }
+
+    /// The gusts in this mean wind at its height.
+    pub fn at_height(&self, mean: &MeanWind<S>) -> GustsAtHeight<S> {
+        let amplitude =
+            |of: &Component| self.spectrum.deviation(mean, of.ends_hz) * S::constant(libm::sqrt(2.0 * of.share));
+        GustsAtHeight {
+            amplitudes: self.components.iter().map(amplitude).collect(),
+            frequencies_hz: self.components.iter().map(|of| of.frequency_hz).collect(),
+            phases_turns: self.components.iter().map(|of| of.phase_turns).collect(),
+            ramp_s: self.ramp_s,
+        }
+    }
+}
+
+impl<S: Scalar> GustsAtHeight<S> {
+    /// Speed along the mean wind beside the mean at a time (s), m/s.
+    pub fn speed(&self, time_s: f64) -> S {
+        let waves = self.amplitudes.iter().zip(&self.frequencies_hz).zip(&self.phases_turns);
+        let sum = waves.fold(S::ZERO, |sum, ((amplitude, frequency), phase)| {
+            sum + *amplitude * S::constant((frequency * time_s + phase).cos_of_turns())
+        });
+        let [share, ..] = ramp(time_s, self.ramp_s);
+        sum * S::constant(share)
+    }
+
+    /// Root of the mean square of the speed after the ramp, m/s.
+    pub fn deviation(&self) -> S {
+        let half = S::constant(0.5);
+        self.amplitudes.iter().fold(S::ZERO, |sum, a| sum + half * *a * *a).sqrt()
+    }
+}

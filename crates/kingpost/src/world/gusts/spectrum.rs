@@ -1,0 +1,114 @@
+//! Gust spectra: the density of the variance of the wind's speed over frequency.
+
+use crate::scalar::Scalar;
+
+/// A one-sided spectrum S(f) of the speed along the mean wind, m^2/s^2 per Hz, of the mean speed U(z) at the height z and U_10
+/// at 10 m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GustSpectrum<S = f64> {
+    /// That of the Norwegian Petroleum Directorate, of wind measured off Froya (ISO 19901-1:2015, A.7.4; API RP 2MET), of the
+    /// mean over one hour,
+    ///
+    /// ```text
+    /// S = 320 (U_10 / 10)^2 (z / 10)^0.45 / (1 + x^n)^(5 / (3 n)),   x = 172 f (z / 10)^(2/3) (U_10 / 10)^(-3/4),   n = 0.468
+    /// ```
+    Npd,
+    /// That of API RP 2A-WSD, 21st ed., 2.3.2: sigma = U(z) I with I = 0.15 (z / 20)^-0.125 up to 20 m and
+    /// 0.15 (z / 20)^-0.275 above, and `S = sigma^2 / f_p / (1 + 1.5 f / f_p)^(5/3)`, `f_p = c U(z) / z`.
+    Api {
+        /// c, from 0.01 to 0.10, on average 0.025.
+        peak_coefficient: S,
+    },
+    /// Kaimal's in the form of IEC 61400-1, annex B: sigma = I U(z), `S = 4 sigma^2 (L / U) / (1 + 6 f L / U)^(5/3)`, which is
+    /// API's formula with `f_p = U / (4 L)`.
+    Kaimal {
+        /// I, sigma as a share of the mean speed.
+        turbulence_intensity: S,
+        /// L, m.
+        length_scale: S,
+    },
+}
+
+/// The mean wind that a spectrum belongs to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeanWind<S = f64> {
+    /// z, m.
+    pub height: S,
+    /// U(z), m/s.
+    pub speed: S,
+    /// U_10, m/s.
+    pub at_ten_metres: S,
+}
+
+/// Least mean speed that gusts have a shape at, m/s: below it they are in proportion to the speed.
+const LEAST_M_S: f64 = 1e-6;
+/// n of the NPD spectrum.
+const N: f64 = 0.468;
+/// Points and weights of the Gauss-Legendre rule on (-1, 1) (Abramowitz & Stegun, table 25.4, n = 4).
+const RULE: [(f64, f64); 4] = [
+    (-0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
+    (-0.339_981_043_584_856_3, 0.652_145_154_862_546_1),
+    (0.339_981_043_584_856_3, 0.652_145_154_862_546_1),
+    (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
+];
+
+impl<S: Scalar> GustSpectrum<S> {
+    /// S(f), m^2/s.
+    pub fn density(&self, mean: &MeanWind<S>, frequency_hz: f64) -> S {
+        let scale = self.scale(mean);
+        scale * scale * self.shape(mean, frequency_hz)
+    }
+
+    /// Square root of the variance between two frequencies above 0, Hz: the integral of f S over ln f, m/s.
+    pub fn deviation(&self, mean: &MeanWind<S>, [lowest, highest]: [f64; 2]) -> S {
+        let (from, to) = (libm::log(lowest), libm::log(highest));
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let at = |(point, weight): &(f64, f64)| {
+            let frequency = libm::exp(middle + half * point);
+            self.shape(mean, frequency) * S::constant(weight * half * frequency)
+        };
+        self.scale(mean) * RULE.iter().map(at).fold(S::ZERO, |sum, part| sum + part).sqrt()
+    }
+
+    /// What S is in proportion to the square of, m/s; 0 in no wind.
+    fn scale(&self, mean: &MeanWind<S>) -> S {
+        match self {
+            Self::Npd => mean.at_ten_metres,
+            Self::Api { .. } => mean.speed * api_intensity(mean.height),
+            Self::Kaimal { turbulence_intensity, .. } => mean.speed * *turbulence_intensity,
+        }
+    }
+
+    /// S over the square of the scale, 1/Hz.
+    fn shape(&self, mean: &MeanWind<S>, frequency_hz: f64) -> S {
+        let (c, f) = (S::constant, S::constant(frequency_hz));
+        let speed = at_least(mean.speed);
+        match self {
+            Self::Npd => {
+                let (z, u) = (mean.height / c(10.0), at_least(mean.at_ten_metres) / c(10.0));
+                let x = c(172.0) * f * z.pow(c(2.0 / 3.0)) * u.pow(c(-0.75));
+                c(3.2) * z.pow(c(0.45)) * (S::ONE + x.pow(c(N))).pow(c(-5.0 / (3.0 * N)))
+            }
+            Self::Api { peak_coefficient } => five_thirds(f, *peak_coefficient * speed / mean.height),
+            Self::Kaimal { length_scale, .. } => five_thirds(f, speed / (c(4.0) * *length_scale)),
+        }
+    }
+}
+
+/// Turbulence intensity of API RP 2A at a height, m.
+fn api_intensity<S: Scalar>(height: S) -> S {
+    let (c, ratio) = (S::constant, height / S::constant(20.0));
+    let exponent = ratio.select_below(1.0, || c(-0.125), || c(-0.275));
+    c(0.15) * ratio.pow(exponent)
+}
+
+/// 1 / f_p / (1 + 1.5 f / f_p)^(5/3), whose integral over all frequencies is 1.
+fn five_thirds<S: Scalar>(frequency: S, peak: S) -> S {
+    let base = S::ONE + S::constant(1.5) * frequency / peak;
+    base.pow(S::constant(-5.0 / 3.0)) / peak
+}
+
+fn at_least<S: Scalar>(speed: S) -> S {
+    let least = S::constant(LEAST_M_S);
+    speed.select_below(LEAST_M_S, || least, || speed)
+}
