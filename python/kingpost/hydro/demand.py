@@ -9,6 +9,7 @@ and what is kept of every frequency.
 from __future__ import annotations
 
 import os
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -106,22 +107,32 @@ def process_bytes(run: Size) -> float:
 
 def resident_bytes() -> float:
     """Bytes of memory that this process has now, or the most that it has had where that alone is known."""
-    try:
-        pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
-        return float(pages * os.sysconf("SC_PAGE_SIZE"))
-    except (OSError, ValueError, IndexError, AttributeError):
-        return peak_bytes()
+    return _status("VmRSS") or peak_bytes()
 
 
 def peak_bytes() -> float:
     """The most bytes of memory that this process has had."""
+    # Linux's getrusage counts what the process was a copy of before it became another program.
+    found = _status("VmHWM")
+    if found is not None:
+        return found
     try:
         import resource
     except ImportError:
         return UNKNOWN
     most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     # macOS counts bytes, others kibibytes.
-    return float(most if os.uname().sysname == "Darwin" else most * 1024)
+    return float(most if sys.platform == "darwin" else most * 1024)
+
+
+def _status(name: str) -> float | None:
+    """Bytes by a line of Linux's own account of a process, such as ``VmRSS:   1024 kB``."""
+    try:
+        lines = Path("/proc/self/status").read_text(encoding="ascii").splitlines()
+    except (OSError, UnicodeDecodeError):
+        return None
+    values = [line.split()[1] for line in lines if line.startswith(f"{name}:")]
+    return 1024.0 * float(values[0]) if values else None
 
 
 def machine_bytes() -> float | None:
