@@ -90,7 +90,7 @@ def memory_bytes(run: Size) -> float:
 
     >>> run = Size(1600, 0, 0, 12, 28, 240)
     >>> f"{run.matrix_bytes / 1e6:.0f} MB a matrix, {memory_bytes(run) / 1e6:.0f} MB in all"
-    '41 MB a matrix, 162 MB in all'
+    '41 MB a matrix, 161 MB in all'
     """
     images = 2**run.reflections
     whole, problems = run.panels * images, 6 + run.directions
