@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import weakref
+
 import numpy as np
 import pytest
 from kingpost.hydro import solve as solving
 from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Water
+from kingpost.hydro.influence import Engine
 from kingpost.hydro.meshes import parametric
 from kingpost.hydro.partial import Partial, digest
 
@@ -59,10 +62,19 @@ def test_a_stopped_run_goes_on_and_ends_with_the_same_bits(tmp_path, monkeypatch
     np.testing.assert_array_equal(found.far_field.radiated, whole.far_field.radiated)
 
 
-def test_no_matrix_outlives_its_frequency() -> None:
-    from capytaine.tools.block_circulant_matrices import NestedBlockCirculantMatrix
+def test_no_matrix_outlives_its_frequency(monkeypatch) -> None:
+    built, build = [], Engine._build
 
+    def counted(engine, parts, settings):
+        assert all(one() is None for one in built)
+        found = build(engine, parts, settings)
+        built.extend(weakref.ref(block) for matrix in found for block in matrix.blocks)
+        return found
+
+    monkeypatch.setattr(Engine, "_build", counted)
     hull = parametric(parse_shape(BARGE), BARGE, 80)
     assert len(hull.reflections) == 2
     solving.solve(hull, Water(), np.array([0.5, 0.8]), 4, with_lid=False)
-    assert NestedBlockCirculantMatrix.to_BlockCirculantMatrix.cache_info().currsize == 0
+    # Two matrices of four blocks at three frequencies, the infinite one among them.
+    assert len(built) == 24
+    assert all(one() is None for one in built)

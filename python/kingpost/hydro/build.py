@@ -84,7 +84,7 @@ def build(
         directions = default_directions(hull.particulars.length_m, highest, water)
     _check_depth(hull, water)
     _check_panels(hull, water, highest)
-    lid_wanted, notes = _lid(hull, with_lid)
+    lid_wanted, notes = choose_lid(hull, with_lid)
     if loading is not None:
         # Refused before the long work where such a hull would not stay upright.
         stiffness_matrix(standing(hull), water, loading)
@@ -144,7 +144,8 @@ def _check_panels(hull: HullMeshes, water: Water, highest: float) -> None:
         )
 
 
-def _lid(hull: HullMeshes, wanted: bool | None) -> tuple[bool, tuple[str, ...]]:
+def choose_lid(hull: HullMeshes, wanted: bool | None) -> tuple[bool, tuple[str, ...]]:
+    """Whether a hull gets a lid, and what is to be said where it gets none."""
     least = SHALLOWEST_LID * hull.panel_size_m
     possible = hull.particulars.draught_m >= least
     if wanted and not possible:

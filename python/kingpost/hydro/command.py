@@ -12,8 +12,8 @@ import numpy as np
 
 from .. import progress
 from ..errors import HydrodynamicsError
-from . import attitude_command, import_command, importers, inclined, resolution
-from .build import FREQUENCIES, MOST_PANELS, PANELS, build, default_frequencies
+from . import attitude_command, demand, import_command, importers, inclined, resolution
+from .build import FREQUENCIES, MOST_PANELS, PANELS, build, choose_lid, default_frequencies
 from .database import Database, Radiation, Water
 from .database_file import check_output, rounded, write
 from .drift import Loading
@@ -22,7 +22,7 @@ from .meshes import HullMeshes, parametric
 from .partial import ENDING, Partial
 from .radiation_fit import FEWEST_FREQUENCIES, LIMIT, Misfit, fit, misfits
 from .shapes import Box, Hemisphere, Shape, Sphere, Wigley
-from .solve import capytaine, memory_needed
+from .solve import capytaine
 from .summary import summary
 from .vessel import OffshoreVessel
 
@@ -105,9 +105,11 @@ def run(options: argparse.Namespace) -> Database:
     print(summary(hull, water))
     print(f"{'wave directions':<20}{directions}")
     _warn([*hull.remarks, *resolution.warnings(length_m, frequencies, directions, water)])
-    partial = Partial(target.with_name(target.name + ENDING))
-    print(_demand(hull))
-    with progress.bar(len(frequencies) + 1, "frequencies") as update:
+    every = len(frequencies) + 1
+    partial = _partial(target, every)
+    has_lid, _ = choose_lid(hull, options.lid)
+    _warn(_demand(demand.size(hull, has_lid, water, frequencies, directions)))
+    with progress.bar(every, "frequencies") as update:
         title = options.title or hull.source
         database = build(hull, water, title, frequencies, directions, options.lid, loading, update, partial)
     database = _fitted(database, options, target)
@@ -115,16 +117,25 @@ def run(options: argparse.Namespace) -> Database:
     return database
 
 
-def _demand(hull: HullMeshes) -> str:
-    """What the panel method will take, before it starts."""
-    count = len(hull.panels.faces)
-    needed = memory_needed(count, len(hull.reflections)) / 1e9
-    threads = os.environ.get("OMP_NUM_THREADS") or os.cpu_count()
-    return (
-        f"{'to be solved':<20}{count} panels, {needed:.2g} GB a frequency, one at a time, {threads} "
-        f"threads; a lid "
-        "takes more by its panels. A run that is stopped goes on from what it has"
+def _partial(target: Path, every: int) -> Partial:
+    """What a stopped run has left, taken up with a word."""
+    left = f"of {every} frequencies are there from a run that was stopped"
+    return Partial(
+        target.with_name(target.name + ENDING), lambda done: print(f"{'goes on':<20}{done} {left}")
     )
+
+
+def _demand(run: demand.Size) -> list[str]:
+    """Say what the panel method will take, before it starts; warnings of what the machine has not."""
+    threads = os.environ.get("OMP_NUM_THREADS") or os.cpu_count()
+    lid = f", {run.lid_panels} of them a lid," if run.lid_panels else ""
+    print(f"{'to be solved':<20}{run.panels} panels{lid} for 1 frequency at a time, {threads} threads")
+    needed, matrix = demand.process_bytes(run), run.matrix_bytes
+    print(f"{'memory':<20}{needed / 1e9:.3g} GB at most, all of the process; a matrix {matrix / 1e6:.3g} MB")
+    there = demand.machine_bytes()
+    if there is not None and needed > there:
+        return [f"this machine has {there / 1e9:.3g} GB of memory: use fewer panels"]
+    return []
 
 
 def _fitted(database: Database, options: argparse.Namespace, target: Path) -> Database:

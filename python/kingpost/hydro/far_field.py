@@ -13,6 +13,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from .database import Water
+    from .meshes import HullMeshes
+
+ANGLES_AT_ONCE = 24
+"""Angles whose waves are summed over the panels together."""
 
 
 @dataclass(frozen=True)
@@ -34,9 +38,12 @@ class FarField:
     directions: list[int]
 
 
-def angle_count(radius: float, highest_wave_number: float, directions: int) -> int:
+def ring_angles(
+    hull: HullMeshes, water: Water, frequencies_rad_s: NDArray[np.float64], directions: int
+) -> int:
     """Angles that resolve f, of order up to k R, and its products; a multiple of the directions."""
-    least = max(240.0, 6 * radius * highest_wave_number)
+    radius = np.hypot(hull.particulars.length_m, hull.particulars.beam_m) / 2
+    least = max(240.0, 6 * radius * wave_number(frequencies_rad_s[-1], water))
     return directions * int(np.ceil(least / directions))
 
 
@@ -63,17 +70,20 @@ def ring_waves(
         phi and phi_n along the outward normal, shape (potentials, panels).
     """
     k = wave_number(frequency, water)
-    turn = 2 * np.pi * np.arange(angles) / angles
-    ahead = np.stack([np.cos(turn), np.sin(turn), 0 * turn])
-    sideways = np.exp(-1j * k * (mesh.faces_centers @ ahead))
     height, slope = decay(k, mesh.faces_centers[:, 2], water)
     phi = potential * mesh.faces_areas
     flux = normal_velocity * mesh.faces_areas * height - phi * mesh.faces_normals[:, 2] * slope
     along = phi * height
-    # d/dn of the exponential: -i k (n_x cos t + n_y sin t).
-    sums = flux @ sideways
-    for axis in (0, 1):
-        sums += 1j * k * ahead[axis] * ((along * mesh.faces_normals[:, axis]) @ sideways)
+    sums = np.empty((len(potential), angles), complex)
+    # A few angles at a time: all of them over all panels would take more than the matrices of a small hull.
+    for some in np.array_split(np.arange(angles), -(-angles // ANGLES_AT_ONCE)):
+        turn = 2 * np.pi * some / angles
+        ahead = np.stack([np.cos(turn), np.sin(turn), 0 * turn])
+        sideways = np.exp(-1j * k * (mesh.faces_centers @ ahead))
+        # d/dn of the exponential: -i k (n_x cos t + n_y sin t).
+        sums[:, some] = flux @ sideways
+        for axis in (0, 1):
+            sums[:, some] += 1j * k * ahead[axis] * ((along * mesh.faces_normals[:, axis]) @ sideways)
     strength = k**2 / (2 * group_ratio(frequency, water) * frequency**2 / water.gravity_m_s2)
     factor = frequency * strength / (2 * water.gravity_m_s2) * np.sqrt(2 / (np.pi * k))
     return factor * np.exp(-0.25j * np.pi) * sums

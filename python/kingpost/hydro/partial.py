@@ -8,6 +8,7 @@ whole or not at all, and taken away when the database stands.
 
 from __future__ import annotations
 
+import glob
 import hashlib
 import os
 import zipfile
@@ -17,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Callable, Iterable
 
     from numpy.typing import NDArray
 
@@ -42,10 +43,18 @@ def digest(parts: Iterable[Any]) -> str:
 
 
 class Partial:
-    """Arrays by frequency; the key of infinite frequency is ``infinite``."""
+    """Arrays by frequency; the key of infinite frequency is ``infinite``.
 
-    def __init__(self, path: Path | None) -> None:
-        self.path, self.settings = path, ""
+    Parameters
+    ----------
+    path
+        Of the file, or `None` to keep nothing.
+    say
+        Told how many frequencies are taken up, where there are any.
+    """
+
+    def __init__(self, path: Path | None, say: Callable[[int], None] = lambda _count: None) -> None:
+        self.path, self.settings, self.say = path, "", say
         self.arrays: dict[str, tuple[NDArray, ...]] = {}
 
     def open(self, settings: str) -> int:
@@ -65,6 +74,8 @@ class Partial:
         except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
             # A file that cannot be read is as none: all is computed anew.
             self.arrays = {}
+        if self.arrays:
+            self.say(len(self.arrays))
         return len(self.arrays)
 
     def get(self, key: str) -> tuple[NDArray, ...] | None:
@@ -88,3 +99,6 @@ class Partial:
         """The database stands: the file is no longer wanted."""
         if self.path is not None:
             self.path.unlink(missing_ok=True)
+            # What a run that was killed while it wrote has left.
+            for left in self.path.parent.glob(f".{glob.escape(self.path.name)}.*.npz"):
+                left.unlink(missing_ok=True)

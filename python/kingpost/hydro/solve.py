@@ -15,9 +15,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import HydrodynamicsError
+from . import finite_depth
 from .airy import decay, wave_number
 from .database import Water
-from .far_field import FarField, angle_count, ring_waves
+from .far_field import FarField, ring_angles, ring_waves
+from .influence import Engine
 from .meshes import HullMeshes, whole
 from .panels import Panels, lid
 from .partial import Partial, digest
@@ -93,13 +95,12 @@ def solve(
     """
     module = capytaine()
     cover = lid(hull.panels, hull.panel_size_m) if with_lid else None
-    radius = np.hypot(hull.particulars.length_m, hull.particulars.beam_m) / 2
-    rings = angle_count(radius, wave_number(frequencies_rad_s[-1], water), directions)
+    rings = ring_angles(hull, water, frequencies_rad_s, directions)
     problem = _Problem(module, hull, water, cover, rings)
     chosen = independent_directions(directions, hull.reflections)
     angles = 2 * np.pi * np.array(chosen) / directions
     partial = partial or Partial(None)
-    partial.open(_settings(module, hull, water, cover, frequencies_rad_s, directions, rings))
+    partial.open(_settings(problem, hull, cover, frequencies_rad_s, directions))
     kept = partial.get("infinite")
     if kept is None:
         kept = (problem.infinite(),)
@@ -131,30 +132,18 @@ def solve(
 
 
 def _settings(
-    module: Any, hull: HullMeshes, water: Water, cover: Panels | None, frequencies_rad_s: NDArray[np.float64],
-    directions: int, rings: int,
+    problem: _Problem, hull: HullMeshes, cover: Panels | None, frequencies_rad_s: NDArray[np.float64],
+    directions: int,
 ) -> str:  # fmt: skip
     """The digest of all that the coefficients depend on."""
     lids = () if cover is None else (cover.vertices, cover.faces)
     stands = () if hull.attitude is None else (hull.attitude,)
+    water, engine = problem.water, problem.engine.exportable_settings
     return digest([
-        module.__version__, hull.reflections, hull.panels.vertices, hull.panels.faces, *lids, *stands,
-        water.density_kg_m3, water.gravity_m_s2, water.depth_m, frequencies_rad_s, directions, rings,
+        problem.module.__version__, engine, hull.reflections, hull.panels.vertices, hull.panels.faces, *lids,
+        *stands, water.density_kg_m3, water.gravity_m_s2, water.depth_m, frequencies_rad_s, directions,
+        problem.rings,
     ])  # fmt: skip
-
-
-def memory_needed(unknowns: int, reflections: int) -> float:
-    """Bytes that one frequency takes, beside Python and its packages.
-
-    S and D are full matrices of 16 bytes an entry of the part that is solved, as many of each as
-    there are mirror
-    images; D is factored in a copy, and with two planes S is written out once more in twice as
-    many. Matrices of
-    the frequency before are gone when the next are built.
-    """
-    images = 2**reflections
-    matrices = 3 * images + (2 * images if reflections == 2 else 0)
-    return 16.0 * unknowns**2 * matrices
 
 
 class _Problem:
@@ -162,7 +151,8 @@ class _Problem:
 
     def __init__(self, module: Any, hull: HullMeshes, water: Water, cover: Panels | None, rings: int) -> None:
         self.module = module
-        self.solver = module.BEMSolver(method="direct")
+        self.engine = Engine(finite_depth.green_function(module))
+        self.solver = module.BEMSolver(engine=self.engine, method="direct")
         self.water, self.rings = water, rings
         depth = np.inf if water.depth_m is None else water.depth_m
         self.conditions = {"rho": water.density_kg_m3, "g": water.gravity_m_s2, "water_depth": depth}
@@ -182,8 +172,8 @@ class _Problem:
         added_mass = self._matrix([result.added_masses for result in radiated])
         damping = self._matrix([result.radiation_dampings for result in radiated])
         forces = np.array([[result.forces[motion] for motion in self.motions] for result in scattered])
+        self.engine.forget()
         waves = self._ring_waves([*radiated, *scattered], frequency)
-        self._forget()
         return added_mass, damping, forces, waves[:6], waves[6:]
 
     def _ring_waves(self, results: Sequence[Any], frequency: float) -> NDArray[np.complex128]:
@@ -196,23 +186,8 @@ class _Problem:
         """Added mass at infinite frequency, where the potential vanishes on the water plane."""
         problems = [self._radiation(self.bare, motion, np.inf) for motion in self.motions]
         found = self._matrix([self._solve(problem).added_masses for problem in problems])
-        self._forget()
+        self.engine.forget()
         return found
-
-    def _forget(self) -> None:
-        """Let the matrices of a frequency go.
-
-        Capytaine 3.0 keeps, of hulls with two planes of symmetry, up to 128 matrices that it has
-        written out, by a
-        cache of its class: 12 times the solved part's matrix, twice a frequency.
-        """
-        self.solver.engine.last_computed_inputs = self.solver.engine.last_computed_matrices = None
-        from capytaine.tools import block_circulant_matrices
-
-        for name in ("NestedBlockCirculantMatrix", "BlockCirculantMatrix"):
-            kept = getattr(getattr(block_circulant_matrices, name, None), "to_BlockCirculantMatrix", None)
-            if hasattr(kept, "cache_clear"):
-                kept.cache_clear()
 
     def _radiation(self, body: Any, motion: str, frequency: float) -> Any:
         return self.module.RadiationProblem(
@@ -255,6 +230,7 @@ def froude_krylov(
     k = wave_number(frequency, water)
     x, y, z = points.T
     height, _ = decay(k, z, water)
-    phase = k * (np.outer(np.cos(angles), x) + np.outer(np.sin(angles), y))
-    pressure = water.density_kg_m3 * water.gravity_m_s2 * height * np.exp(1j * phase)
-    return -pressure @ weights
+    pressure = water.density_kg_m3 * water.gravity_m_s2 * height
+    # A direction at a time: together they would take more than the matrices of a small hull.
+    forces = [-(pressure * np.exp(1j * k * (np.cos(a) * x + np.sin(a) * y))) @ weights for a in angles]
+    return np.array(forces)
