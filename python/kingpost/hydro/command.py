@@ -17,10 +17,11 @@ from .build import FREQUENCIES, MOST_PANELS, PANELS, build, default_frequencies
 from .database import Database, Radiation, Water
 from .database_file import check_output, rounded, write
 from .drift import Loading
+from .fit_data import FEWEST_FREQUENCIES
 from .hull_files import HullFile
 from .meshes import HullMeshes, parametric
 from .partial import ENDING, Partial
-from .radiation_fit import FEWEST_FREQUENCIES, LIMIT, Misfit, fit, misfits
+from .radiation_fit import LIMIT, Misfit, fit, misfits
 from .shapes import Box, Hemisphere, Shape, Sphere, Wigley
 from .solve import capytaine, memory_needed
 from .summary import summary
