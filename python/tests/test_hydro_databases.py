@@ -20,9 +20,13 @@ LISTED = {**SIZE, "draught_m": 5.0, "first_column": "period_s"}
 
 
 def band(omega: np.ndarray, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Damping B, a steep band about 0.9 rad/s as a semi-submersible's, and A - A_inf by Ogilvie's relation,
+    """Damping B, three steep bands as a semi-submersible's, and A - A_inf by Ogilvie's relation,
     A - A_inf = (2/pi) P int_0^inf (B(x) - B(w)) / (x^2 - w^2) dx, by trapezoids."""
-    damping = omega**6 * np.exp(-(((omega - 0.9) / 0.18) ** 2))
+    damping = omega**4 * (
+        np.exp(-(((omega - 0.8) / 0.08) ** 2))
+        + 0.6 * np.exp(-(((omega - 1.1) / 0.08) ** 2))
+        + 0.5 * np.exp(-(((omega - 1.5) / 0.1) ** 2))
+    )
     wanted = np.interp(at, omega, damping)
     found = []
     for w, b in zip(at, wanted, strict=True):
@@ -34,7 +38,7 @@ def band(omega: np.ndarray, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def platform() -> radiation_fit.Database:
-    """Heave of a hull whose damping by waves at 0.3 rad/s is a millionth of its peak."""
+    """Heave of a hull whose damping by waves is nothing where it resonates."""
     omega = np.linspace(0.05, 2.0, 40)
     damping, added_mass = band(np.linspace(0.0, 40.0, 400_001)[1:], omega)
     peak = 1e5 / damping.max()
@@ -60,6 +64,7 @@ def test_a_response_far_below_the_peak_of_damping_is_that_of_the_data() -> None:
     exact = 1.0 / (-1j * omega * (damping + besides))
     found = 1.0 / (stiffness - omega**2 * (mass + infinite) - 1j * omega * (np.conj(fitted) + besides))
     off = np.abs(np.abs(found) / np.abs(exact) - 1.0)[low]
+    # A fit of as many poles by the peak alone, unweighted, is off by 2.3 %.
     assert off.max() <= 1.05 * radiation_fit.RESPONSE_SHARE * radiation_fit.LIMIT
 
 

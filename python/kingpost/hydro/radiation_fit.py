@@ -40,9 +40,9 @@ TAIL = np.array([1.15, 1.4, 1.8, 2.5, 4.0, 7.0])
 # with the first, the guess gives way to the data, and counts a hundredth, in squares.
 TAIL_WEIGHTS = (1.0, 0.1)
 # Of the limit, what an error of responses is to be: many a platform has less damping than is counted there.
-RESPONSE_SHARE = 0.5
+RESPONSE_SHARE = 0.25
 # Fits whose errors differ by less than this factor are alike: the one with fewer poles is taken.
-ALIKE = 1.1
+ALIKE = 1.5
 
 
 def fit(
