@@ -79,6 +79,26 @@ def test_noise_of_high_frequencies_is_no_peak_of_the_memory() -> None:
     assert peaks[1] == pytest.approx(peaks[0])
 
 
+def test_a_fit_that_misses_in_a_coupling_alone_says_which() -> None:
+    omega = np.geomspace(0.05, 60.0, 160)
+    response = samples.memory_of_bandpasses(omega)
+    infinite = np.diag([3e5, 3e5, 3e5, 0.0, 7e6, 0.0])
+    added_mass = infinite + response.imag / omega[:, None, None]
+    peaks = np.abs(np.diagonal(response, axis1=1, axis2=2)).max(axis=0)
+    # A tenth of the peaks, up and down, in the middle of the damping.
+    at = np.flatnonzero((omega > 0.6) & (omega < 1.4))
+    turned = 0.1 * np.sqrt(peaks[0] * peaks[4]) / omega[at] * (-1.0) ** np.arange(len(at))
+    added_mass[at, 0, 4] += turned
+    added_mass[at, 4, 0] += turned
+    database = samples.database(omega, added_mass, response.real, infinite)
+    radiation = radiation_fit.fit(database, most_states=10, accept=True)
+    found = {one.motion: one for one in radiation_fit.misfits(database, radiation)}
+    assert {name for name, one in found.items() if one.memory > radiation_fit.LIMIT} >= {"surge", "pitch"}
+    assert (found["surge"].coupled_with, found["pitch"].coupled_with) == ("pitch", "surge")
+    assert found["surge"].memory == pytest.approx(radiation.fit_error)
+    assert found["surge"].frequency_rad_s in omega[at]
+
+
 def test_a_first_or_last_frequency_that_fails_is_left_out_and_a_steep_start_is_kept() -> None:
     omega = np.array([0.105, 0.209, 0.251, 0.314, 0.331, 0.349, 0.370, 0.393, 0.8, 1.2, 2.0, 3.1])
     # Sectional added mass in roll of a supply vessel by strip theory, 1e7 kg m2: the first is not there.

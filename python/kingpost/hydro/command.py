@@ -146,8 +146,10 @@ def _fitted(database: Database, options: argparse.Namespace, target: Path) -> Da
 
 
 def _missed(one: Misfit) -> str:
+    coupling = f", coupled with {one.coupled_with}," if one.coupled_with else ""
     return (
-        f"the memory of {one.motion} is fitted to {one.memory:.1%} only, at {one.frequency_rad_s:.4g} rad/s "
+        f"the memory of {one.motion}{coupling} is fitted to {one.memory:.2%} only, at "
+        f"{one.frequency_rad_s:.4g} rad/s "
         f"({one.added_mass:.1%} of its added mass, {one.damping:.1%} of its damping)"
     )
 

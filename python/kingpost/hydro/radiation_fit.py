@@ -107,14 +107,16 @@ def evaluate(radiation: Radiation, omega: Array) -> ComplexArray:
 
 @dataclass(frozen=True)
 class Misfit:
-    """How far a motion's fit is from its data: K as `fit` measures it, A and B over the largest of each, all
-    of the diagonal, and the frequency at which K misses most."""
+    """How far a motion's fit is from its data: K as `fit` measures it, couplings too, A and B of the diagonal
+    over the largest of each; the frequency at which K misses most, and the other motion of a coupling.
+    """
 
     motion: str
     memory: float
     added_mass: float
     damping: float
     frequency_rad_s: float
+    coupled_with: str = ""
 
 
 def misfits(
@@ -132,14 +134,15 @@ def misfits(
         if not data.coupled[motion, motion]:
             continue
         one = error[:, motion, motion]
-        weighted = data.importance * np.abs(one) / data.peaks[motion]
+        weighted = data.importance[:, None] * np.abs(error[:, motion]) / data.scale[motion]
+        at, other = np.unravel_index(weighted.argmax(), weighted.shape)
         largest = [np.abs(values[:, motion, motion]).max() for values in
                    (database.added_mass, database.radiation_damping)]  # fmt: skip
         found.append(Misfit(
             name, float(weighted.max()),
             float(np.abs(one.imag / data.omega).max() / max(largest[0], 1e-300)),
             float(np.abs(one.real).max() / max(largest[1], 1e-300)),
-            float(data.omega[weighted.argmax()]),
+            float(data.omega[at]), MOTIONS[other] if other != motion else "",
         ))  # fmt: skip
     return found
 
