@@ -90,7 +90,7 @@ def run(options: argparse.Namespace) -> Database:
         _refuse_for_a_file(options)
         imported = import_command.run(options)
         _warn(resolution.of_database(imported))
-        return _fitted(imported, options, target)
+        return _fitted(imported, options, target, import_command.RESPONSE_SHARE)
     import_command.refuse(options)
     water = _water(options)
     given = options.frequencies_rad_s
@@ -128,9 +128,16 @@ def _demand(hull: HullMeshes) -> str:
     )
 
 
-def _fitted(database: Database, options: argparse.Namespace, target: Path) -> Database:
+def _fitted(
+    database: Database, options: argparse.Namespace, target: Path, response_share: float = 1.0
+) -> Database:
     database = rounded(database)
-    radiation = fit(database, highest_rad_s=options.highest_rad_s, accept=options.accept_fit)
+    radiation = fit(
+        database,
+        highest_rad_s=options.highest_rad_s,
+        accept=options.accept_fit,
+        response_share=response_share,
+    )
     found = misfits(database, radiation, highest_rad_s=options.highest_rad_s)
     print(f"{'memory of the water':<20}{_states(radiation)} states, fitted to {radiation.fit_error:.2%}")
     for one in found:

@@ -39,8 +39,6 @@ TAIL = np.array([1.15, 1.4, 1.8, 2.5, 4.0, 7.0])
 # Weights of the tail beside the last frequency of the data, tried in turn: where no order meets the limits
 # with the first, the guess gives way to the data, and counts a hundredth, in squares.
 TAIL_WEIGHTS = (1.0, 0.1)
-# Of the limit, what an error of responses is to be: many a platform has less damping than is counted there.
-RESPONSE_SHARE = 0.25
 # Fits whose errors differ by less than this factor are alike: the one with fewer poles is taken.
 ALIKE = 1.5
 
@@ -51,6 +49,7 @@ def fit(
     most_states: int = MOST_STATES,
     highest_rad_s: float | None = None,
     accept: bool = False,
+    response_share: float = 1.0,
 ) -> Radiation:
     """Fit the memory with the fewest poles that meet a limit.
 
@@ -69,6 +68,9 @@ def fit(
     accept
         Whether the best passive fit is taken where none meets the limit; `misfits` says which
         motions miss it.
+    response_share
+        Of the limit, what the error of responses is to be (`fit_data`), if the poles are enough for that:
+        less than 1 for hulls that resonate with less damping than is counted there.
 
     Returns
     -------
@@ -84,7 +86,7 @@ def fit(
     data = FitData.of(database, limit)
     modes = [RadiationMode(np.zeros(0, complex), np.zeros((0, 6), complex)) for _ in MOTIONS]
     for group in _groups(data.coupled):
-        poles, matrices = _fit_group(data, group, limit, most_states, accept)
+        poles, matrices = _fit_group(data, group, (limit, response_share * limit), most_states, accept)
         for column, motion in enumerate(group):
             residues = np.zeros((len(poles), 6), complex)
             residues[:, group] = matrices[:, :, column] * np.sqrt(data.peaks[group] * data.peaks[motion])
@@ -194,10 +196,11 @@ class _Trial:
 
 
 def _fit_group(
-    data: FitData, group: list[int], limit: float, most_states: int, accept: bool
+    data: FitData, group: list[int], limits: tuple[float, float], most_states: int, accept: bool
 ) -> tuple[ComplexArray, ComplexArray]:
-    """Poles and residues (pole, force, motion) of a group, scaled: the fewest that meet the limit and its
-    share of responses; else, of those that meet the limit, the one of least error of responses."""
+    """Poles and residues (pole, force, motion) of a group, scaled: the fewest that meet the limit and that
+    of responses; else, of those that meet the limit, the one of least error of responses."""
+    limit, response_limit = limits
     tried: list[tuple[_Trial, Problem]] = []
     passed: list[_Trial] = []
     for tail_weight in TAIL_WEIGHTS:
@@ -211,7 +214,7 @@ def _fit_group(
             if passive is None:
                 continue
             found = _Trial.of(data, group, poles, passive)
-            if found.error <= limit and found.response_error <= RESPONSE_SHARE * limit:
+            if found.error <= limit and found.response_error <= response_limit:
                 return found.poles, found.residues
             if found.error <= limit:
                 passed.append(found)
