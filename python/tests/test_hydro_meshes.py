@@ -1,5 +1,7 @@
 """Hulls as meshes: closed forms of their particulars, and what is refused of a file."""
 
+import itertools
+
 import numpy as np
 import pytest
 from kingpost.errors import HydrodynamicsError
@@ -306,3 +308,41 @@ def test_a_wrong_parametric_hull_is_named(text, message):
 def test_wrong_frequencies_are_refused(text):
     with pytest.raises(HydrodynamicsError, match="--frequencies_rad_s: found"):
         parse_frequencies(text)
+
+
+def patches(gap_m: float = 0.0) -> str:
+    """WAMIT's GDF of a box of 4 x 2 x 2 m open at the water: each side one panel, the bottom four; the ends
+    stand off the sides by a gap."""
+    x, y, g = (-2.0, 0.0, 2.0), (-1.0, 0.0, 1.0), gap_m
+    panels = [
+        [(a, c, -2), (a, d, -2), (b, d, -2), (b, c, -2)]
+        for a, b in itertools.pairwise(x)
+        for c, d in itertools.pairwise(y)
+    ]
+    panels += [
+        [(-2, -1, 0), (-2, -1, -2), (2, -1, -2), (2, -1, 0)],
+        [(2, 1, 0), (2, 1, -2), (-2, 1, -2), (-2, 1, 0)],
+        [(2 + g, -1, 0), (2 + g, -1, -2), (2 + g, 1, -2), (2 + g, 1, 0)],
+        [(-2 - g, 1, 0), (-2 - g, 1, -2), (-2 - g, -1, -2), (-2 - g, -1, 0)],
+    ]
+    rows = [" ".join(str(float(value)) for value in point) for panel in panels for point in panel]
+    return "\n".join(["patches", "1 9.81", "0 0", str(len(panels)), *rows, ""])
+
+
+@pytest.mark.parametrize("gap_m", [0.0, 0.02])
+def test_panels_that_do_not_meet_edge_to_edge_are_joined_with_a_word(tmp_path, gap_m):
+    path = tmp_path / "patches.gdf"
+    path.write_text(patches(gap_m))
+    meshes = HullFile(path).meshes(200)
+    # The ends stand off by the gap, on a length of 4 m, at most.
+    assert meshes.particulars.volume_m3 == pytest.approx(16.0, rel=2 * gap_m / 4 + 1e-12)
+    assert meshes.particulars.waterplane.area_m2 == pytest.approx(8.0, rel=2 * gap_m / 4 + 1e-12)
+    assert len(meshes.remarks) == 1
+    assert "open edges joined, of panels that do not meet edge to edge in patches.gdf" in meshes.remarks[0]
+
+
+def test_a_gap_that_is_no_seam_stays_a_hole(tmp_path):
+    path = tmp_path / "patches.gdf"
+    path.write_text(patches(0.5))
+    with pytest.raises(HydrodynamicsError, match=r"holes.*give panels side by side the same corners"):
+        HullFile(path).meshes(200)

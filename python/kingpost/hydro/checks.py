@@ -159,7 +159,7 @@ def highest_resolved(database: Database) -> float:
 def mass_scale(database: Database) -> NDArray[np.float64]:
     """The diagonal of A at its largest, not less than a small part of the displaced water's."""
     largest = np.diagonal(database.added_mass, axis1=1, axis2=2).max(axis=0)
-    return np.maximum(largest, _SMALL * _displaced(database))
+    return np.maximum(largest, _SMALL * displaced_mass(database))
 
 
 def damping_scale(database: Database) -> NDArray[np.float64]:
@@ -167,10 +167,10 @@ def damping_scale(database: Database) -> NDArray[np.float64]:
     sqrt(g / V^(1/3))."""
     middle = np.sqrt(database.water.gravity_m_s2 / database.hull.volume_m3 ** (1 / 3))
     largest = np.diagonal(database.radiation_damping, axis1=1, axis2=2).max(axis=0)
-    return np.maximum(largest, _SMALL * middle * _displaced(database))
+    return np.maximum(largest, _SMALL * middle * displaced_mass(database))
 
 
-def _displaced(database: Database) -> NDArray[np.float64]:
+def displaced_mass(database: Database) -> NDArray[np.float64]:
     """Mass and inertia of the displaced water, as of a block of the hull's length and beam."""
     hull = database.hull
     mass = database.water.density_kg_m3 * hull.volume_m3

@@ -17,10 +17,11 @@ from .build import FREQUENCIES, MOST_PANELS, PANELS, build, choose_lid, default_
 from .database import Database, Radiation, Water
 from .database_file import check_output, rounded, write
 from .drift import Loading
+from .fit_data import FEWEST_FREQUENCIES
 from .hull_files import HullFile
 from .meshes import HullMeshes, parametric
 from .partial import ENDING, Partial
-from .radiation_fit import FEWEST_FREQUENCIES, LIMIT, Misfit, fit, misfits
+from .radiation_fit import LIMIT, Misfit, fit, misfits
 from .shapes import Box, Hemisphere, Shape, Sphere, Wigley
 from .solve import capytaine
 from .summary import summary
@@ -89,7 +90,7 @@ def run(options: argparse.Namespace) -> Database:
         _refuse_for_a_file(options)
         imported = import_command.run(options)
         _warn(resolution.of_database(imported))
-        return _fitted(imported, options, target)
+        return _fitted(imported, options, target, import_command.RESPONSE_SHARE)
     import_command.refuse(options)
     water = _water(options)
     given = options.frequencies_rad_s
@@ -138,9 +139,16 @@ def _demand(run: demand.Size) -> list[str]:
     return []
 
 
-def _fitted(database: Database, options: argparse.Namespace, target: Path) -> Database:
+def _fitted(
+    database: Database, options: argparse.Namespace, target: Path, response_share: float = 1.0
+) -> Database:
     database = rounded(database)
-    radiation = fit(database, highest_rad_s=options.highest_rad_s, accept=options.accept_fit)
+    radiation = fit(
+        database,
+        highest_rad_s=options.highest_rad_s,
+        accept=options.accept_fit,
+        response_share=response_share,
+    )
     found = misfits(database, radiation, highest_rad_s=options.highest_rad_s)
     print(f"{'memory of the water':<20}{_states(radiation)} states, fitted to {radiation.fit_error:.2%}")
     for one in found:
@@ -156,8 +164,10 @@ def _fitted(database: Database, options: argparse.Namespace, target: Path) -> Da
 
 
 def _missed(one: Misfit) -> str:
+    coupling = f", coupled with {one.coupled_with}," if one.coupled_with else ""
     return (
-        f"the memory of {one.motion} is fitted to {one.memory:.1%} only, at {one.frequency_rad_s:.4g} rad/s "
+        f"the memory of {one.motion}{coupling} is fitted to {one.memory:.2%} only, at "
+        f"{one.frequency_rad_s:.4g} rad/s "
         f"({one.added_mass:.1%} of its added mass, {one.damping:.1%} of its damping)"
     )
 

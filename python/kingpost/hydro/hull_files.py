@@ -14,6 +14,7 @@ from ..errors import HydrodynamicsError
 from .database import Mesh
 from .meshes import HullMeshes, whole
 from .panels import Panels, of_triangles
+from .stitching import stitched
 from .surface import LARGEST_M, SMALLEST_M, Surface, check_closed, check_outward, open_edges, particulars
 
 if TYPE_CHECKING:
@@ -53,7 +54,9 @@ class HullFile:
         reflections, fine = file_panels(wetted, panels, (0, 1))
         why_not = _too_large(len(surface.triangles)) if closed else "the mesh ends at the water line"
         mesh = None if why_not else Mesh(surface.vertices, surface.triangles)
-        return HullMeshes(self.path.name, reflections, fine, found, mesh, why_not)
+        return HullMeshes(
+            self.path.name, reflections, fine, found, mesh, why_not, remarks=_joined(self.path, surface)
+        )
 
     def placed(self) -> Surface:
         """The file's surface at its draught, z = 0 on the water plane."""
@@ -114,13 +117,26 @@ def _too_large(triangles: int) -> str:
 
 
 def read(path: Path) -> Surface:
-    """Triangles of a mesh file, equal points made one.
+    """Triangles of a mesh file, equal points made one, panels that do not meet edge to edge joined.
 
     Raises
     ------
     HydrodynamicsError
         When the file cannot be read or holds no surface.
     """
+    return stitched(_as_written(path))
+
+
+def _joined(path: Path, surface: Surface) -> tuple[str, ...]:
+    """What is said where panels were joined."""
+    written = _as_written(path)
+    joined = len(open_edges(written)) - len(open_edges(surface))
+    if not joined:
+        return ()
+    return (f"{joined} open edges joined, of panels that do not meet edge to edge in {path.name}",)
+
+
+def _as_written(path: Path) -> Surface:
     if not path.is_file():
         raise HydrodynamicsError("hull", "no such file", "a mesh file or a parametric hull", str(path))
     surface = _read_gdf(path) if path.suffix.lower() == ".gdf" else _read_meshio(path)

@@ -10,6 +10,8 @@ from . import importers
 from .database import Database
 
 SHARED = ("density_kg_m3", "water_depth_m", "draught_m")
+# Of the fit's limit, for responses: files are of platforms too, which resonate with next to no damping.
+RESPONSE_SHARE = 0.25
 TRUE = {"yes": True, "no": False}
 
 

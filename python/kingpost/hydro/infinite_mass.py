@@ -20,7 +20,7 @@ from .vector_fitting import common_poles, partial_fractions
 if TYPE_CHECKING:
     from .vector_fitting import Array
 
-STATES = (4, 6, 8)
+STATES = (4, 6, 8, 10, 12)
 ROUNDS = 8
 GONE = 0.15
 """Where damping ends below this part of its peak, Ogilvie's relation needs no help: its tail is little."""

@@ -12,7 +12,7 @@ ends of the frequencies. Couplings that the data do not have stay exactly zero.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,28 +20,27 @@ import numpy as np
 from ..errors import HydrodynamicsError
 from .database import Radiation, RadiationMode
 from .dataset import MOTIONS
+from .fit_data import FitData, up_to
 from .memory import frequency_response, tail
 from .passive_residues import Problem, best_residues, passive_residues
-from .vector_fitting import common_poles, partial_fractions
+from .vector_fitting import common_poles, order, partial_fractions
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from collections.abc import Callable
 
     from .database import Database
     from .vector_fitting import Array, ComplexArray
 
 LIMIT = 0.02
 MOST_STATES = 24
-FEWEST_FREQUENCIES = 8
 PASSIVE_TRIALS = 4
 # Frequencies of the tail that the fit sees, over the highest of the data.
 TAIL = np.array([1.15, 1.4, 1.8, 2.5, 4.0, 7.0])
-# Weights of the tail, tried in turn: where no order meets the limit with the first, the guess gives way to
-# the data, and each frequency of it counts a hundredth of one of theirs, in squares.
+# Weights of the tail beside the last frequency of the data, tried in turn: where no order meets the limits
+# with the first, the guess gives way to the data, and counts a hundredth, in squares.
 TAIL_WEIGHTS = (1.0, 0.1)
-# A motion is measured by its peak of K, or by this share of rho V l^2 sqrt(g / l) where that is more:
-# the yaw of a body of revolution is noise, and is not fitted as if it were large.
-LEAST_PEAK = 1e-3
+# Fits whose errors differ by less than this factor are alike: the one with fewer poles is taken.
+ALIKE = 1.5
 
 
 def fit(
@@ -50,6 +49,7 @@ def fit(
     most_states: int = MOST_STATES,
     highest_rad_s: float | None = None,
     accept: bool = False,
+    response_share: float = 1.0,
 ) -> Radiation:
     """Fit the memory with the fewest poles that meet a limit.
 
@@ -68,6 +68,9 @@ def fit(
     accept
         Whether the best passive fit is taken where none meets the limit; `misfits` says which
         motions miss it.
+    response_share
+        Of the limit, what the error of responses is to be (`fit_data`), if the poles are enough for that:
+        less than 1 for hulls that resonate with less damping than is counted there.
 
     Returns
     -------
@@ -79,11 +82,11 @@ def fit(
     HydrodynamicsError
         When no order meets the limit, or fewer than eight frequencies are left.
     """
-    database = _up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
-    data = _Data.of(database, limit)
+    database = up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
+    data = FitData.of(database, limit)
     modes = [RadiationMode(np.zeros(0, complex), np.zeros((0, 6), complex)) for _ in MOTIONS]
     for group in _groups(data.coupled):
-        poles, matrices = _fit_group(data, group, limit, most_states, accept)
+        poles, matrices = _fit_group(data, group, (limit, response_share * limit), most_states, accept)
         for column, motion in enumerate(group):
             residues = np.zeros((len(poles), 6), complex)
             residues[:, group] = matrices[:, :, column] * np.sqrt(data.peaks[group] * data.peaks[motion])
@@ -106,14 +109,16 @@ def evaluate(radiation: Radiation, omega: Array) -> ComplexArray:
 
 @dataclass(frozen=True)
 class Misfit:
-    """How far a motion's fit is from its data: K as `fit` measures it, A and B over the largest of each, all
-    of the diagonal, and the frequency at which K misses most."""
+    """How far a motion's fit is from its data: K as `fit` measures it, couplings too, A and B of the diagonal
+    over the largest of each; the frequency at which K misses most, and the other motion of a coupling.
+    """
 
     motion: str
     memory: float
     added_mass: float
     damping: float
     frequency_rad_s: float
+    coupled_with: str = ""
 
 
 def misfits(
@@ -124,21 +129,22 @@ def misfits(
     A of the fit is A_inf + Im K / w: the error of K that is small beside the peak of K is large in A where w
     is small, and the other way round.
     """
-    database = _up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
-    data, found = _Data.of(database, limit), []
+    database = up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
+    data, found = FitData.of(database, limit), []
     error = evaluate(radiation, data.omega) - frequency_response(database)
     for motion, name in enumerate(MOTIONS):
         if not data.coupled[motion, motion]:
             continue
         one = error[:, motion, motion]
-        weighted = data.importance * np.abs(one) / data.peaks[motion]
+        weighted = data.importance[:, None] * np.abs(error[:, motion]) / data.scale[motion]
+        at, other = np.unravel_index(weighted.argmax(), weighted.shape)
         largest = [np.abs(values[:, motion, motion]).max() for values in
                    (database.added_mass, database.radiation_damping)]  # fmt: skip
         found.append(Misfit(
             name, float(weighted.max()),
             float(np.abs(one.imag / data.omega).max() / max(largest[0], 1e-300)),
             float(np.abs(one.real).max() / max(largest[1], 1e-300)),
-            float(data.omega[weighted.argmax()]),
+            float(data.omega[at]), MOTIONS[other] if other != motion else "",
         ))  # fmt: skip
     return found
 
@@ -154,76 +160,6 @@ def impulse_response(radiation: Radiation, t: Array) -> Array:
     return found
 
 
-@dataclass(frozen=True)
-class _Data:
-    """K of the data, its two halves averaged: panels keep K_ij = K_ji only nearly (`checks`).
-
-    Attributes
-    ----------
-    peaks
-        (motion): see `LEAST_PEAK`.
-    scaled
-        K_ij / sqrt(peak_i peak_j).
-    coupled
-        (force, motion): where there is more than a tenth of the limit.
-    importance
-        (frequency): min(1, w_c / w) of `fit`.
-    """
-
-    omega: Array
-    peaks: Array
-    scaled: ComplexArray
-    coupled: NDArray[np.bool_]
-    importance: Array
-
-    @classmethod
-    def of(cls, database: Database, limit: float) -> _Data:
-        omega, response = database.frequencies_rad_s, frequency_response(database)
-        response = 0.5 * (response + response.transpose(0, 2, 1))
-        diagonal = np.einsum("nii->ni", response)
-        peaks = np.maximum(np.abs(diagonal).max(axis=0), LEAST_PEAK * _natural_damping(database))
-        scaled = response / np.sqrt(np.outer(peaks, peaks))
-        # Motions whose damping is noise have no say in where the largest damping is.
-        damped = diagonal.real.max(axis=0) > 0.1 * peaks
-        centre = omega[diagonal.real.argmax(axis=0)][damped].max(initial=omega[0])
-        coupled = np.abs(scaled).max(axis=0) > 0.1 * limit
-        return cls(omega, peaks, scaled, coupled, np.minimum(1.0, centre / omega))
-
-    @property
-    def scale(self) -> Array:
-        """sqrt(peak_i peak_j)."""
-        return np.sqrt(np.outer(self.peaks, self.peaks))
-
-    def by_frequency(self, error: ComplexArray) -> Array:
-        """The largest weighted error of any entry, (frequency)."""
-        return self.importance * np.abs(error).max(axis=(1, 2))
-
-    def largest(self, error: ComplexArray) -> float:
-        """The largest weighted error of any entry at any frequency."""
-        return float(self.by_frequency(error).max())
-
-
-def _natural_damping(database: Database) -> Array:
-    """rho V l^2 sqrt(g / V^(1/3)) of each motion, l half the beam or the length of rotations, else 1."""
-    hull, water = database.hull, database.water
-    lever = np.array([1.0, 1.0, 1.0, 0.5 * hull.beam_m, 0.5 * hull.length_m, 0.5 * hull.length_m])
-    rate = np.sqrt(water.gravity_m_s2 / hull.volume_m3 ** (1.0 / 3.0))
-    return water.density_kg_m3 * hull.volume_m3 * lever**2 * rate
-
-
-def _up_to(database: Database, highest_rad_s: float) -> Database:
-    kept = database.frequencies_rad_s <= highest_rad_s
-    if kept.sum() < FEWEST_FREQUENCIES:
-        found = f"{kept.sum()} frequencies up to {highest_rad_s:g} rad/s"
-        raise HydrodynamicsError("frequencies_rad_s", found, f"at least {FEWEST_FREQUENCIES} for a fit")
-    return replace(
-        database,
-        frequencies_rad_s=database.frequencies_rad_s[kept],
-        added_mass=database.added_mass[kept],
-        radiation_damping=database.radiation_damping[kept],
-    )
-
-
 def _groups(coupled: Array) -> list[list[int]]:
     """Motions that are coupled, directly or through others; motions without a memory are in none."""
     left, groups = [motion for motion in range(6) if coupled[motion, motion]], []
@@ -237,38 +173,67 @@ def _groups(coupled: Array) -> list[list[int]]:
     return groups
 
 
+@dataclass(frozen=True)
+class _Trial:
+    """Poles and residues (pole, force, motion), scaled, with both errors and where the first is largest."""
+
+    poles: ComplexArray
+    residues: ComplexArray
+    error: float
+    response_error: float
+    worst: int
+
+    @classmethod
+    def of(cls, data: FitData, group: list[int], poles: ComplexArray, residues: ComplexArray) -> _Trial:
+        error = _values(poles, residues, data.omega) - data.scaled[:, group][:, :, group]
+        by_frequency = data.by_frequency(error)
+        return cls(poles, residues, float(by_frequency.max()), data.response_error(error, group),
+                   int(by_frequency.argmax()))  # fmt: skip
+
+    @property
+    def both(self) -> float:
+        return max(self.error, self.response_error)
+
+
 def _fit_group(
-    data: _Data, group: list[int], limit: float, most_states: int, accept: bool
+    data: FitData, group: list[int], limits: tuple[float, float], most_states: int, accept: bool
 ) -> tuple[ComplexArray, ComplexArray]:
-    """Poles and residues (pole, force, motion) of a group, scaled; the fewest that meet the limit."""
-    target = data.scaled[:, group][:, :, group]
-    tried: list[tuple[float, int, ComplexArray]] = []
+    """Poles and residues (pole, force, motion) of a group, scaled: the fewest that meet the limit and that
+    of responses; else, of those that meet the limit, the one of least error of responses."""
+    limit, response_limit = limits
+    tried: list[tuple[_Trial, Problem]] = []
+    passed: list[_Trial] = []
     for tail_weight in TAIL_WEIGHTS:
         problem = _problem(data, group, limit, tail_weight)
         for states in range(2, min(most_states, len(data.omega)) + 1):
             poles = common_poles(problem.responses, problem.omega, problem.weights, states)
-            residues = best_residues(poles, problem)
+            trial = _Trial.of(data, group, poles, best_residues(poles, problem))
+            tried.append((trial, problem))
             # What misses the limit without passivity misses it with it.
-            if data.largest(_values(poles, residues, data.omega) - target) <= limit:
-                passive = passive_residues(poles, problem)
-                if passive is None:
-                    continue
-                residues = passive
-                if data.largest(_values(poles, passive, data.omega) - target) <= limit:
-                    return poles, passive
-            error = _values(poles, residues, data.omega) - target
-            tried.append((data.largest(error), int(data.by_frequency(error).argmax()), poles))
+            passive = passive_residues(poles, problem) if trial.error <= limit else None
+            if passive is None:
+                continue
+            found = _Trial.of(data, group, poles, passive)
+            if found.error <= limit and found.response_error <= response_limit:
+                return found.poles, found.residues
+            if found.error <= limit:
+                passed.append(found)
         if not len(problem.tail_omega):
             break
-    tried.sort(key=lambda one: one[0])
-    found = _best_passive(data, problem, target, tried) if accept else None
-    if found is not None:
-        return found
-    least, worst = tried[0][:2] if tried else (np.inf, 0)
+    if passed:
+        best = _fewest_of_the_best(passed, lambda one: one.response_error)
+        return best.poles, best.residues
+    if accept:
+        tried.sort(key=lambda one: one[0].both)
+        passed = _passive(data, group, tried[:PASSIVE_TRIALS])
+    if passed:
+        best = _fewest_of_the_best(passed, lambda one: one.both)
+        return best.poles, best.residues
+    best = min((trial for trial, _ in tried), key=lambda one: one.error)
     omega, names = data.omega, ", ".join(MOTIONS[motion] for motion in group)
     raise HydrodynamicsError(
         f"radiation of {names}",
-        f"an error of {least:.3g} at {omega[worst]:.4g} rad/s with up to {states} poles",
+        f"an error of {best.error:.3g} at {omega[best.worst]:.4g} rad/s with up to {states} poles",
         f"at most {limit:.3g} of the peak; compute more frequencies or a wider range ({len(omega)} from "
         f"{omega[0]:.3g} to {omega[-1]:.3g} rad/s here), remove irregular frequencies with a lid, leave "
         "out those above which the panels are too large (highest_rad_s), or take the best fit as it "
@@ -276,19 +241,14 @@ def _fit_group(
     )
 
 
-def _best_passive(
-    data: _Data, problem: Problem, target: ComplexArray, tried: list[tuple[float, int, ComplexArray]]
-) -> tuple[ComplexArray, ComplexArray] | None:
-    """The passive fit of least error with the poles that came nearest without passivity."""
-    best, least = None, np.inf
-    for _, _, poles in tried[:PASSIVE_TRIALS]:
-        passive = passive_residues(poles, problem)
-        if passive is None:
-            continue
-        error = data.largest(_values(poles, passive, data.omega) - target)
-        if error < least:
-            best, least = (poles, passive), error
-    return best
+def _passive(data: FitData, group: list[int], tried: list[tuple[_Trial, Problem]]) -> list[_Trial]:
+    found = ((one.poles, passive_residues(one.poles, problem)) for one, problem in tried)
+    return [_Trial.of(data, group, poles, residues) for poles, residues in found if residues is not None]
+
+
+def _fewest_of_the_best(trials: list[_Trial], error: Callable[[_Trial], float]) -> _Trial:
+    least = min(error(one) for one in trials)
+    return min((one for one in trials if error(one) <= ALIKE * least), key=lambda one: order(one.poles))
 
 
 def _values(poles: ComplexArray, residues: ComplexArray, omega: Array) -> ComplexArray:
@@ -299,18 +259,21 @@ def _values(poles: ComplexArray, residues: ComplexArray, omega: Array) -> Comple
     return np.tensordot(partial_fractions(poles, 1j * omega), unknowns, axes=1)
 
 
-def _problem(data: _Data, group: list[int], limit: float, tail_weight: float) -> Problem:
-    """Each interval of frequencies counts by its width, and none by less than a third of the mean.
+def _problem(data: FitData, group: list[int], limit: float, tail_weight: float) -> Problem:
+    """Each interval of frequencies counts by its width, and none by less than a third of the mean; each
+    frequency by what an error there does to responses.
 
-    Where damping has not fallen to the limit at the last frequency, its asymptote is asked for beyond.
+    Where damping has not fallen to the limit at the last frequency, its asymptote is asked for beyond, with
+    no more weight than the last frequency has.
     """
     omega, n = data.omega, len(group)
     entries = [(i, j) for i in range(n) for j in range(i, n) if data.coupled[group[i], group[j]]]
     responses = np.stack([data.scaled[:, group[i], group[j]] for i, j in entries], axis=1)
     width = np.gradient(omega)
-    weights = data.importance * np.sqrt(np.maximum(width / width.mean(), 1.0 / 3.0))
+    counts = data.counts(group)
+    weights = counts * np.sqrt(np.maximum(width / width.mean(), 1.0 / 3.0))
     decayed = np.abs(responses[-1].real).max() <= limit
     beyond = omega[-1] * (TAIL[:0] if decayed else TAIL)
     damping = np.array([tail(omega, one, beyond) for one in responses.real.T]).T
-    faint = np.full(len(beyond), tail_weight)
+    faint = tail_weight * counts[-1] * omega[-1] / beyond
     return Problem(n, tuple(entries), omega, responses, weights, beyond, damping, faint)

@@ -204,7 +204,7 @@ def check_closed(surface: Surface, file: str | None) -> None:
             "hull",
             f"a mesh with holes: {len(edges)} open edges, one at ({_point(point)}) m",
             "a closed mesh, or one that is open at the water plane z = 0 only: close the holes, merge equal "
-            "points" + _half(surface, edges),
+            "points, give panels side by side the same corners" + _half(surface, edges),
             file,
         )
     check_outward(surface, surface.volume, file)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..database import Database
-from . import aqwa, bemio, capytaine_file, nemoh, veres, wamit
+from . import aqwa, aqwa_listing, bemio, capytaine_file, nemoh, veres, wamit
 from .convert import convert
 from .foreign import ALLOWED, CHOICES, VECTORS, Options, reading_error
 
@@ -22,18 +22,21 @@ READERS = {
     "wamit": wamit.read,
     "veres": veres.read,
     "aqwa": aqwa.read,
+    "aqwa_listing": aqwa_listing.read,
     "nemoh": nemoh.read,
 }
 ENDINGS = {
     ".h5": "bemio",
     ".nc": "capytaine",
-    **dict.fromkeys((".1", ".2", ".3", ".3fk", ".3sc", ".8", ".9", ".hst", ".out", ".mmx"), "wamit"),
+    **dict.fromkeys((".1", ".2", ".3", ".3fk", ".3sc", ".4", ".8", ".9", ".hst", ".out", ".mmx"), "wamit"),
+    **dict.fromkeys(wamit.SECOND_ORDER, "wamit"),
     **dict.fromkeys((".re7", ".re8"), "veres"),
     ".ah1": "aqwa",
+    ".lis": "aqwa_listing",
     ".cal": "nemoh",
 }
 KINDS = (
-    "Capytaine's .nc, WAMIT's .1, .3, .hst or .out, BEMIO's .h5, ShipX's .re7 or .re8, AQWA's .AH1, "
+    "Capytaine's .nc, WAMIT's .1, .3, .hst or .out, BEMIO's .h5, ShipX's .re7 or .re8, AQWA's .AH1 or .LIS, "
     "Nemoh's Nemoh.cal"
 )
 

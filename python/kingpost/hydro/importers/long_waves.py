@@ -27,6 +27,9 @@ if TYPE_CHECKING:
 LONGEST_COUNT = 0.4
 # Of C_33, and of the waterplane's part of C_44 and C_55: there, a centre of gravity wrong by a tenth of BM.
 HEAVE_ERROR, SLOPE_ERROR = 0.2, 0.1
+# Of buoyancy's and inertia's parts of a slope's moment, which are far more than the waterplane's in a spar:
+# by panels, and by the water's motion that falls off with depth, k times the draught.
+PARTS_ERROR = 0.01
 
 
 def check_long_waves(database: Database, file: str, *, alone: bool = True) -> None:
@@ -40,7 +43,7 @@ def check_long_waves(database: Database, file: str, *, alone: bool = True) -> No
     """
     water, hull, omega = database.water, database.hull, float(database.frequencies_rad_s[0])
     shallow = water.depth_m is not None and water.depth_m < hull.length_m
-    if shallow or omega**2 * hull.length_m / water.gravity_m_s2 > LONGEST_COUNT:
+    if shallow or omega**2 * max(hull.length_m, hull.draught_m) / water.gravity_m_s2 > LONGEST_COUNT:
         return
     _check_heave(database, omega, file)
     surge = (database.excitation[0, :, 0] * np.cos(database.wave_directions_rad)).sum()
@@ -71,13 +74,15 @@ def _check_slope(database: Database, omega: float, file: str) -> None:
     weight, k = water.density_kg_m3 * water.gravity_m_s2, wave_number(omega, water)
     added_mass, plane = water.gravity_m_s2 * database.added_mass[0], hull.waterplane.second_moments_m4
     buoyancy = hull.volume_m3 * hull.centre_of_buoyancy_m[2]
+    parts_error = max(PARTS_ERROR, k * hull.draught_m)
     for name, force, share, moment, inertia in (
         ("roll", excitation[:, 3], np.sin(database.wave_directions_rad), plane[2], -added_mass[3, 1]),
         ("pitch", -excitation[:, 4], np.cos(database.wave_directions_rad), plane[0], added_mass[4, 0]),
     ):
         found = force @ share / (share @ share) / k
         wanted = weight * (moment + buoyancy) + inertia
-        if abs(found - wanted) > SLOPE_ERROR * weight * moment:
+        parts = weight * abs(buoyancy) + abs(inertia)
+        if abs(found - wanted) > max(SLOPE_ERROR * weight * moment, parts_error * parts):
             raise HydrodynamicsError(
                 "restoring", f"{found:.4g} N m in {name} by a long wave's slope of 1",
                 f"about {wanted:.4g} N m, by buoyancy and inertia; check restoring_includes_weight, "

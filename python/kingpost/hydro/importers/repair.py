@@ -30,6 +30,8 @@ JUMP = 0.15
 """A coefficient jumps where it is off the line between its neighbours by more than this of its range..."""
 LONE = 2.0
 """...and by this many times what they differ from each other, and from the next on either side."""
+LONE_AT_AN_END = 4.0
+"""...or, of the first and the last frequency, by this many times what the next three differ."""
 MOST_LEFT_OUT, MOST_USELESS = 0.1, 0.25
 
 
@@ -229,4 +231,16 @@ def _jumps(omega: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[n
     flanks = np.maximum(np.abs(near[1] - near[0]), np.abs(near[3] - near[2]))
     found = np.zeros(len(omega), bool)
     found[2:-2] = (off > JUMP * np.ptp(values)) & (off > LONE * apart) & (off > LONE * flanks)
+    found[0] = _jumps_at_the_start(omega, values)
+    found[-1] = _jumps_at_the_start(-omega[::-1], values[::-1])
     return found
+
+
+def _jumps_at_the_start(omega: NDArray[np.float64], values: NDArray[np.float64]) -> bool:
+    """Whether the first value is off the straight line through the next two, which themselves are regular:
+    strip programs that sum to a given depth fail so at their longest wave."""
+    slopes = np.diff(values[1:4]) / np.diff(omega[1:4])
+    reach = omega[1] - omega[0]
+    off = abs(values[0] - (values[1] - reach * slopes[0]))
+    apart = max(np.abs(slopes).max() * reach, np.abs(np.diff(values[1:4])).max())
+    return bool(off > JUMP * np.ptp(values) and off > LONE_AT_AN_END * apart)

@@ -13,13 +13,13 @@ infinite.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from . import wamit_out
+from . import wamit_motions, wamit_out
 from .foreign import ASKED, Foreign, Options, reading_error
 from .wamit_header import Header, beside, size
 from .wamit_rows import HEADER, SIX_DIGITS, first_column, nearest, of_six_motions, rows
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 DRIFT = (".8", ".7", ".9")
 """Mean drift by momentum, by a control surface, by pressure: the first that is there is taken."""
+SECOND_ORDER = (".10", ".10d", ".10s", ".11", ".11d", ".11s", ".12", ".12d", ".12s")
 
 
 def read(path: str, options: Options) -> Foreign:
@@ -52,7 +53,30 @@ def read(path: str, options: Options) -> Foreign:
     asked += [name for name, value in (("first_column", column), ("time_sign", sign)) if value is None]
     options.asked_together(asked, path)
     scale = _Scale.of(options, header, column, sign, path)
-    return _foreign(path, stem, tables, scale, header, extents, notes)
+    return _with_motions(_foreign(path, stem, tables, scale, header, extents, notes), stem, scale)
+
+
+def _with_motions(foreign: Foreign, stem: Path, scale: _Scale) -> Foreign:
+    """With a word on what else lies there: motions, which are compared, and forces of second order."""
+    notes, four = list(foreign.notes), stem.with_suffix(".4")
+    if four.is_file() and four.stat().st_size:
+        table = of_six_motions(rows(four, (7,)), (2,), str(four), notes)
+        directions, found = _waves(table, scale, foreign.frequencies_rad_s, str(four))
+        if np.allclose(np.radians(directions), foreign.directions_rad):
+            motions = found / scale.force / scale.power
+            known = replace(
+                foreign, density_kg_m3=scale.density, reference_m=_or_nothing(foreign.reference_m)
+            )
+            weighed = wamit_motions.loading(stem.with_suffix(".frc"), known)
+            notes.append(wamit_motions.note(four.name, motions, weighed, known))
+    second = [ending for ending in SECOND_ORDER if stem.with_suffix(ending).is_file()]
+    if second:
+        notes.append(f"forces of second order are left out: {', '.join(second)}")
+    return replace(foreign, notes=tuple(notes))
+
+
+def _or_nothing(point: NDArray[np.float64] | None) -> NDArray[np.float64]:
+    return np.zeros(3) if point is None else point
 
 
 def _said(header: Header) -> dict[str, object]:

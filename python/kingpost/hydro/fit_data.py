@@ -1,0 +1,136 @@
+"""What the memory is fitted to, and how an error of it is measured.
+
+Two errors of K = B + j w (A - A_inf) count. Beside its peak, for the force that a motion has from the memory;
+and beside what holds the motion at each frequency, for the response. A hull of mass M that is free to move in
+i has the impedance j w (M_ii + A_ii) + B_ii + C_ii / (j w), of which at resonance B_ii alone is left, with
+what damping it has besides. Let that be 5 % of the critical, 2 zeta w (M_ii + A_ii): an error dK moves the
+response there by dK / (B_ii + 2 zeta w (M_ii + A_ii)), and by less elsewhere. Platforms resonate where their
+damping by waves is a thousandth of its peak, and a fit by the peak alone is nothing there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import HydrodynamicsError
+from .checks import displaced_mass
+from .memory import frequency_response
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from .database import Database
+    from .vector_fitting import Array, ComplexArray
+
+FEWEST_FREQUENCIES = 8
+# A motion is measured by its peak of K, or by this share of rho V l^2 sqrt(g / l) where that is more:
+# the yaw of a body of revolution is noise, and is not fitted as if it were large.
+LEAST_PEAK = 1e-3
+# Damping that a hull has beside the waves', of the critical: by viscosity, moorings, rigging.
+OTHER_DAMPING = 0.05
+
+
+@dataclass(frozen=True)
+class FitData:
+    """K of the data, its two halves averaged: panels keep K_ij = K_ji only nearly (`checks`).
+
+    Attributes
+    ----------
+    peaks
+        (motion): see `LEAST_PEAK`.
+    scaled
+        K_ij / sqrt(peak_i peak_j).
+    coupled
+        (force, motion): where there is more than a tenth of the limit.
+    importance
+        (frequency): min(1, w_c / w), w_c the frequency of the largest damping. Beyond it K is nearly
+        j w (A - A_inf), and this makes of an error of K one of A.
+    sensitivity
+        (frequency, motion): peak_i / (B_ii + 2 zeta w (M_ii + A_ii)).
+    """
+
+    omega: Array
+    peaks: Array
+    scaled: ComplexArray
+    coupled: NDArray[np.bool_]
+    importance: Array
+    sensitivity: Array
+
+    @classmethod
+    def of(cls, database: Database, limit: float) -> FitData:
+        """The data of a fit to this limit."""
+        omega, response = database.frequencies_rad_s, frequency_response(database)
+        response = 0.5 * (response + response.transpose(0, 2, 1))
+        diagonal = np.einsum("nii->ni", response)
+        centres = omega[diagonal.real.argmax(axis=0)]
+        weighted = np.minimum(1.0, centres / omega[:, None]) * np.abs(diagonal)
+        peaks = np.maximum(weighted.max(axis=0), LEAST_PEAK * _natural_damping(database))
+        scaled = response / np.sqrt(np.outer(peaks, peaks))
+        # Motions whose damping is noise have no say in where the largest damping is.
+        damped = diagonal.real.max(axis=0) > 0.1 * peaks
+        centre = centres[damped].max(initial=omega[0])
+        coupled = np.abs(scaled).max(axis=0) > 0.1 * limit
+        sensitivity = peaks / _least_impedance(database, diagonal.real)
+        return cls(omega, peaks, scaled, coupled, np.minimum(1.0, centre / omega), sensitivity)
+
+    @property
+    def scale(self) -> Array:
+        """sqrt(peak_i peak_j)."""
+        return np.sqrt(np.outer(self.peaks, self.peaks))
+
+    def counts(self, group: list[int]) -> Array:
+        """Weight of an error at each frequency, of motions that are fitted together."""
+        return np.maximum(self.importance, np.exp(np.log(self.sensitivity[:, group]).mean(axis=1)))
+
+    def by_frequency(self, error: ComplexArray) -> Array:
+        """The largest weighted error of any entry, (frequency)."""
+        return self.importance * np.abs(error).max(axis=(1, 2))
+
+    def largest(self, error: ComplexArray) -> float:
+        """The largest weighted error of any entry at any frequency."""
+        return float(self.by_frequency(error).max())
+
+    def response_error(self, error: ComplexArray, group: list[int]) -> float:
+        """The largest error of a response, up to the frequency of the largest damping: beyond it the mass
+        alone holds a motion. `error` has the motions of the group."""
+        root = np.sqrt(self.sensitivity[:, group])
+        relative = np.abs(error) * root[:, :, None] * root[:, None, :]
+        return float(relative[self.importance >= 1.0].max(initial=0.0))
+
+
+def _least_impedance(database: Database, damping: Array) -> Array:
+    """B_ii + 2 zeta w (M_ii + A_ii), (frequency, motion), M that of a block of the hull's size."""
+    mass = np.diagonal(database.added_mass, axis1=1, axis2=2) + displaced_mass(database)
+    light = 2.0 * OTHER_DAMPING * database.frequencies_rad_s[:, None]
+    return np.maximum(damping, 0.0) + light * np.maximum(mass, displaced_mass(database))
+
+
+def _natural_damping(database: Database) -> Array:
+    """rho V l^2 sqrt(g / V^(1/3)) of each motion, l half the beam or the length of rotations, else 1."""
+    hull, water = database.hull, database.water
+    lever = np.array([1.0, 1.0, 1.0, 0.5 * hull.beam_m, 0.5 * hull.length_m, 0.5 * hull.length_m])
+    rate = np.sqrt(water.gravity_m_s2 / hull.volume_m3 ** (1.0 / 3.0))
+    return water.density_kg_m3 * hull.volume_m3 * lever**2 * rate
+
+
+def up_to(database: Database, highest_rad_s: float) -> Database:
+    """Its frequencies up to a limit.
+
+    Raises
+    ------
+    HydrodynamicsError
+        When fewer than eight are left.
+    """
+    kept = database.frequencies_rad_s <= highest_rad_s
+    if kept.sum() < FEWEST_FREQUENCIES:
+        found = f"{kept.sum()} frequencies up to {highest_rad_s:g} rad/s"
+        raise HydrodynamicsError("frequencies_rad_s", found, f"at least {FEWEST_FREQUENCIES} for a fit")
+    return replace(
+        database,
+        frequencies_rad_s=database.frequencies_rad_s[kept],
+        added_mass=database.added_mass[kept],
+        radiation_damping=database.radiation_damping[kept],
+    )

@@ -1,0 +1,121 @@
+"""Motions that WAMIT computed itself, STEM.4, against those of what was read.
+
+(-w^2 (M + A) - i w (B + B_e) + C + C_e) xi = X per metre of amplitude, with the mass of STEM.frc: where both
+agree, units, signs and phases are read as they were written. The motions themselves are of that loading and
+are not taken. STEM.frc has one of two forms (WAMIT User Manual, version 7, chapter 3): VCG and the radii of
+gyration about XBODY, of a hull that floats freely; or density, the centre of gravity and the matrices of
+mass, damping and stiffness, each after 1 where it is there and 0 where it is not.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from numpy.typing import NDArray
+
+    from .foreign import Foreign
+
+WORTH_SAYING = 0.05
+"""A difference of motions, of the largest of each, that is said to be one: WAMIT may move the hull by
+forces of Haskind's relation and write those of diffraction, some percent apart where panels are large."""
+
+
+@dataclass(frozen=True)
+class Loading:
+    """About XBODY: mass, and what was added of damping and stiffness, (6, 6)."""
+
+    mass: NDArray[np.float64]
+    damping: NDArray[np.float64]
+    stiffness: NDArray[np.float64]
+
+
+def loading(path: Path, foreign: Foreign) -> Loading | None:
+    """The loading of STEM.frc, or `None` where the file is not there or of another form."""
+    if not path.is_file() or foreign.volume_m3 is None or foreign.centre_of_buoyancy_m is None:
+        return None
+    lines = [_numbers(line) for line in path.read_text(encoding="latin-1").splitlines()[1:]]
+    try:
+        if len(lines[3]) == 3 and len(lines[1]) == 1:
+            return _by_radii(lines, foreign)
+        return _by_matrices(lines)
+    except (IndexError, ValueError):
+        return None
+
+
+def _numbers(line: str) -> list[float]:
+    """Those before the remark of a line."""
+    found = []
+    for word in line.replace(",", " ").split():
+        try:
+            found.append(float(word))
+        except ValueError:
+            break
+    return found
+
+
+def _by_radii(lines: list[list[float]], foreign: Foreign) -> Loading:
+    mass = foreign.density_kg_m3 * foreign.volume_m3
+    x, y = (foreign.centre_of_buoyancy_m - foreign.reference_m)[:2]
+    radii = np.array([line[:3] for line in lines[2:5]])
+    found = _about(mass, np.array([x, y, lines[1][0]]))
+    found[3:, 3:] = mass * radii * np.abs(radii)
+    return Loading(found, np.zeros((6, 6)), np.zeros((6, 6)))
+
+
+def _about(mass: float, centre: NDArray[np.float64]) -> NDArray[np.float64]:
+    x, y, z = centre
+    found = np.diag([mass, mass, mass, 0.0, 0.0, 0.0])
+    found[:3, 3:] = mass * np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
+    found[3:, :3] = found[:3, 3:].T
+    return found
+
+
+def _by_matrices(lines: list[list[float]]) -> Loading:
+    at, matrices = 3, []
+    for _ in range(3):
+        there = int(lines[at][0])
+        at += 1
+        matrices.append(np.array(lines[at : at + 6]) if there else np.zeros((6, 6)))
+        at += 6 * there
+    if any(matrix.shape != (6, 6) for matrix in matrices) or len(lines[2]) != 3:
+        raise ValueError
+    return Loading(*matrices)
+
+
+def difference(motions: NDArray[np.complex128], weighed: Loading, foreign: Foreign) -> NDArray[np.float64]:
+    """The largest difference of each motion from those given (frequency, direction, 6), over its largest; of
+    what hardly moves, nothing."""
+    omega = foreign.frequencies_rad_s[:, None, None]
+    impedance = (
+        -(omega**2) * (weighed.mass + foreign.added_mass)
+        - 1j * omega * (foreign.radiation_damping + weighed.damping)
+        + foreign.restoring
+        + weighed.stiffness
+    )
+    found = np.linalg.solve(impedance[:, None], foreign.excitation[..., None])[..., 0]
+    largest = np.abs(motions).max(axis=(0, 1))
+    moves = largest > 1e-4 * np.repeat([largest[:3].max(), largest[3:].max()], 3)
+    return np.where(moves, np.abs(found - motions).max(axis=(0, 1)) / np.where(moves, largest, 1.0), 0.0)
+
+
+def note(name: str, motions: NDArray[np.complex128], weighed: Loading | None, foreign: Foreign) -> str:
+    """What is said of STEM.4 that was read."""
+    if weighed is None or foreign.restoring is None or not foreign.restoring_includes_weight:
+        return f"motions of {name} are not taken: they are of one loading, and no .frc beside says which"
+    found = difference(motions, weighed, foreign)
+    if found.max() <= WORTH_SAYING:
+        return (
+            f"motions of {name} are not taken; they agree with those of what was read and the .frc file's "
+            f"mass to {found.max():.2%} of the largest"
+        )
+    worst = ("surge", "sway", "heave", "roll", "pitch", "yaw")[int(found.argmax())]
+    return (
+        f"motions of {name} are not taken; they differ by {found.max():.1%} of the largest in {worst} from "
+        "those of what was read and the .frc file's mass: look at --density_kg_m3, --reference_m, --time_sign"
+    )

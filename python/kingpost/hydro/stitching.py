@@ -1,0 +1,100 @@
+"""Meshes whose panels do not meet edge to edge, made to.
+
+Patches that were panelled by themselves have points beside each other that are nearly the same, or two
+panels along an edge where the neighbour has one. The first are made one. A triangle (a, b, c) whose open
+edge a, b has points p, q of other open edges on it becomes (a, p, c), (p, q, c), (q, b, c), so that both
+sides have the same edges; where the neighbours bend, the sliver between them is closed with it. Nothing is
+moved by more than `NEAR` of an edge, and what stays open was a hole.
+"""
+
+from __future__ import annotations
+
+import itertools
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .surface import Surface, open_edges
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+NEAR = 0.05
+"""Of the length of an edge: how far from it, or from its ends, a point is taken to be on it."""
+ROUNDS = 12
+MOST_EDGES = 6000
+
+
+def stitched(surface: Surface) -> Surface:
+    """With its open edges joined where they lie on each other; the same surface where that closes none."""
+    before = len(open_edges(surface))
+    if not 0 < before <= MOST_EDGES:
+        return surface
+    found = _merged(surface)
+    for _ in range(ROUNDS):
+        split = _split(found)
+        if split is None:
+            break
+        found = split
+    return found if len(open_edges(found)) < before else surface
+
+
+def _merged(surface: Surface) -> Surface:
+    """Points of open edges made one with those nearer than `NEAR` of the shortest edge."""
+    edges = open_edges(surface)
+    ends = surface.vertices[edges]
+    tolerance = NEAR * float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).min())
+    numbers = np.unique(edges)
+    points = surface.vertices[numbers]
+    order = np.argsort(points[:, 0], kind="stable")
+    stands_for = np.arange(len(surface.vertices))
+    for rank, i in enumerate(order):
+        if stands_for[numbers[i]] != numbers[i]:
+            continue
+        for j in order[rank + 1 :]:
+            if points[j, 0] - points[i, 0] > tolerance:
+                break
+            if np.linalg.norm(points[j] - points[i]) <= tolerance:
+                stands_for[numbers[j]] = numbers[i]
+    return Surface(surface.vertices, stands_for[surface.triangles]).welded()
+
+
+def _split(surface: Surface) -> Surface | None:
+    """One open edge of each triangle divided at the points of other open edges on it; `None` where no
+    edge has any."""
+    edges = open_edges(surface)
+    owners = _owners(surface)
+    numbers = np.unique(edges)
+    points = surface.vertices[numbers]
+    gone: set[int] = set()
+    added: list[list[int]] = []
+    for a, b in edges:
+        triangle, apex = owners[int(a), int(b)]
+        on = [] if triangle in gone else _between(surface.vertices[a], surface.vertices[b], points)
+        on = [int(numbers[k]) for k in on if numbers[k] not in (a, b, apex)]
+        if on:
+            gone.add(triangle)
+            chain = [int(a), *on, int(b)]
+            added += [[p, q, apex] for p, q in itertools.pairwise(chain)]
+    if not added:
+        return None
+    kept = np.delete(surface.triangles, sorted(gone), axis=0)
+    return Surface(surface.vertices, np.concatenate([kept, np.array(added)])).welded()
+
+
+def _owners(surface: Surface) -> dict[tuple[int, int], tuple[int, int]]:
+    """The triangle of each directed edge and its third corner."""
+    found = {}
+    for number, (a, b, c) in enumerate(surface.triangles.tolist()):
+        found[a, b], found[b, c], found[c, a] = (number, c), (number, a), (number, b)
+    return found
+
+
+def _between(a: NDArray[np.float64], b: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Which points lie between a and b, nearer to the line than `NEAR` of its length, in their order."""
+    line = b - a
+    length = float(np.linalg.norm(line))
+    along = (points - a) @ line / length**2
+    off = np.linalg.norm(points - a - along[:, None] * line, axis=1)
+    on = np.flatnonzero((along > NEAR) & (along < 1.0 - NEAR) & (off <= NEAR * length))
+    return on[np.argsort(along[on], kind="stable")]
