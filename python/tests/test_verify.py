@@ -139,7 +139,7 @@ def test_the_page_says_what_the_held_section_takes_now(measured) -> None:
         _, *printed = numbers_of("Forces and mean drift of that section, held", period)
         ours = flume_forces.held(omega)
         np.testing.assert_allclose(printed[0::2], flume_forces.HELD[omega], atol=6e-4)
-        np.testing.assert_allclose(printed[1::2], ours, atol=2e-3)
+        np.testing.assert_allclose(printed[1::2], ours, atol=6e-4)
 
 
 def test_the_page_says_what_the_cylinders_take_now(measured) -> None:
