@@ -7,10 +7,13 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from kingpost import KingpostError, verify
 from kingpost.cli import main
-from kingpost.verify import report, rows, running
+from kingpost.verify import cylinders, flume_forces, report, rolling, rows, running
+from kingpost.verify import spheres as measured_spheres
+from roll_samples import ikeda_cylinders, kvlcc2_sections
 
 FEWEST = 60
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "validation.md").read_text(encoding="utf-8")
@@ -120,6 +123,79 @@ def test_the_page_says_what_is_measured_now(measured) -> None:
             row.theirs,
             True,
         )
+
+
+def numbers_of(heading: str, label: str) -> list[float]:
+    """The numbers of a line of a table of the page, under a heading."""
+    under = PAGE.split(f"### {heading}")[1].split("\n### ")[0]
+    line = next(line for line in under.splitlines() if line.startswith(f"| {label} |"))
+    return [float(cell) for cell in re.findall(r"(?<=\| )-?[\d.]+(?= \|)|(?<=\| )-?[\d.]+(?= %)", line)]
+
+
+def test_the_page_says_what_the_held_section_takes_now(measured) -> None:
+    for omega in (4.143, 5.194, 6.065, 8.578):
+        period = f"{2 * np.pi / omega:.3f}"
+        period = {"1.517": "1.516", "0.732": "0.733"}.get(period, period)
+        _, *printed = numbers_of("Forces and mean drift of that section, held", period)
+        ours = flume_forces.held(omega)
+        np.testing.assert_allclose(printed[0::2], flume_forces.HELD[omega], atol=6e-4)
+        np.testing.assert_allclose(printed[1::2], ours, atol=6e-4)
+
+
+def test_the_page_says_what_the_cylinders_take_now(measured) -> None:
+    names = (
+        "sway added mass",
+        "sway damping",
+        "heave added mass",
+        "heave damping",
+        "sway force",
+        "heave force",
+    )
+    for name, quantity in zip(names, ("a22", "b22", "a33", "b33", "F2", "F3"), strict=True):
+        printed = numbers_of("Vugts' cylinders: added mass, damping and wave forces", name)
+        for i, shape in enumerate(cylinders.VUGTS):
+            share, theirs = cylinders.VUGTS[shape][quantity][1]
+            ours = cylinders.section(shape).at(quantity, share)
+            assert printed[4 * i : 4 * i + 3] == pytest.approx([share, theirs, ours], abs=3e-3)
+            points = cylinders.VUGTS[shape][quantity]
+            missed = [abs(cylinders.section(shape).at(quantity, at) - value) for at, value in points]
+            largest = max(missed) / max(value for _, value in points)
+            assert printed[4 * i + 3] == pytest.approx(100 * largest, abs=0.6)
+
+
+def test_the_page_says_how_the_tanker_and_the_cylinders_roll_now(measured) -> None:
+    heading = "A tanker's roll decay, its damping from its sections"
+    for label, swing in (("amplitude after 10 swings, degrees", 10), ("after 20", 20), ("after 29", 29)):
+        theirs, ours = numbers_of(heading, label)[:2]
+        assert (theirs, ours) == pytest.approx((rolling.SWINGS[swing], rolling.decay()[1][swing]), abs=6e-3)
+    amplitudes = np.radians([3.0, 5.0, 9.0])
+    ours = rolling.tanker(amplitudes).total.values + rolling.RADIATED[1]
+    theirs = rolling.tanker_measured(amplitudes)[1]
+    for i, label in enumerate(("damping at 3 degrees, N m s", "at 5 degrees", "at 9 degrees")):
+        assert numbers_of(heading, label)[:2] == pytest.approx([theirs[i], ours[i]], abs=6e-3)
+    ratios = numbers_of("Eddies of ten rolling cylinders", "ours / measured")
+    found = [rolling.eddies(i) / np.mean(row[-1]) for i, row in enumerate(rolling.CYLINDERS)]
+    np.testing.assert_allclose(ratios, found, atol=6e-3)
+
+
+def test_the_page_says_how_spheres_decay_and_drift_now(measured) -> None:
+    printed = numbers_of("A sphere of 5 m let go from 1 m", "Kingpost")
+    np.testing.assert_allclose(printed, measured_spheres.decay()[1][1:5], atol=6e-5)
+    printed = numbers_of("Mean drift of a free hemisphere", "Kingpost")
+    np.testing.assert_allclose(printed, measured_spheres.drift()[1:], atol=2e-3)
+
+
+def test_the_table_of_the_tankers_sections_is_that_of_the_tests() -> None:
+    ours = rolling.Sections.of_table({
+        "x_m": [row[0] for row in rolling.SECTIONS], "beam_m": [row[1] for row in rolling.SECTIONS],
+        "draught_m": [row[2] for row in rolling.SECTIONS], "area_m2": [row[3] for row in rolling.SECTIONS],
+    })  # fmt: skip
+    theirs = kvlcc2_sections()
+    for name in ("x_m", "beam_m", "draught_m", "area_coefficient"):
+        one = getattr(ours.scaled(1 / rolling.SCALE), name)
+        np.testing.assert_allclose(one, getattr(theirs, name), rtol=1e-12)
+    measured = [(row["section"], row["eddy_coefficient"]) for row in ikeda_cylinders()]
+    assert measured == [(row[0], value) for row in rolling.CYLINDERS for value in row[-1]]
 
 
 def test_the_command_writes_what_it_is_asked_for(tmp_path, capsys) -> None:

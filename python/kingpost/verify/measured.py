@@ -90,11 +90,16 @@ what is reflected. The waves were 12 mm high to each side, the longest 20 mm."""
 IN_WAVES = (4.143, 5.425, 7.004)
 
 
+def needs_capytaine() -> None:
+    """Say where the panel method is not there: such a row does not count."""
+    if importlib.util.find_spec("capytaine") is None:
+        raise NotInstalledError("capytaine")
+
+
 @cache
 def section() -> OfAMetre:
     """A metre of the model in the flume, at `FLUME_FREQUENCIES`."""
-    if importlib.util.find_spec("capytaine") is None:
-        raise NotInstalledError("capytaine")
+    needs_capytaine()
     beam = FLUME["beam"]
     shape = RoundBilge(beam, beam, FLUME["draught"], FLUME["bilge"])
     return of_a_metre(shape, (12 * beam, 20 * beam), FLUME_WATER, FLUME_FREQUENCIES, 0.07)
@@ -126,13 +131,16 @@ class Model:
                      self.excitation[:, motions])  # fmt: skip
 
 
+def _shift() -> np.ndarray:
+    """Sway, heave and roll of the water plane's origin by those of the axle, which is lower."""
+    up = FLUME["kg"] - FLUME["draught"]
+    return np.array([[1.0, 0.0, up], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+
+
 @cache
 def model() -> Model:
     """The model on its rig, with springs and the slides' mass and damping in sway."""
-    found, length = section(), FLUME["length"]
-    up = FLUME["kg"] - FLUME["draught"]
-    # Sway, heave and roll of the water plane's origin by those of the axle: a roll moves it by its height.
-    shift = np.array([[1.0, 0.0, up], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+    found, length, shift = section(), FLUME["length"], _shift()
     planar = np.s_[1:4]
     weight = FLUME["mass"] * FLUME_WATER.gravity_m_s2
     heave = FLUME_WATER.density_kg_m3 * FLUME_WATER.gravity_m_s2 * FLUME["beam"] * length
@@ -160,9 +168,18 @@ def _period(one: Model) -> float:
 
 def flume_response(omega: float) -> np.ndarray:
     """Sway, heave (m/m) and roll (rad/m) of the model in beam waves of one of `FLUME_FREQUENCIES`."""
+    return np.abs(_about_the_axle(omega))
+
+
+def flume_motions(omega: float) -> np.ndarray:
+    """The same as complex numbers, of the point on the water plane."""
+    return _shift() @ _about_the_axle(omega)
+
+
+def _about_the_axle(omega: float) -> np.ndarray:
     one, at = model(), list(FLUME_FREQUENCIES).index(omega)
     inertia = -(omega**2) * (one.mass + one.added_mass[at]) - 1j * omega * one.damping[at]
-    return np.abs(np.linalg.solve(inertia + one.stiffness, one.excitation[at]))
+    return np.linalg.solve(inertia + one.stiffness, one.excitation[at])
 
 
 @check(

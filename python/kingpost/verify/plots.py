@@ -9,21 +9,19 @@ import numpy as np
 
 from .. import response
 from ..paper.style import plotting
+from . import pictures
 from .hydrodynamics import HULME, SOLVED, heave
 from .measured import FLUME_FREQUENCIES, KRAMER, OES, RECORDS, decay, flume_response
 from .models import G
+from .pictures import MEASURED, OTHERS, OURS
 from .response import RADIUS, convolved, hulme_heave
-
-OURS: dict[str, Any] = {"color": "#0072B2", "linewidth": 1.8, "marker": "o", "markersize": 4}
-MEASURED: dict[str, Any] = {"color": "#D55E00", "linestyle": "none", "marker": "s"}
-OTHERS: dict[str, Any] = {"color": "#444444", "linestyle": "none", "marker": "x", "markersize": 7}
 
 
 def draw(folder: Path) -> list[Path]:
     """Draw every picture into a folder that is there, as PNG, and say which."""
     written = []
     with plotting() as pyplot:
-        for name, picture in (("sphere_decay", _decay), ("flume", _flume), ("hemisphere", _hemisphere)):
+        for name, picture in PICTURES.items():
             figure = picture(pyplot)
             written.append(folder / f"{name}.png")
             figure.savefig(written[-1], dpi=110, metadata={"Software": None})
@@ -88,3 +86,17 @@ def _hemisphere(pyplot: Any) -> Any:
     for panel in (left, right):
         panel.legend(fontsize=9)
     return figure
+
+
+PICTURES = {
+    "sphere_decay": _decay,
+    "flume": _flume,
+    "flume_forces": pictures.held_section,
+    "vugts": pictures.vugts,
+    "tanker": pictures.tanker,
+    "eddies": pictures.eddies,
+    "oes_sphere": pictures.oes,
+    "sphere_drift": pictures.sphere_drift,
+    "hemisphere": _hemisphere,
+}
+"""What draws each picture, by its name."""

@@ -22,6 +22,8 @@ class RoundBilge(Shape):
     beam_m: float
     draught_m: float
     bilge_m: float
+    slender: float = 1.0
+    """How many times as long as they are wide the panels of the sides are: the flow hardly changes along."""
 
     @property
     def wetted_area_m2(self) -> float:
@@ -44,8 +46,11 @@ class RoundBilge(Shape):
         bottom = self._curves(size)[0]
         return bottom[:, 0] / bottom[-1, 0]
 
+    def _along(self, size: float) -> Array:
+        return np.linspace(0, self.length_m / 2, divisions(self.length_m / 2, self.slender * size) + 1)
+
     def wetted(self, size_m: float) -> list[Array]:
-        x = np.linspace(0, self.length_m / 2, divisions(self.length_m / 2, size_m) + 1)
+        x = self._along(size_m)
         bottom, bilge, side = self._curves(size_m)
         patches = []
         for curve in (bottom, bilge, side):
@@ -58,7 +63,7 @@ class RoundBilge(Shape):
         return [*patches, end]
 
     def dry(self, size_m: float) -> list[Array]:
-        x = np.linspace(0, self.length_m / 2, divisions(self.length_m / 2, size_m) + 1)
+        x = self._along(size_m)
         y, height = self.beam_m / 2, self.draught_m / 2
         z = np.linspace(0, height, 3)
         share = self._share(size_m)
