@@ -38,7 +38,7 @@ const MODEL: ModelInfo = {
 };
 
 const colours = new Color();
-const PALETTE = { barrel: colours, rod: colours, pin: colours, rope: colours } as Palette;
+const PALETTE = { barrel: colours, rod: colours, pin: colours, line: colours } as Palette;
 
 /** Post and boom with their linkages, the boom turned a quarter about z at x, y, z. */
 function drawn(x: number, y: number, z: number) {
@@ -61,7 +61,7 @@ const TELESCOPE: DrawnLine[] = [
   { name: "luffing", style: "barrel", radius_m: 0.07, points: 2 },
   { name: "luffing", style: "rod", radius_m: 0.04, points: 2 },
   { name: "luffing", style: "pin", radius_m: 0.08, points: 1 },
-  { name: "bow", style: "rope", radius_m: 0, points: 3 },
+  { name: "bow", style: "line", radius_m: 0, points: 3 },
 ];
 
 it("lays tubes, pins and ropes through the engine's points", () => {
