@@ -4,6 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
+from kingpost import cli
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import hull_files, surface
 from kingpost.hydro.command import parse_frequencies, parse_shape, summary
@@ -346,3 +347,10 @@ def test_a_gap_that_is_no_seam_stays_a_hole(tmp_path):
     path.write_text(patches(0.5))
     with pytest.raises(HydrodynamicsError, match=r"holes.*give panels side by side the same corners"):
         HullFile(path).meshes(200)
+
+
+@pytest.mark.parametrize("ending", ["1", "3", "4", "8", "9", "12"])
+def test_the_last_number_of_a_parametric_hull_makes_no_file_of_it(capsys, ending):
+    hull = f"box:length_m=6,beam_m=4,draught_m=0.1,depth_m=0.{ending}"
+    assert cli.main(["hydro", hull, "--draught_m", "1", "-o", "hull.hydro.json"]) == 2
+    assert "a parametric hull has its own draught" in capsys.readouterr().err

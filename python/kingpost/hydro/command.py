@@ -86,7 +86,7 @@ def run(options: argparse.Namespace) -> Database:
     """Do what the options ask, print a summary and return the database."""
     # What takes no time is checked before what takes minutes.
     target = check_output(options.output)
-    if importers.recognise(options.hull) is not None:
+    if not _is_parametric(options.hull) and importers.recognise(options.hull) is not None:
         _refuse_for_a_file(options)
         imported = import_command.run(options)
         _warn(resolution.of_database(imported))
@@ -229,14 +229,18 @@ def parse_frequencies(text: str) -> np.ndarray:
     return found
 
 
+def _is_parametric(hull: str) -> bool:
+    """Whether a hull is described in words: its last number may end as another program's file does."""
+    return (hull.partition(":")[0] in SHAPES or "=" in hull) and not Path(hull).is_file()
+
+
 def _hull(options: argparse.Namespace, panels: int) -> HullMeshes:
     if Path(options.hull).is_file():
         file = HullFile(Path(options.hull), options.draught_m, bool(options.flip_normals))
         upright = file.meshes(panels)
         asked = attitude_command.parse(options, upright.particulars)
         return upright if asked is None else inclined.of_file(file, upright, panels, asked)
-    kind = options.hull.partition(":")[0]
-    if kind not in SHAPES and "=" not in options.hull:
+    if not _is_parametric(options.hull):
         kinds = ", ".join(SHAPES)
         allowed = f"a mesh file, or a parametric hull: {kinds}"
         raise HydrodynamicsError("hull", "no such file", allowed, options.hull)
