@@ -177,3 +177,17 @@ def test_a_long_run_shows_a_progress_bar_on_a_terminal():
     assert started.returncode == 0
     assert b"%|" in shown
     assert b"/60 s" in shown
+
+
+def test_the_command_needs_none_of_the_extras_to_start():
+    """What only an extra brings is loaded where it is used: a run and the app need none of it."""
+    extras = ["scipy", "capytaine", "meshio", "mujoco", "pinocchio", "gymnasium", "netCDF4"]
+    code = (
+        "import sys\n"
+        f"for name in {extras}: sys.modules[name] = None\n"
+        "from kingpost.cli import main\n"
+        "sys.exit(main(['list']))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "paper" in done.stdout

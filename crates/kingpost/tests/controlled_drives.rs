@@ -150,11 +150,21 @@ drives:
 /// At rest a drive holds its joint where the scenario puts it, and a run begins with what that takes.
 #[test]
 fn a_run_from_equilibrium_begins_with_the_effort_that_holds_the_load() {
-    let text = lift("speed: {}", STRONG).replace("duration_s: 60", "duration_s: 60, begin_at_equilibrium: true");
-    let mut held = simulation(&text);
-    assert!((values(&mut held, "drive_force")[0] - 1000.0 * GRAVITY).abs() < 1e-6);
-    held.step(500).expect("it holds");
-    assert!(held.state().q[0].abs() < 1e-9 && held.state().v[0].abs() < 1e-9);
+    let begins = |set_point: &str| {
+        let text = lift(set_point, STRONG);
+        text.replace("duration_s: 60", "duration_s: 60, begin_at_equilibrium: true")
+            .replace("4e6, damping", "1e5, damping")
+    };
+    for set_point in ["speed: {}", "position: {extension_m: 0}"] {
+        let mut held = simulation(&begins(set_point));
+        assert!((values(&mut held, "drive_force")[0] - 1000.0 * GRAVITY).abs() < 1e-6);
+        held.step(500).expect("it holds");
+        assert!(held.state().q[0].abs() < 1e-9 && held.state().v[0].abs() < 1e-9, "{set_point}");
+    }
+    let mut moved = simulation(&begins("position: {extension_m: 3}"));
+    moved.step(2000).expect("it moves");
+    assert!((moved.state().q[0] - 3.0).abs() < 1e-6, "{}", moved.state().q[0]);
+    let text = begins("speed: {}");
     let weak = text.replace("force_limit_kN: 50", "force_limit_kN: 9");
     let error =
         kingpost::scenario::read(&weak, "lift.yaml", &[]).and_then(|read| read.setup()).unwrap_err().to_string();

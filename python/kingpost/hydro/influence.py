@@ -13,7 +13,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.linalg import lu_factor, lu_solve
 
 from ..errors import HydrodynamicsError
 
@@ -67,6 +66,8 @@ class Influence:
 
     def solve(self, vector: NDArray) -> NDArray:
         """x of A x = vector. The first call overwrites the matrix by its factors, which are kept."""
+        from scipy.linalg import lu_factor
+
         while self.blocks:
             self.factors.append(lu_factor(self.blocks.pop(0), overwrite_a=True, check_finite=False))
         return self._by_block(vector, [_solver(factor) for factor in self.factors])
@@ -80,6 +81,8 @@ class Influence:
 
 
 def _solver(factor: Any) -> Any:
+    from scipy.linalg import lu_solve
+
     return lambda vector: lu_solve(factor, vector, check_finite=False)
 
 

@@ -19,6 +19,7 @@ use core::fmt::Debug;
 /// | every evaluation of the right-hand side | [`loads`](Self::loads), [`prescribe`](Self::prescribe), [`rates`](Self::rates) |
 /// | after every step | [`witness`](Self::witness); where one changes sign, [`respond`](Self::respond) at that time |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
+/// | its numbers are changed during a run | [`renew`](Self::renew) |
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
 /// | what a row shows is to be warned of | [`watchers`](Self::watchers), once |
 /// | a picture | [`draw`](Self::draw) |
@@ -74,6 +75,9 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// Answers an event where it was located: may change its states, numbers and modes, and the velocities `v` of the
     /// whole model, as an impact does.
     fn respond(&mut self, _event: usize, _at: &Moment<'_, S>, _own: &mut Own<'_, S>, _v: &mut [S]) {}
+
+    /// Sets its modes anew where its numbers were changed during a run: what they were set by may have crossed.
+    fn renew(&mut self, _at: &Moment<'_, S>, _own: &mut Own<'_, S>) {}
 
     /// What it does while an equilibrium is sought, beside its loads; `None` where that is nothing.
     fn settling(&self) -> Option<&dyn Settling<S>> {

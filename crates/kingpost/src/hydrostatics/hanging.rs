@@ -14,9 +14,9 @@ use serde::Serialize;
 /// is free, and no spring, brake, servo or motor acts on that; and where no closed loop, cylinder or
 /// spring line is tied to what it carries, and it has no hull of its own.
 ///
-/// Spring lines and ropes count where they end in one point of the ship, or are legs of one rope, and carry a body that
-/// floats by its joint, and nothing else holds that: no water, loop, cylinder or other line. Legs of one rope carry the same,
-/// so that their load hangs from the middle of their ends; where one runs over a sheave, its end is the sheave's centre.
+/// Spring lines and ropes count where they end in one point of the ship, or are near legs of one rope, and carry a body that
+/// floats by its joint, and nothing else holds that: no water, loop, cylinder or other line. Legs of one rope count where
+/// their ends are near each other; where one runs over a sheave, its end is the sheave's centre.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HangingLoad {
@@ -101,6 +101,10 @@ pub(super) struct OnLine {
     point: Vector3,
 }
 
+/// Ends of the legs of one rope that are closer than this share of the way to the load are one point: (spread / way)^2 is the
+/// share by which its load would swing about another length.
+const NARROW: f64 = 0.1;
+
 /// Ends of lines that are closer than this are one point, m.
 const ONE_POINT_M: f64 = 1e-6;
 
@@ -127,8 +131,10 @@ pub(super) fn on_lines(model: &Model, at: &Kinematics, hull: usize, restraints: 
             let from_ship = |end: &Attachment| end.body.is_some_and(|body| ship.contains(&body));
             let (line, end) = outside.first()?;
             let first = point(end)?;
+            let load = weight(model, at, &bodies).centre;
+            let near = |name: &String| if name == *line { NARROW * (load - first).norm() } else { ONE_POINT_M };
             let together = |name: &String, end: &Attachment| {
-                from_ship(end) && (name == *line || point(end).is_some_and(|p| (p - first).norm() < ONE_POINT_M))
+                from_ship(end) && point(end).is_some_and(|p| (p - first).norm() < near(name))
             };
             let all = outside.iter().all(|(name, end)| together(name, end));
             let sum = outside.iter().filter_map(|(_, end)| point(end)).fold(Vector3::zero(), |sum, end| sum + end);

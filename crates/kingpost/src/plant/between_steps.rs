@@ -26,6 +26,13 @@ impl<S: Scalar> Plant<S> {
         self.open_ledger(time_s, state);
     }
 
+    /// Lets every element set its modes anew where numbers were changed during a run.
+    pub fn renew(&mut self, time_s: f64, state: &mut State<S>) {
+        for i in 0..self.elements.len() {
+            self.change(i, time_s, state, |element, at, own, _| element.renew(at, own));
+        }
+    }
+
     /// Begins the ledger where the state stands.
     pub fn open_ledger(&mut self, time_s: f64, state: &mut State<S>) {
         if self.layout.ledger == 0 {

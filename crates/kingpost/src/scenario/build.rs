@@ -58,6 +58,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     cylinders::begin(&mut setup)?;
     ropes::begin(&mut setup)?;
     equilibrium::settle(scenario, &mut setup)?;
+    ropes::check_loads(&setup)?;
     setup.watchers = watchers::of(&setup);
     Ok(setup)
 }

@@ -16,7 +16,8 @@ impl Simulation {
         &self.plant.world
     }
 
-    /// Goes on from here by the numbers of another simulation of the same structure. Time, q, v, s, d and modes stay; the
+    /// Goes on from here by the numbers of another simulation of the same structure. Time, q, v, s and d stay, and modes but
+    /// for those that elements set anew; the
     /// integrator begins anew, since what it remembers is of the old law. What the change does to energy and momentum is
     /// booked in the ledger as at an event; a reset leads to the start of the other.
     ///
@@ -44,6 +45,7 @@ impl Simulation {
         next.state.memory = vec![0.0; memory];
         let interval = next.interval();
         next.plant.prescribe(interval, &mut next.state.v);
+        next.plant.renew(time_s, &mut next.state);
         next.plant.book_jump(&before, time_s, &mut next.state);
         next.last_good.copy_from(&next.state);
         next.plant.evaluations = self.plant.evaluations;

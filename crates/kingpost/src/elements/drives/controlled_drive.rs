@@ -11,11 +11,12 @@ use crate::scalar::Scalar;
 /// x_r' = v_r - (tau_free - tau) / c,    v_r' = a_r
 /// a_t  = (v_t - v_r) / T,               within +-a_max
 /// a_r  = a_t,  or with a limit of jerk  a_r' = 4 (a_t - a_r) / T,  within +-j_max
-/// tau_free = k (x_r - q) + c (v_r - v),   tau within +-tau_max, and where it drives within P_max / |v|
+/// tau_free = h + k (x_r - q) + c (v_r - v),   tau within +-tau_max, and where it drives within P_max / |v|
 /// ```
 ///
-/// The speed wanted is the set-point, within +-v_max; of a position x it is `v_t = a T (sqrt(1 + 2 |e| / (a T^2)) - 1)` towards it,
-/// with e = x - x_r and a = a_max / 2: from there it stops in time. Where the effort is at its limit the reference gives way with
+/// The speed wanted is the set-point, within +-v_max; of a position x it is `v_t = a T' (sqrt(1 + 2 |e| / (a T'^2)) - 1)` towards it,
+/// with e = x - x_r, T' = 4 T and a = a_max / 2: half of the acceleration then suffices to stop at x. With a limit of jerk T is not
+/// shorter than the acceleration takes to come. h is what holds the joint at rest where the run begins. Where the effort is at its limit the reference gives way with
 /// the load, so that the drive does not catch up afterwards (back-calculation: Astrom & Hagglund, *Advanced PID
 /// Control*, 2006, sec. 3.5).
 #[derive(Clone, Debug)]
@@ -107,10 +108,10 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         Declaration { states: states.collect(), inputs: vec![input], outputs: self.shown(), ..Declaration::default() }
     }
 
-    /// The reference begins ahead of the coordinate by what holds that, at the rate that it has.
+    /// The reference begins where the coordinate stands, at the rate that it has.
     fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
         if let [position, speed, ..] = own.states {
-            (*position, *speed) = (at.q[self.position] + self.hold[0] / self.stiffness, at.v[self.coordinate]);
+            (*position, *speed) = (at.q[self.position], at.v[self.coordinate]);
         }
     }
 
@@ -151,7 +152,8 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         let power = effort.given * rate;
         let size = |x: S| x.select_below(0.0, || -x, || x);
         let reference = at.states.get(SPEED).copied().unwrap_or(rate);
-        let [used, running, driving] = [effort.given / effort.limit, reference / self.limits.speed, power].map(size);
+        let [used, running] = [effort.given / effort.limit, reference / self.limits.speed].map(size);
+        let driving = power.select_below(0.0, || S::ZERO, || power);
         let driving = self.limits.power.map_or(S::ZERO, |limit| driving / limit);
         out.extend([effort.given, reference, power, used, running, driving]);
     }
@@ -208,7 +210,11 @@ impl<S: Scalar> ControlledDrive<S> {
             number("drive_power", "power that a drive gives; negative: takes", &["W"]),
             number("drive_effort_utilisation", "torque or force of a drive over its limit", &["1"]),
             number("drive_speed_utilisation", "speed of a drive's reference over its limit", &["1"]),
-            number("drive_power_utilisation", "power of a drive over its limit; 0 where it has none", &["1"]),
+            number(
+                "drive_power_utilisation",
+                "power that a drive gives over its limit; 0 where it has none, or brakes",
+                &["1"],
+            ),
         ]
     }
 
@@ -222,7 +228,7 @@ impl<S: Scalar> ControlledDrive<S> {
         let free = match at.states {
             _ if self.set_point == SetPoint::Effort => self.target(at),
             [position, speed, ..] if at.situation != Situation::Settling => {
-                self.stiffness * (*position - q) + self.damping * (*speed - v)
+                self.hold[0] + self.stiffness * (*position - q) + self.damping * (*speed - v)
             }
             _ => return self.holding(q),
         };
@@ -251,7 +257,8 @@ impl<S: Scalar> ControlledDrive<S> {
     fn reaction(&self) -> S {
         let time = self.response_time;
         self.limits.jerk.map_or(time, |jerk| {
-            let least = self.limits.acceleration / jerk;
+            let [to_acceleration, to_speed] = [self.limits.acceleration / jerk, (self.limits.speed / jerk).sqrt()];
+            let least = to_acceleration.select_less(to_speed, || to_acceleration, || to_speed);
             time.select_less(least, || least, || time)
         })
     }

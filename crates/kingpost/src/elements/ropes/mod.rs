@@ -9,6 +9,7 @@ pub use station::{Efficiency, Round, Station};
 use crate::dynamics::Loads;
 use crate::elements::{Crossing, Declaration, DrawnLine, Element, Event, LineStyle, Moment, Output, Own, Situation};
 use crate::scalar::Scalar;
+use crate::spatial::Vector3;
 
 /// An elastic rope without mass over a [`Path`], which pulls and never pushes.
 ///
@@ -77,7 +78,7 @@ struct Stretched<S> {
 
 /// The one mode: how the rope is, which events change, so that no step mixes two laws. Runs side by side that begin
 /// differently go by their stretch until the first event of one. A rope whose damper takes all of its pull goes slack while it
-/// is still longer; what the spring has left is heat.
+/// is still longer; as it shortens, what the spring has left becomes heat.
 const BY_STRETCH: i64 = 0;
 const TAUT: i64 = 1;
 const SLACK: i64 = 2;
@@ -89,13 +90,13 @@ const EVENTS: [Event; 5] = [
     Event { what: "goes slack", crossing: Crossing::Falling },
     Event { what: "comes taut", crossing: Crossing::Rising },
     Event { what: "is hauled in to its end", crossing: Crossing::Falling },
-    Event { what: "turns about a sheave by more than 265 or less than -85 degrees", crossing: Crossing::Falling },
+    Event { what: "leaves its range at a sheave or drum, or two places of its path meet", crossing: Crossing::Falling },
     Event { what: "parts", crossing: Crossing::Rising },
 ];
 const GOES_SLACK: usize = 0;
 const COMES_TAUT: usize = 1;
 const HAULED_IN: usize = 2;
-const OUT_OF_RANGE: usize = 3;
+const LEAVES_RANGE: usize = 3;
 const PARTS: usize = 4;
 /// L, of that at the start, below which a rope is hauled in to its end: its stiffness stays that of this length.
 const SHORTEST: f64 = 1e-3;
@@ -109,13 +110,17 @@ impl<S: Scalar> Element<S> for Rope<S> {
 
     fn declare(&self) -> Declaration {
         let number = |variable, description, unit| Output::number(variable, description, "rope", &self.name, unit);
-        let points = 2 * (self.path.stations().len() - 2) + POINTS_OF_LAST_LEG;
+        let points = 2 * self.path.stations().len().saturating_sub(2) + POINTS_OF_LAST_LEG;
         Declaration {
             modes: vec!["condition".to_owned()],
             outputs: vec![
                 number("rope_tension", "tension of a rope at its last end", &["N"]),
                 number("rope_first_tension", "tension of a rope at its first end, or its drum", &["N"]),
-                number("rope_length", "unstretched length of a rope between its ends, or paid out by its drum", &["m"]),
+                number(
+                    "rope_length",
+                    "unstretched length of a rope between its ends, or from its drum to its end",
+                    &["m"],
+                ),
                 number("rope_pay_out_rate", "rate at which a drum pays out rope", &["m/s"]),
                 number(
                     "rope_stretch",
@@ -136,6 +141,15 @@ impl<S: Scalar> Element<S> for Rope<S> {
             (_, true) => SLACK,
             _ => BY_STRETCH,
         };
+    }
+
+    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        if own.modes[0] != PARTED {
+            self.begin(at, own);
+        }
+        if own.modes[0] == TAUT {
+            own.modes[0] = self.taut_or_parted(at);
+        }
     }
 
     /// Adds the pulls at all stations, the torque on the drum, and the heat.
@@ -172,16 +186,16 @@ impl<S: Scalar> Element<S> for Rope<S> {
             (GOES_SLACK, _) => S::ONE,
             (COMES_TAUT, _) if mode == SLACK => pull,
             (HAULED_IN, _) => now.unstretched - self.shortest(),
-            (OUT_OF_RANGE, _) => now.range_left,
+            (LEAVES_RANGE, _) => now.range_left,
             (PARTS, Some(load)) if mode != PARTED => self.largest(&now) - load,
             _ => -S::ONE,
         }
     }
 
-    fn respond(&mut self, event: usize, _at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn respond(&mut self, event: usize, at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
         own.modes[0] = match event {
             GOES_SLACK => SLACK,
-            COMES_TAUT => TAUT,
+            COMES_TAUT => self.taut_or_parted(at),
             PARTS => PARTED,
             _ => return,
         };
@@ -191,14 +205,14 @@ impl<S: Scalar> Element<S> for Rope<S> {
     /// sqrt(3/8 d e).
     fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
         let now = self.stretched(at);
-        let last = self.path.stations().len() - 2;
+        let last = self.path.stations().len().saturating_sub(2);
         let slack = now.stretch.select_below(0.0, || -now.stretch, || S::ZERO);
         for (k, [from, to]) in self.path.straights().enumerate() {
             if k < last {
                 points.extend(from.0.into_iter().chain(to.0));
                 continue;
             }
-            let way = to - from;
+            let way = if condition(at) == PARTED { Vector3::zero() } else { to - from };
             let sag = (S::constant(0.375) * way.norm() * slack).sqrt();
             for i in 0..POINTS_OF_LAST_LEG {
                 let share = S::constant(i as f64 / (POINTS_OF_LAST_LEG - 1) as f64);
@@ -213,15 +227,14 @@ impl<S: Scalar> Element<S> for Rope<S> {
     }
 
     fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
-        let stations = self.path.stations();
-        Some([stations[0].centre.body, stations[stations.len() - 1].centre.body])
+        self.ties().into_iter().find(|[first, second]| first != second)
     }
 }
 
-/// The mode of a rope in a run; at rest it goes by its stretch.
+/// The mode of a rope; at rest one that has not parted goes by its stretch.
 fn condition<S>(at: &Moment<'_, S>) -> i64 {
     let mode = at.modes.first().copied().unwrap_or(BY_STRETCH);
-    if at.situation == Situation::Running { mode } else { BY_STRETCH }
+    if at.situation == Situation::Running || mode == PARTED { mode } else { BY_STRETCH }
 }
 
 impl<S: Scalar> Stretched<S> {
@@ -242,9 +255,22 @@ impl<S: Scalar> Rope<S> {
         self.path.extent(at).length
     }
 
-    /// The tension that a stretch of a length at rest makes, N.
+    /// The tension that a stretch of a length at rest makes, N; negative for one that is short.
     pub fn tension_at_rest(&self, stretch: S) -> S {
         stretch / (self.unstretched_length / self.axial_stiffness + self.series_compliance)
+    }
+
+    /// The mode of a rope that pulls: the damper alone may pull it apart as it comes taut.
+    fn taut_or_parted(&mut self, at: &Moment<'_, S>) -> i64 {
+        let now = self.stretched(&Moment { modes: &[TAUT], ..*at });
+        let parts = self.breaking_load.is_some_and(|load| (self.largest(&now) - load).all(|beyond| beyond > 0.0));
+        if parts { PARTED } else { TAUT }
+    }
+
+    /// The larger of the tensions at both ends where the bodies are, N.
+    pub fn tension_here(&mut self, at: &Moment<'_, S>) -> S {
+        let now = self.stretched(at);
+        self.largest(&now)
     }
 
     fn stretched(&mut self, at: &Moment<'_, S>) -> Stretched<S> {
@@ -263,7 +289,10 @@ impl<S: Scalar> Rope<S> {
         let where_longer = |force: S| stretch.select_below(0.0, || S::ZERO, || force);
         let (elastic, tension) = match condition(at) {
             TAUT => (elastic, pull),
-            SLACK | PARTED => (S::ZERO, S::ZERO),
+            // Without a damper a slack rope is never longer, but for rounding, which would spoil the energy of a step.
+            SLACK if self.damping_time.all(|time| time == 0.0) => (S::ZERO, S::ZERO),
+            SLACK => (where_longer(elastic), S::ZERO),
+            PARTED => (S::ZERO, S::ZERO),
             _ => (where_longer(elastic), pulling(where_longer(pull))),
         };
         let strain_energy = || elastic * elastic / (self.axial_stiffness + self.axial_stiffness);

@@ -64,6 +64,8 @@ struct Leg<S> {
     axis: Vector3<S>,
     sine: S,
     cosine: S,
+    /// The sum of both radii, m.
+    radii: S,
     /// Derivative of the path's length by the place of the station behind.
     gradient: Vector3<S>,
     /// Its share of the rate of the path's length, m/s.
@@ -77,7 +79,8 @@ pub struct Extent<S> {
     pub length: S,
     /// Its rate, m/s.
     pub rate: S,
-    /// How far the angle at every sheave is from where its range ends, rad: below 0 within the last 5 degrees.
+    /// The least of what is left of the range of the angle at every sheave and drum, rad, less 5 degrees, and of the gaps between
+    /// sheaves over the distance of their centres; below 0 the path is none any more.
     pub range_left: S,
 }
 
@@ -88,7 +91,7 @@ impl<S: Scalar> Path<S> {
         let motion = Motion { centre: zero, velocity: zero, angular_velocity: zero };
         let place = Place { motion, axis: zero, moments: [zero; 2] };
         let (distance, sine, cosine, rate) = (S::ONE, S::ZERO, S::ONE, S::ZERO);
-        let leg = Leg { along: zero, distance, axis: zero, sine, cosine, gradient: zero, rate };
+        let leg = Leg { along: zero, distance, axis: zero, sine, cosine, radii: S::ZERO, gradient: zero, rate };
         let (places, legs) = (vec![place; stations.len()], vec![leg; stations.len().saturating_sub(1)]);
         Self { stations, drum: None, places, legs }
     }
@@ -111,9 +114,29 @@ impl<S: Scalar> Path<S> {
     /// The first leg between places that overlap: its number, the distance of the centres and the sum of the radii, m.
     pub fn overlap(&mut self, at: &Moment<'_, S>) -> Option<(usize, [S; 2])> {
         self.stand(at);
-        let radius = |i: usize| self.stations[i].round.map_or(S::ZERO, |round| round.radius);
-        let mut legs = self.legs.iter().enumerate().map(|(k, leg)| (k, [leg.distance, radius(k) + radius(k + 1)]));
+        let mut legs = self.legs.iter().enumerate().map(|(k, leg)| (k, [leg.distance, leg.radii]));
         legs.find(|(_, [distance, radii])| !(*distance - *radii).all(|apart| apart > 0.0))
+    }
+
+    /// The angles by which the rope turns about its sheaves where the bodies are, each with the number of the station, rad;
+    /// after [`extent`](Self::extent).
+    pub fn wraps(&mut self, at: &Moment<'_, S>) -> Vec<(usize, S)> {
+        let inner = 1..self.legs.len();
+        let of = |i: usize| {
+            let round = self.stations[i].round?;
+            let (before, behind) = (self.legs[i - 1], self.legs[i]);
+            let sense = before.axis.dot(self.places[i].axis);
+            let lean = behind.lean() - before.lean() * sense;
+            Some((i, self.turn(i, &round, at) + S::constant(FRAC_PI_2) + lean))
+        };
+        inner.filter_map(of).collect()
+    }
+
+    /// Whether the axis of the drum points along the rope, which then has no side to leave it on.
+    pub fn drum_is_along(&mut self, at: &Moment<'_, S>) -> bool {
+        self.stand(at);
+        let across = self.legs[0].along.cross(self.places[0].axis).norm_squared();
+        self.stations[0].round.is_some() && !across.all(|across| across > 1e-6)
     }
 
     /// Length and rate where the bodies are.
@@ -139,6 +162,10 @@ impl<S: Scalar> Path<S> {
                 range_left = left.select_less(range_left, || left, || range_left);
             }
         }
+        for leg in self.legs.iter().filter(|leg| leg.radii != S::ZERO) {
+            let gap = S::ONE - leg.radii / leg.distance;
+            range_left = gap.select_less(range_left, || gap, || range_left);
+        }
         for (leg, ends) in self.legs.iter_mut().zip(self.places.windows(2)) {
             let [(first, behind_first), (second, before_second)] =
                 [(ends[0].motion, ends[0].moments[1]), (ends[1].motion, ends[1].moments[0])];
@@ -158,6 +185,7 @@ impl<S: Scalar> Path<S> {
         }
         for (k, leg) in self.legs.iter_mut().enumerate() {
             let ends = [k, k + 1].map(|i| (self.stations[i].round.map(|round| round.radius), self.places[i].axis));
+            let radii = ends.iter().fold(S::ZERO, |sum, (radius, _)| sum + radius.unwrap_or(S::ZERO));
             let (rho, axis) = match ends {
                 [(Some(first), a), (Some(second), b)] => (first - a.dot(b) * second, a),
                 [(Some(radius), axis), (None, _)] => (radius, axis),
@@ -169,7 +197,7 @@ impl<S: Scalar> Path<S> {
             // Sheaves that overlap have no straight rope between them.
             let sine = (rho / distance).clipped(-S::ONE, S::ONE);
             let cosine = at_least_something(S::ONE - sine * sine).sqrt();
-            *leg = Leg { along: way * (S::ONE / distance), distance, axis, sine, cosine, ..*leg };
+            *leg = Leg { along: way * (S::ONE / distance), distance, axis, sine, cosine, radii, ..*leg };
         }
     }
 

@@ -1,18 +1,25 @@
 //! Ropes: what they run over, and how long they are where a run begins.
 
-use super::super::schema::{self, PaysOut, RopeStation, Scenario};
+use super::super::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use super::cylinders::attachment;
 use super::{FieldError, known};
 use crate::dynamics::{Clock, LinkKinematics};
 use crate::elements::ropes::{Drum, Efficiency, Path, Round, Station};
-use crate::elements::{AnyElement, Moment, Rope, Situation, of_kind_mut};
+use crate::elements::{AnyElement, Moment, Rope, Situation, of_kind, of_kind_mut};
 use crate::model::{Attachment, JointKind, Model};
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::spatial::{Frame, Vector3};
+use crate::world::World;
 
 /// Strain at the start beyond which a length is a mistake: steel has parted long before.
 const LARGEST_STRAIN: f64 = 0.05;
+
+/// The largest angle about a sheave at the start, degrees: the rope may turn a little farther.
+const LARGEST_WRAP_DEG: f64 = 260.0;
+
+/// A rope that runs straight past a sheave, degrees.
+const ROUNDING_DEG: f64 = 1.0;
 
 /// Falls of one leg, at most.
 const MOST_FALLS: u32 = 100;
@@ -75,6 +82,12 @@ fn check_order<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
 
 /// Several falls run between points: rope on a sheave is led one fall at a time.
 fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
+    if let Some(RopeStation::Point(RopePoint { falls, .. })) = path.first()
+        && *falls != 1
+    {
+        let allowed = "1: falls lead to a point from the one before it";
+        return Err(FieldError::new(field("path.0.point.falls".to_owned()), falls, allowed));
+    }
     for (i, pair) in path.windows(2).enumerate() {
         let RopeStation::Point(point) = &pair[1] else { continue };
         let at = || field(format!("path.{}.point.falls", i + 1));
@@ -162,39 +175,89 @@ impl<S: Quantity> Placing<'_, S> {
 /// Takes the lengths where the run begins, its loops closed.
 ///
 /// # Errors
-/// Sheaves that overlap; a rope that is shorter than its path by more than steel stretches.
+/// Sheaves that overlap, or that the rope does not lie against; a rope that is shorter than its path by more than it can stretch.
 pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, world, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
-    let clock = Clock { time_s: 0.0, middle_s: 0.0 };
-    let (states, inputs, numbers, modes): (&[S], &[S], &[S], &[i64]) = Default::default();
-    let situation = Situation::AtRest;
-    let at = Moment { clock, situation, world, model, links: &links, q, v, states, inputs, numbers, modes };
-    for rope in of_kind_mut::<S, Rope<S>>(elements) {
-        let name = rope.name.clone();
-        let field = |rest: &str| format!("forces.{name}.rope.{rest}");
-        if let Some((leg, [distance, radii])) = rope.path.overlap(&at) {
-            let found = format!("a place {distance:.4} m from the one before it");
-            let allowed = format!("one farther from it than {radii:.4} m, the radii of both");
-            return Err(FieldError::new(field(&format!("path.{}", leg + 1)), found, allowed));
-        }
-        let length = rope.begin_at(&at);
-        if !length.all(|length| length > 0.0) {
-            return Err(FieldError::new(field("path"), format!("a path of {length} m"), "one longer than 0"));
-        }
-        if rope.unstretched_length.vanishes() {
-            rope.unstretched_length = length;
-        }
-        let strain = length / rope.unstretched_length - S::ONE;
-        if !strain.all(|strain| strain <= LARGEST_STRAIN) {
-            let found = format!("{} m, on a path of {length:.4} m", rope.unstretched_length);
-            let allowed = format!(
-                "at least {:.4} m: no rope stretches by more than 5 %",
-                length / S::constant(1.0 + LARGEST_STRAIN)
-            );
-            return Err(FieldError::new(field("unstretched_length_m"), found, allowed));
+    at_rest(world, model, &links, (q, v), |at| {
+        of_kind_mut::<S, Rope<S>>(elements).try_for_each(|rope| begin_one(rope, at))
+    })
+}
+
+fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Moment<'_, S>) -> Result<(), FieldError> {
+    let name = rope.name.clone();
+    let field = |rest: &str| format!("forces.{name}.rope.{rest}");
+    if let Some((leg, [distance, radii])) = rope.path.overlap(at) {
+        let found = format!("a place {distance:.4} m from the one before it");
+        let allowed = format!("one farther from it than {radii:.4} m, the radii of both");
+        return Err(FieldError::new(field(&format!("path.{}", leg + 1)), found, allowed));
+    }
+    if rope.path.drum_is_along(at) {
+        let (found, allowed) = ("an axis along the rope", "a joint whose axis stands across the rope");
+        return Err(FieldError::new(field("path.0.drum.joint"), found, allowed));
+    }
+    let length = rope.begin_at(at);
+    if !length.all(|length| length > 0.0) {
+        return Err(FieldError::new(field("path"), format!("a path of {length} m"), "one longer than 0"));
+    }
+    check_sides(rope, at, &field)?;
+    if rope.unstretched_length.vanishes() {
+        rope.unstretched_length = length;
+    }
+    let strain = rope.tension_at_rest(length - rope.unstretched_length) / rope.axial_stiffness;
+    if !strain.all(|strain| strain <= LARGEST_STRAIN) {
+        let found = format!("{} m, on a path of {length:.4} m: a strain of {strain:.3}", rope.unstretched_length);
+        let allowed = format!("a length at which the rope stretches by {LARGEST_STRAIN} at most");
+        return Err(FieldError::new(field("unstretched_length_m"), found, allowed));
+    }
+    Ok(())
+}
+
+/// The rope lies against every sheave, on the side that the axis says.
+fn check_sides<S: Quantity>(
+    rope: &mut Rope<S>,
+    at: &Moment<'_, S>,
+    field: impl Fn(&str) -> String,
+) -> Result<(), FieldError> {
+    for (i, wrap) in rope.path.wraps(at) {
+        let degrees = wrap * S::constant(180.0 / core::f64::consts::PI);
+        if !degrees.all(|degrees| (-ROUNDING_DEG..=LARGEST_WRAP_DEG).contains(&degrees)) {
+            let found = format!("a rope that turns by {degrees:.1} degrees about the axis");
+            let allowed =
+                format!("0 to {LARGEST_WRAP_DEG} degrees; on the other side of the sheave, the opposite axis");
+            return Err(FieldError::new(field(&format!("path.{i}.sheave.axis")), found, allowed));
         }
     }
     Ok(())
+}
+
+/// Where a run begins, ropes carry what they can.
+pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
+    let Setup { model, world, elements, q, v, .. } = setup;
+    let mut links = LinkKinematics::new(model);
+    links.update(model, q, v);
+    for rope in of_kind::<f64, Rope>(elements) {
+        let Some(load) = rope.breaking_load else { continue };
+        let tension = at_rest(world, model, &links, (q, v), |at| rope.clone().tension_here(at));
+        if tension > load {
+            let (name, allowed) =
+                (&rope.name, format!("more than {tension:.0} N, which it carries where the run begins"));
+            return Err(FieldError::new(format!("forces.{name}.rope.breaking_load_N"), load, allowed));
+        }
+    }
+    Ok(())
+}
+
+/// What an element without entries of its own sees of a model at rest.
+fn at_rest<S: Quantity, R>(
+    world: &World<S>,
+    model: &Model<S>,
+    links: &LinkKinematics<S>,
+    (q, v): (&[S], &[S]),
+    see: impl FnOnce(&Moment<'_, S>) -> R,
+) -> R {
+    let clock = Clock { time_s: 0.0, middle_s: 0.0 };
+    let (states, inputs, numbers, modes): (&[S], &[S], &[S], &[i64]) = Default::default();
+    see(&Moment { clock, situation: Situation::AtRest, world, model, links, q, v, states, inputs, numbers, modes })
 }

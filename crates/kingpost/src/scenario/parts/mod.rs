@@ -264,15 +264,23 @@ fn take(tree: &mut Node, name: &str) -> Option<Field> {
     }
 }
 
-/// Puts a value that comes from a place at a path of named fields; those that are not there are made.
+/// Puts a value that comes from a place at a path of named fields and places in lists; fields that are not there are made.
 fn put(tree: &mut Node, path: &[&str], value: &Value, place: &Place) {
     let Some((name, rest)) = path.split_first() else {
         *tree = Node::from_value(value, place);
         return;
     };
-    if let Content::Fields(fields) = &mut tree.content {
-        let new = || Field::new(place.clone(), Node::from_value(&json!({}), place));
-        put(&mut fields.entry((*name).to_owned()).or_insert_with(new).node, rest, value, place);
+    match &mut tree.content {
+        Content::Fields(fields) => {
+            let new = || Field::new(place.clone(), Node::from_value(&json!({}), place));
+            put(&mut fields.entry((*name).to_owned()).or_insert_with(new).node, rest, value, place);
+        }
+        Content::List(entries) => {
+            if let Some(entry) = name.parse().ok().and_then(|index: usize| entries.get_mut(index)) {
+                put(entry, rest, value, place);
+            }
+        }
+        Content::Scalar(_) => {}
     }
 }
 
