@@ -117,6 +117,35 @@ fn slow_motions_are_damped_and_a_current_with_the_waves_adds_to_the_drift() {
     assert!(with < still && still < against && still < in_current, "{with} {still} {against} {in_current}");
 }
 
+/// What is shown acts: without added mass and radiation a free hull's centre accelerates by the force over its mass.
+#[test]
+fn the_drift_of_a_moving_hull_acts_on_it() {
+    let velocity = json!([0.4, -0.3, 0.0]);
+    let with = |damping: bool| {
+        let more = [
+            ("bodies.hull.joint.floating.initial.velocity_m_s", velocity.clone()),
+            ("forces.water.hydrodynamics.wave_drift_damping", json!(damping)),
+            ("forces.water.hydrodynamics.added_mass", json!(false)),
+            ("forces.water.hydrodynamics.radiation", json!(false)),
+        ];
+        let scenario = read(&more).unwrap_or_else(|error| panic!("{error}"));
+        let mut moving = Simulation::new(scenario.setup().unwrap_or_else(|error| panic!("{error}")));
+        let drift = values(&mut moving, "drift_force");
+        let (sin, cos) = libm::sincos(HEADING_RAD);
+        let in_world = [cos * drift[0] - sin * drift[1], sin * drift[0] + cos * drift[1]];
+        let momentum = moving.acceleration(None).expect("accelerations");
+        ([momentum[0], momentum[1]], in_world)
+    };
+    let ((moved, force), (plain, without)) = (with(true), with(false));
+    for axis in 0..2 {
+        let (force, acceleration) = (force[axis] - without[axis], moved[axis] - plain[axis]);
+        assert!(force.abs() > 100.0 && force * acceleration > 0.0, "{force} {acceleration}");
+    }
+    // The hull carries what stands on it: both directions by the same mass, to what the crane's joints give way.
+    let masses = [0, 1].map(|axis| (force[axis] - without[axis]) / (moved[axis] - plain[axis]));
+    assert!(masses.iter().all(|mass| (3.9e5..4.3e5).contains(mass)), "{masses:?} kg");
+}
+
 #[test]
 fn it_needs_a_drift_to_change() {
     let error = read(&[(&format!("{WATER}.wave_drift"), json!(false))]).and_then(|scenario| scenario.setup().map(drop));
@@ -155,7 +184,7 @@ fn check_says_how_much_a_current_would_change() {
         assert!(drift_words.contains(&force), "{drift_words}: {force}");
     }
     let percent = 100.0 * 4.0 * current * OMEGA / GRAVITY;
-    assert!(drift_words.contains(&format!("by {percent:.0} % another")), "{drift_words}: {percent}");
+    assert!(drift_words.contains(&format!("by {percent:.0} %: wave_drift_damping")), "{drift_words}: {percent}");
 
     let aside = json!([current * libm::cos(DIRECTION_RAD + PI / 2.0), current * libm::sin(DIRECTION_RAD + PI / 2.0)]);
     let found = warnings(&[("sea.current_m_s", aside)]);

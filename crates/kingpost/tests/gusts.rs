@@ -27,7 +27,7 @@ fn npd(frequency_hz: f64, at_ten_metres: f64, height: f64) -> f64 {
 }
 
 /// The formula at several winds; 320 m^2/s at frequency 0, 10 m/s and 10 m; and the integral over all frequencies, by
-/// Int_0^inf (1 + x^n)^(-5 / (3 n)) dx = Gamma(1/n) Gamma(2 / (3 n)) / (n Gamma(5 / (3 n))) = 0.566 47, whose tail beyond X is
+/// Int_0^inf (1 + x^n)^(-5 / (3 n)) dx = Gamma(1/n) Gamma(2 / (3 n)) / (n Gamma(5 / (3 n))) = 0.567 22, whose tail beyond X is
 /// 3/2 X^(-2/3) at most.
 #[test]
 fn the_npd_spectrum_is_that_of_the_standard() {

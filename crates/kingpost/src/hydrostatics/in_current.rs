@@ -66,8 +66,8 @@ impl Floating<'_> {
         let kn = |force: [f64; 2]| format!("surge {:.1} kN, sway {:.1} kN", force[0] / 1000.0, force[1] / 1000.0);
         let words = || {
             format!(
-                "its mean drift in the waves is that without a current, {}; a current of {:.2} m/s makes it {}, by {:.0} % another, \
-                 which wave_drift_damping: true has (warned of beyond {:.0} %)",
+                "its mean drift in the waves is that without a current, {}; a current of {:.2} m/s changes it to {}, by {:.0} %: \
+                 wave_drift_damping: true takes this into account (warned of beyond {:.0} %)",
                 kn(without),
                 libm::hypot(x, y),
                 kn(with),

@@ -67,7 +67,7 @@ impl<S: Scalar> Element<S> for FlowLoad<S> {
     fn declare(&self) -> Declaration {
         let description = "force and moment of wind or current about the reference point of its coefficients";
         let force = Output::wrench("flow_force", description, "flow", &self.name, Frame::Body);
-        let description = "speed over ground of the wind or current that a load is of";
+        let description = "speed of the wind or current that acts, over ground";
         let speed = Output::number("flow_speed", description, "flow", &self.name, &["m/s"]);
         Declaration { outputs: vec![force, speed], ..Declaration::default() }
     }

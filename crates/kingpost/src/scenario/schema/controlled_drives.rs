@@ -40,7 +40,8 @@ pub struct ControlledDrive<S = f64> {
     /// Torque per rate that it is behind its reference, N m s/rad.
     #[serde(rename = "damping_N_m_s_per_rad")]
     pub damping_n_m_s_per_rad: Positive<S>,
-    /// Time in which its reference comes to a new rate where no limit holds, s.
+    /// Time in which its reference comes to a new rate where no limit holds, s; with a limit of jerk it is longer where the
+    /// acceleration takes longer to come.
     #[serde(default = "response_time::<S>")]
     pub response_time_s: Positive<S>,
 }
@@ -139,7 +140,8 @@ pub struct LinearControlledDrive<S = f64> {
     /// Force per speed that it is behind its reference, N s/m.
     #[serde(rename = "damping_N_s_per_m")]
     pub damping_n_s_per_m: Positive<S>,
-    /// Time in which its reference comes to a new speed where no limit holds, s.
+    /// Time in which its reference comes to a new speed where no limit holds, s; with a limit of jerk it is longer where the
+    /// acceleration takes longer to come.
     #[serde(default = "response_time::<S>")]
     pub response_time_s: Positive<S>,
 }

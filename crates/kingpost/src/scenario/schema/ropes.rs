@@ -30,8 +30,8 @@ pub struct Rope<S = f64> {
     /// does.
     #[serde(default, rename = "series_stiffness_N_per_m", skip_serializing_if = "Option::is_none")]
     pub series_stiffness_n_per_m: Option<Positive<S>>,
-    /// Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' beside k e. Of wire ropes 0.01 to
-    /// 0.02 s.
+    /// Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' beside k e. For wire ropes it is 0.01
+    /// to 0.02 s.
     #[serde(default)]
     pub damping_time_s: NonNegative<S>,
     /// Tension at which the rope parts, N; without it, it does not.
@@ -70,7 +70,7 @@ pub struct RopePoint<S = f64> {
     /// The point in the body's drawing frame, m.
     #[serde(default)]
     pub position_m: [S; 3],
-    /// Parallel falls of the rope from the place before to this one: their pull is so many tensions.
+    /// Number of parallel falls between the place before and this one. Together they pull with that many times the tension.
     #[serde(default = "one")]
     pub falls: u32,
 }
