@@ -60,7 +60,7 @@ def read(path: str, options: Options) -> Foreign:
     notes = [f"vessel type {vessel.text('Name')!r}, draught {draught.text('Name')!r}", *place.notes()]
     omega, added_mass, damping, infinite = _radiation(draught, conventions)
     directions, omega, kept, excitation = _excitation(draught, conventions, omega, notes)
-    excitation = place.excitation(omega, directions, excitation, options, path)
+    excitation = place.phased(omega, directions, excitation, options, path)
     symmetry = conventions.symmetry
     if symmetry == ENDS_ALONE:
         directions, excitation, symmetry = *_mirrored_ends(directions, excitation), "none"
@@ -77,7 +77,7 @@ def read(path: str, options: Options) -> Foreign:
         added_mass=added_mass[kept],
         radiation_damping=damping[kept],
         added_mass_infinite=infinite,
-        excitation=excitation,
+        excitation=place.carried(excitation),
         froude_krylov=None,
         restoring=_restoring(draught, conventions),
         density_kg_m3=density,
@@ -174,7 +174,7 @@ def _excitation(
 def _mirrored_ends(
     directions: NDArray[np.float64], excitation: NDArray[np.complex128]
 ) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
-    """With the images in x = 0 of waves to b, which go to pi - b."""
+    """With the images of waves to b, which go to pi - b, in the plane x = 0 of the forces' own origin."""
     return np.append(directions, np.pi - directions), np.concatenate([excitation, excitation * ENDS], axis=1)
 
 

@@ -126,7 +126,7 @@ class Place:
             return []
         return [f"the origin is on the water plane at x = {x:.4g}, y = {y:.4g} of the file, its load RAOs'"]
 
-    def excitation(
+    def phased(
         self,
         omega: NDArray[np.float64],
         directions: NDArray[np.float64],
@@ -134,12 +134,16 @@ class Place:
         options: Options,
         file: str,
     ) -> NDArray[np.complex128]:
-        """About the matrices' point, of a crest over the origin at t = 0: X_O = X_P exp(i k (P - O))."""
+        """Forces of a crest over their own origin O at t = 0, not over P: X_O = X_P exp(i k (P - O))."""
         x, y = (self.phases - self.forces)[:2]
-        if np.hypot(x, y) > 1e-9:
-            depth = float(options.asked("water_depth_m", file))
-            water = Water(gravity_m_s2=GRAVITY_M_S2, depth_m=None if np.isinf(depth) else depth)
-            numbers = np.array([wave_number(float(w), water) for w in omega])
-            ahead = x * np.cos(directions) + y * np.sin(directions)
-            forces = forces * np.exp(1j * np.outer(numbers, ahead))[:, :, None]
+        if np.hypot(x, y) < 1e-9:
+            return forces
+        depth = float(options.asked("water_depth_m", file))
+        water = Water(gravity_m_s2=GRAVITY_M_S2, depth_m=None if np.isinf(depth) else depth)
+        numbers = np.array([wave_number(float(w), water) for w in omega])
+        ahead = x * np.cos(directions) + y * np.sin(directions)
+        return forces * np.exp(1j * np.outer(numbers, ahead))[:, :, None]
+
+    def carried(self, forces: NDArray[np.complex128]) -> NDArray[np.complex128]:
+        """Forces about the point that the matrices are about."""
         return forces @ about_origin(self.forces - self.matrices)
