@@ -19,12 +19,14 @@ from .foreign import reading_error
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+    from types import ModuleType
 
     from numpy.typing import NDArray
 
 Meaning = TypeVar("Meaning")
 ALLOWED = "OrcaFlex's text data file, .yml, with a vessel type's load RAOs, added mass and damping"
 NOTHING = "~"
+DEEPEST = 50
 
 
 def load(path: str) -> tuple[Entry, str]:
@@ -43,7 +45,9 @@ def load(path: str) -> tuple[Entry, str]:
     try:
         text = Path(path).read_text(encoding="utf-8-sig")
         # Of texts, lists and mappings only: nothing in the file is run.
-        found = yaml.load(text, Loader=getattr(yaml, "CBaseLoader", yaml.BaseLoader))
+        loader = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
+        _check_depth(yaml, text, loader)
+        found = yaml.load(text, Loader=loader)
     except (OSError, UnicodeDecodeError, RecursionError, yaml.YAMLError) as error:
         said = " ".join(str(error).split())
         raise reading_error(f"a file that cannot be read ({said})", ALLOWED, path) from None
@@ -51,6 +55,16 @@ def load(path: str) -> tuple[Entry, str]:
         raise reading_error("no entries", ALLOWED, path)
     program = re.search(r"^# Program: (.+)$", text[:2000], re.MULTILINE)
     return Entry(found, "", path), program[1].strip() if program else "OrcaFlex"
+
+
+def _check_depth(yaml: ModuleType, text: str, loader: type) -> None:
+    """Lists in lists without end would overflow the stack of the library, which builds them by recursion."""
+    depth = 0
+    for event in yaml.parse(text, Loader=loader):
+        depth += isinstance(event, yaml.CollectionStartEvent)
+        depth -= isinstance(event, yaml.CollectionEndEvent)
+        if depth > DEEPEST:
+            raise yaml.YAMLError(f"more than {DEEPEST} lists or mappings in each other")
 
 
 @dataclass(frozen=True)
