@@ -52,7 +52,7 @@ def parsed(name: str, text: object) -> object:
     >>> parsed("reference_m", "0,0,-2"), parsed("restoring_includes_weight", "no")
     ((0.0, 0.0, -2.0), False)
     """
-    if not isinstance(text, str) or name in importers.CHOICES:
+    if not isinstance(text, str) or name in importers.CHOICES or name in importers.TEXTS:
         return text
     if name == "restoring_includes_weight":
         return TRUE.get(text, text)

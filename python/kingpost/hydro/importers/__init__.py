@@ -1,4 +1,4 @@
-"""Databases from other programs' files: Capytaine, WAMIT, BEMIO, ShipX (VERES), AQWA and Nemoh.
+"""Databases from other programs' files: Capytaine, WAMIT, BEMIO, ShipX (VERES), AQWA, Nemoh and OrcaFlex.
 
 What a file does not say is asked for, never assumed; weight is taken out of the restoring matrix; moments
 are carried to the origin; phases become those of exp(-i w t).
@@ -9,11 +9,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..database import Database
-from . import aqwa, aqwa_listing, bemio, capytaine_file, nemoh, veres, wamit
+from . import aqwa, aqwa_listing, bemio, capytaine_file, nemoh, orcaflex, veres, wamit
 from .convert import convert
-from .foreign import ALLOWED, CHOICES, VECTORS, Options, reading_error
+from .foreign import ALLOWED, CHOICES, TEXTS, VECTORS, Options, reading_error
 
-__all__ = ["ALLOWED", "CHOICES", "KINDS", "VECTORS", "Options", "load", "recognise"]
+__all__ = ["ALLOWED", "CHOICES", "KINDS", "TEXTS", "VECTORS", "Options", "load", "recognise"]
 
 HDF5, CLASSIC = b"\x89HDF\r\n\x1a\n", b"CDF"
 READERS = {
@@ -24,6 +24,8 @@ READERS = {
     "aqwa": aqwa.read,
     "aqwa_listing": aqwa_listing.read,
     "nemoh": nemoh.read,
+    "orcaflex": orcaflex.read,
+    "orcawave": orcaflex.refuse_binary,
 }
 ENDINGS = {
     ".h5": "bemio",
@@ -34,10 +36,12 @@ ENDINGS = {
     ".ah1": "aqwa",
     ".lis": "aqwa_listing",
     ".cal": "nemoh",
+    **dict.fromkeys((".yml", ".yaml"), "orcaflex"),
+    ".owr": "orcawave",
 }
 KINDS = (
     "Capytaine's .nc, WAMIT's .1, .3, .hst or .out, BEMIO's .h5, ShipX's .re7 or .re8, AQWA's .AH1 or .LIS, "
-    "Nemoh's Nemoh.cal"
+    "Nemoh's Nemoh.cal, OrcaFlex's .yml"
 )
 
 

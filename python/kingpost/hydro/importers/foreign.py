@@ -33,6 +33,8 @@ ALLOWED = {
     "fill the circle",
     "added_mass_infinite": "from_damping, to compute it by Ogilvie's relation, or a file that has it",
     "restoring": "a file that has the restoring matrix",
+    "vessel_type": "OrcaFlex's: the name of one of the file's vessel types",
+    "draught_name": "OrcaFlex's: the name of one of the vessel type's draughts",
 }
 CHOICES = {
     "first_column": ("period_s", "frequency_rad_s"),
@@ -44,6 +46,7 @@ CHOICES = {
 ASKED = ("density_kg_m3", "gravity_m_s2", "water_depth_m", "reference_m", "volume_m3", "centre_of_buoyancy_m",
          "draught_m", "length_m", "beam_m", "restoring_includes_weight")  # fmt: skip
 VECTORS = ("centre_of_gravity_m", "centre_of_buoyancy_m", "reference_m")
+TEXTS = ("vessel_type", "draught_name")
 
 
 @dataclass(frozen=True)
@@ -66,6 +69,8 @@ class Options:
     time_sign: str | None = None
     hull_symmetry: str | None = None
     added_mass_infinite: str | None = None
+    vessel_type: str | None = None
+    draught_name: str | None = None
 
     def __post_init__(self) -> None:
         for field in fields(self):
@@ -126,6 +131,8 @@ def _good(name: str, value: object) -> bool:
         return value in CHOICES[name]
     if name == "restoring_includes_weight":
         return isinstance(value, bool)
+    if name in TEXTS:
+        return isinstance(value, str) and bool(value)
     try:
         numbers = np.array(value, float)
     except (TypeError, ValueError):

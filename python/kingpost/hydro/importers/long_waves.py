@@ -86,5 +86,5 @@ def _check_slope(database: Database, omega: float, file: str) -> None:
             raise HydrodynamicsError(
                 "restoring", f"{found:.4g} N m in {name} by a long wave's slope of 1",
                 f"about {wanted:.4g} N m, by buoyancy and inertia; check restoring_includes_weight, "
-                "centre_of_gravity_m, centre_of_buoyancy_m, volume_m3 and reference_m", file,
+                "centre_of_gravity_m, centre_of_buoyancy_m, volume_m3, reference_m and water_depth_m", file,
             )  # fmt: skip
