@@ -167,6 +167,37 @@ def test_motions_that_wamit_found_are_compared_with_those_of_what_was_read(tmp_p
     assert any("no .frc beside says which" in note for note in notes)
 
 
+@pytest.mark.parametrize(
+    ("spoilt", "said"),
+    [
+        (lambda rows: [row for row in rows if float(row[1]) == 0.0], "other headings"),
+        (lambda rows: [row for row in rows if float(row[1]) < 100.0], "other headings"),
+        (lambda rows: [[row[0], f"{float(row[1]) + 1.0:.6E}", *row[2:]] for row in rows], "other headings"),
+        (lambda rows: [[f"{1.1 * float(row[0]):.6E}", *row[1:]] for row in rows], "other frequencies"),
+        (lambda rows: [*rows[:7], [*rows[7][:6], "NaN"], *rows[8:]], "in line 8"),
+        (lambda rows: rows[:-1], "other entries"),
+        (lambda rows: [[*row[:2], "0", *row[3:]] for row in rows], "motion 0"),
+    ],
+    ids=["one heading", "some headings", "headings apart", "frequencies", "not a number", "cut", "motion 0"],
+)
+def test_a_fault_in_the_motions_that_are_only_compared_is_said_and_refuses_nothing(
+    tmp_path, spoilt, said
+) -> None:
+    base = writers.database()
+    path = programs.wamit_six_digits(tmp_path / "hull", base)
+    programs.wamit_listing(tmp_path / "hull", base)
+    alone = importers.load(path, Options(**LISTED))
+    programs.wamit_motions(tmp_path / "hull", base, np.diag([262e3] * 3 + [5e6] * 3), np.zeros((6, 6)))
+    motions = tmp_path / "hull.4"
+    rows = [line.split() for line in motions.read_text().splitlines()]
+    motions.write_text("".join(" ".join(row) + "\n" for row in spoilt(rows)))
+    found = importers.load(path, Options(**LISTED))
+    (note,) = [note for note in found.provenance.notes if "hull.4" in note]
+    assert note.startswith("hull.4 is not compared: ")
+    assert said in note
+    np.testing.assert_array_equal(found.excitation, alone.excitation)
+
+
 def test_a_slender_spar_in_long_waves_is_known_as_one() -> None:
     """G. I. Taylor's force on a slender body, rho S (1 + c) times the water's acceleration, c = 1 of a
     circle: the moment of a spar of depth T is int 2 rho S z g k exp(k z) dz, and end effects are left out."""

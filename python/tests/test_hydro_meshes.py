@@ -13,6 +13,7 @@ from kingpost.hydro.hull_files import HullFile
 from kingpost.hydro.meshes import HULL_TRIANGLES, parametric, whole
 from kingpost.hydro.panels import lid
 from kingpost.hydro.shapes import Box, Hemisphere, Sphere, Wigley
+from kingpost.hydro.stitching import stitched
 from kingpost.hydro.surface import Surface
 from kingpost.hydro.vessel import OffshoreVessel
 
@@ -347,6 +348,60 @@ def test_a_gap_that_is_no_seam_stays_a_hole(tmp_path):
     path.write_text(patches(0.5))
     with pytest.raises(HydrodynamicsError, match=r"holes.*give panels side by side the same corners"):
         HullFile(path).meshes(200)
+
+
+def plate(heights: tuple[float, ...] = (0.0, -1.0)) -> Surface:
+    """4 m long, 1 m deep, 0.02 m thick, open at the water: four panels on one side, of which the first is cut
+    at these heights, and five on the other."""
+    quads = []
+    for y, count in ((0.01, 4), (-0.01, -5)):
+        x = np.linspace(-2.0, 2.0, abs(count) + 1)[:: np.sign(count)]
+        for k, (at, beyond) in enumerate(itertools.pairwise(x)):
+            cuts = heights if (y, k) == (0.01, 0) else (0.0, -1.0)
+            quads += [[(at, y, z), (beyond, y, z), (beyond, y, low), (at, y, low)]
+                      for z, low in itertools.pairwise(cuts)]  # fmt: skip
+    for x, y in ((2.0, 0.01), (-2.0, -0.01)):
+        quads.append([(x, y, 0), (x, -y, 0), (x, -y, -1), (x, y, -1)])
+    triangles = [[quad[0], *quad[k : k + 2]] for quad in quads for k in (1, 2)]
+    left, right = ([(x, y, -1) for x in np.linspace(-2.0, 2.0, n)] for y, n in ((0.01, 5), (-0.01, 6)))
+    triangles += [[b, right[0], a] for a, b in itertools.pairwise(left)]
+    triangles += [[a, left[-1], b] for a, b in itertools.pairwise(right)]
+    corners = np.array(triangles, float).reshape(-1, 3)
+    return Surface(corners, np.arange(len(corners)).reshape(-1, 3)).welded()
+
+
+@pytest.mark.parametrize("lift_m", [0.0, 3.0])
+def test_a_thin_hull_is_not_sewn_across_its_own_water_plane(lift_m):
+    """Source: 4 m x 1 m x 0.02 m, wherever the file has its origin."""
+    thin = plate()
+    assert surface.particulars(thin).volume_m3 == pytest.approx(0.08, rel=1e-12)
+    lifted = Surface(thin.vertices + np.array([0.0, 0.0, lift_m]), thin.triangles)
+    assert len(surface.open_edges(lifted)) == 4 + 5 + 2
+    assert stitched(lifted) is lifted
+
+
+def test_a_seam_in_the_side_of_a_thin_hull_is_joined_and_its_water_plane_stays(tmp_path):
+    seamed, path = plate((0.0, -0.5, -1.0)), tmp_path / "plate.obj"
+    assert len(surface.open_edges(seamed)) == 4 + 5 + 2 + 2 * 3
+    meshio.write_points_cells(path, seamed.vertices, [("triangle", seamed.triangles)])
+    meshes = HullFile(path).meshes(40)
+    assert meshes.particulars.volume_m3 == pytest.approx(0.08, rel=1e-12)
+    assert meshes.remarks[0].startswith("6 open edges joined")
+
+
+def test_a_deck_is_joined_to_the_sides_though_its_edge_is_the_highest_of_the_hull():
+    """Source: a box of 4 x 2 x 2 m; two triangles of its deck meet one edge of a side."""
+    x, y, z = np.moveaxis(np.array(list(itertools.product((-2.0, 2.0), (-1.0, 1.0), (-1.0, 1.0)))), 1, 0)
+    corners = np.stack([x, y, z], axis=1)
+    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4)]
+    middle = len(corners)
+    triangles = [half for a, b, c, d in faces for half in ((a, b, c), (a, c, d))]
+    triangles += [(1, 5, middle), (middle, 5, 7), (1, middle, 3)]
+    box = Surface(np.concatenate([corners, [[0.0, 1.0, 1.0]]]), np.array(triangles))
+    assert len(surface.open_edges(box)) == 3
+    found = stitched(box)
+    assert len(surface.open_edges(found)) == 0
+    assert found.volume == pytest.approx(16.0, rel=1e-12)
 
 
 @pytest.mark.parametrize("ending", ["1", "3", "4", "8", "9", "12"])

@@ -40,14 +40,15 @@ class FitData:
     Attributes
     ----------
     peaks
-        (motion): see `LEAST_PEAK`.
+        (motion): the largest min(1, w_i / w) |K_ii|, w_i the frequency of the motion's largest damping; at
+        least what `LEAST_PEAK` says.
     scaled
         K_ij / sqrt(peak_i peak_j).
     coupled
         (force, motion): where there is more than a tenth of the limit.
     importance
-        (frequency): min(1, w_c / w), w_c the frequency of the largest damping. Beyond it K is nearly
-        j w (A - A_inf), and this makes of an error of K one of A.
+        (frequency): min(1, w_c / w), w_c the highest w_i of the motions that are damped. Beyond it K is
+        nearly j w (A - A_inf), and this makes of an error of K one of A.
     sensitivity
         (frequency, motion): peak_i / (B_ii + 2 zeta w (M_ii + A_ii)).
     """

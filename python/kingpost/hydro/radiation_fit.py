@@ -57,9 +57,10 @@ def fit(
     ----------
     limit
         Of the error: the largest over frequencies and entries of
-        ``min(1, w_c / w) |K_fit - K|_ij / sqrt(peak_i peak_j)``, ``peak_i`` the largest ``|K_ii|``, ``w_c``
-        the frequency of the largest damping. Beyond it K is nearly j w (A - A_inf), and the weight makes of
-        an error of K one of A, which panels know no better with w. Dimensionless, the same in any
+        ``min(1, w_c / w) |K_fit - K|_ij / sqrt(peak_i peak_j)``, ``peak_i`` the largest
+        ``min(1, w_i / w) |K_ii|``, ``w_i`` the frequency of the largest damping of motion i, ``w_c`` the
+        highest ``w_i`` of the motions that are damped. Beyond it K is nearly j w (A - A_inf), and the weight
+        makes of an error of K one of A, which panels know no better with w. Dimensionless, the same in any
         units and for forces and moments. Couplings below a tenth of it count as zero.
     most_states
         For a group of coupled motions.

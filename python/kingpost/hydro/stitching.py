@@ -4,7 +4,8 @@ Patches that were panelled by themselves have points beside each other that are 
 panels along an edge where the neighbour has one. The first are made one. A triangle (a, b, c) whose open
 edge a, b has points p, q of other open edges on it becomes (a, p, c), (p, q, c), (q, b, c), so that both
 sides have the same edges; where the neighbours bend, the sliver between them is closed with it. Nothing is
-moved by more than `NEAR` of an edge, and what stays open was a hole.
+moved by more than `NEAR` of an edge, and what stays open was a hole. The edge of the water plane is no seam,
+however near to each other its two sides are.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .surface import Surface, open_edges
+from .surface import SAME_POINT, Surface, open_edges
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,7 +29,7 @@ MOST_EDGES = 6000
 def stitched(surface: Surface) -> Surface:
     """With its open edges joined where they lie on each other; the same surface where that closes none."""
     before = len(open_edges(surface))
-    if not 0 < before <= MOST_EDGES:
+    if not 0 < len(_seams(surface)) <= MOST_EDGES:
         return surface
     found = _merged(surface)
     for _ in range(ROUNDS):
@@ -39,12 +40,22 @@ def stitched(surface: Surface) -> Surface:
     return found if len(open_edges(found)) < before else surface
 
 
-def _merged(surface: Surface) -> Surface:
-    """Points of open edges made one with those nearer than `NEAR` of the shortest edge."""
+def _seams(surface: Surface) -> NDArray[np.int64]:
+    """Open edges but those at the top, where a hull without a deck is open at its water plane. Where panels
+    lie in that plane, a deck, these may be seams too."""
     edges = open_edges(surface)
-    ends = surface.vertices[edges]
+    height = surface.vertices[:, 2]
+    top = height > height.max() - SAME_POINT * np.ptp(surface.vertices, axis=0).max()
+    if top[surface.triangles].all(axis=1).any():
+        return edges
+    return edges[~top[edges].all(axis=1)]
+
+
+def _merged(surface: Surface) -> Surface:
+    """Points of seams made one with those nearer than `NEAR` of the shortest open edge."""
+    ends = surface.vertices[open_edges(surface)]
     tolerance = NEAR * float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).min())
-    numbers = np.unique(edges)
+    numbers = np.unique(_seams(surface))
     points = surface.vertices[numbers]
     order = np.argsort(points[:, 0], kind="stable")
     stands_for = np.arange(len(surface.vertices))
@@ -60,9 +71,8 @@ def _merged(surface: Surface) -> Surface:
 
 
 def _split(surface: Surface) -> Surface | None:
-    """One open edge of each triangle divided at the points of other open edges on it; `None` where no
-    edge has any."""
-    edges = open_edges(surface)
+    """One seam of each triangle divided at the points of other seams on it; `None` where no seam has any."""
+    edges = _seams(surface)
     owners = _owners(surface)
     numbers = np.unique(edges)
     points = surface.vertices[numbers]

@@ -53,30 +53,22 @@ def read(path: str, options: Options) -> Foreign:
     asked += [name for name, value in (("first_column", column), ("time_sign", sign)) if value is None]
     options.asked_together(asked, path)
     scale = _Scale.of(options, header, column, sign, path)
-    return _with_motions(_foreign(path, stem, tables, scale, header, extents, notes), stem, scale)
+    foreign = _foreign(path, stem, tables, scale, header, extents, notes)
+    return _with_the_rest(foreign, stem, scale)
 
 
-def _with_motions(foreign: Foreign, stem: Path, scale: _Scale) -> Foreign:
+def _with_the_rest(foreign: Foreign, stem: Path, scale: _Scale) -> Foreign:
     """With a word on what else lies there: motions, which are compared, and forces of second order."""
-    notes, four = list(foreign.notes), stem.with_suffix(".4")
-    if four.is_file() and four.stat().st_size:
-        table = of_six_motions(rows(four, (7,)), (2,), str(four), notes)
-        directions, found = _waves(table, scale, foreign.frequencies_rad_s, str(four))
-        if np.allclose(np.radians(directions), foreign.directions_rad):
-            motions = found / scale.force / scale.power
-            known = replace(
-                foreign, density_kg_m3=scale.density, reference_m=_or_nothing(foreign.reference_m)
-            )
-            weighed = wamit_motions.loading(stem.with_suffix(".frc"), known)
-            notes.append(wamit_motions.note(four.name, motions, weighed, known))
+
+    def responses(table: NDArray[np.float64], path: str) -> wamit_motions.Responses:
+        directions, found = _waves(table, scale, foreign.frequencies_rad_s, path)
+        return np.radians(directions), found / scale.force / scale.power
+
+    notes = [*foreign.notes, *wamit_motions.notes(stem, foreign, scale.density, responses)]
     second = [ending for ending in SECOND_ORDER if stem.with_suffix(ending).is_file()]
     if second:
         notes.append(f"forces of second order are left out: {', '.join(second)}")
     return replace(foreign, notes=tuple(notes))
-
-
-def _or_nothing(point: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    return np.zeros(3) if point is None else point
 
 
 def _said(header: Header) -> dict[str, object]:

@@ -9,21 +9,55 @@ mass, damping and stiffness, each after 1 where it is there and 0 where it is no
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import HydrodynamicsError
+from .wamit_rows import of_six_motions, rows
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from numpy.typing import NDArray
-
     from .foreign import Foreign
+
+Responses: TypeAlias = tuple[NDArray[np.float64], NDArray[np.complex128]]
+"""Directions, rad, and motions per metre of amplitude (frequency, direction, 6), of exp(-i w t)."""
 
 WORTH_SAYING = 0.05
 """A difference of motions, of the largest of each, that is said to be one: WAMIT may move the hull by
 forces of Haskind's relation and write those of diffraction, some percent apart where panels are large."""
+
+
+def notes(
+    stem: Path, foreign: Foreign, density_kg_m3: float,
+    responses: Callable[[NDArray[np.float64], str], Responses],
+) -> list[str]:  # fmt: skip
+    """What is said of STEM.4; nothing where it is not there or empty. It is compared only: no fault in it
+    refuses the files that are read.
+
+    Parameters
+    ----------
+    responses
+        Of the file's rows and its name, in SI units.
+    """
+    four, said = stem.with_suffix(".4"), list(foreign.notes)
+    if not four.is_file() or not four.stat().st_size:
+        return []
+    try:
+        directions, motions = responses(of_six_motions(rows(four, (7,)), (2,), str(four), said), str(four))
+    except HydrodynamicsError as error:
+        return [f"{four.name} is not compared: found {error.found}, allowed: {error.allowed}"]
+    theirs = foreign.directions_rad
+    if directions.shape != theirs.shape or not np.allclose(directions, theirs):
+        return [f"{four.name} is not compared: other headings than those of the wave forces"]
+    reference = np.zeros(3) if foreign.reference_m is None else foreign.reference_m
+    known = replace(foreign, density_kg_m3=density_kg_m3, reference_m=reference)
+    said.append(note(four.name, motions, loading(stem.with_suffix(".frc"), known), known))
+    return said[len(foreign.notes) :]
 
 
 @dataclass(frozen=True)
