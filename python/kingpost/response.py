@@ -76,7 +76,7 @@ def rao(
 
     >>> found = rao("offshore_vessel", directions_rad=[np.pi], frequencies_rad_s=[0.3])
     >>> round(float(found.displacement.sel(point="hull", axis="z").item()), 2)
-    0.98
+    0.99
     """
     if isinstance(scenario_or_simulation, Simulation):
         if overrides or parameters:

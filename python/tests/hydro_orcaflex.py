@@ -6,6 +6,7 @@ The vessel's axes have their origin at `AXES` from the database's; OrcaFlex writ
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from pathlib import Path
 
 import numpy as np
@@ -68,7 +69,11 @@ def number(x: float) -> str:
     if not np.isfinite(x):
         return "Infinity"
     exponent = 3 * int(np.floor(np.log10(abs(x)) / 3.0)) if x else 0
-    return repr(float(x)) if exponent in (0, -3) else f"{float(x) / 10.0**exponent!r}e{exponent}"
+    return (
+        repr(float(x))
+        if exponent in (0, -3)
+        else f"{float(Decimal(repr(float(x))).scaleb(-exponent))!r}e{exponent}"
+    )
 
 
 def written(path: Path, of: Database, *forms: Form, depth: float = 100.0) -> Path:
