@@ -85,6 +85,7 @@ fn every_field_with_a_place_in_the_world_is_moved_with_a_part() {
         "StationTarget.y_m",
         "StationTarget.heading_rad",
         "Sea.current_m_s",
+        "CurrentTable.directions_rad",
         "Wind.direction_rad",
         "ElevationRecord.position_m",
         "RegularWave.phase_rad",

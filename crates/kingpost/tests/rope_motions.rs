@@ -219,7 +219,7 @@ forces:
     rope:
       path:
         - drum: {{joint: winch, radius_m: 0.5}}
-        - sheave: {{body: world, position_m: [-1, 0, 0.3], radius_m: 0.2, axis: [0, 1, 0], efficiency_hoisting: 0.96}}
+        - sheave: {{body: world, position_m: [-1, 0, 1.5], radius_m: 0.2, axis: [0, 1, 0], efficiency_hoisting: 0.96}}
         - sheave: {{body: world, position_m: [0, 0, 1], radius_m: 0.2, axis: [0, 1, 0], efficiency_hoisting: 0.96}}
         - point: {{body: world}}
         - point: {{body: block, falls: 4}}

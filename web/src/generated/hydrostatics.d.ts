@@ -128,9 +128,9 @@ export interface HullAfloat {
  * is free, and no spring, brake, servo or motor acts on that; and where no closed loop, cylinder or
  * spring line is tied to what it carries, and it has no hull of its own.
  *
- * Spring lines and ropes count where they end in one point of the ship, or are legs of one rope, and carry a body that
- * floats by its joint, and nothing else holds that: no water, loop, cylinder or other line. Legs of one rope carry the same,
- * so that their load hangs from the middle of their ends; where one runs over a sheave, its end is the sheave's centre.
+ * Spring lines and ropes count where they end in one point of the ship, or are near legs of one rope, and carry a body that
+ * floats by its joint, and nothing else holds that: no water, loop, cylinder or other line. Legs of one rope count where
+ * their ends are near each other; where one runs over a sheave, its end is the sheave's centre.
  */
 export interface HangingLoad {
   /**

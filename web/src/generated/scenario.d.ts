@@ -2219,8 +2219,8 @@ export type Rope = {
    */
   series_stiffness_kN_per_m?: number | null;
   /**
-   * Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' beside k e. Of wire ropes 0.01 to
-   * 0.02 s.
+   * Damping over stiffness, s: at the rate e' of its stretch the rope pulls k tau e' beside k e. For wire ropes it is 0.01
+   * to 0.02 s.
    */
   damping_time_s?: number;
   /**
@@ -2942,7 +2942,8 @@ export type ControlledDrive = {
    */
   damping_kN_m_s_per_rad?: number;
   /**
-   * Time in which its reference comes to a new rate where no limit holds, s.
+   * Time in which its reference comes to a new rate where no limit holds, s; with a limit of jerk it is longer where the
+   * acceleration takes longer to come.
    */
   response_time_s?: number;
 };
@@ -3057,7 +3058,8 @@ export type LinearControlledDrive = {
    */
   damping_kN_s_per_m?: number;
   /**
-   * Time in which its reference comes to a new speed where no limit holds, s.
+   * Time in which its reference comes to a new speed where no limit holds, s; with a limit of jerk it is longer where the
+   * acceleration takes longer to come.
    */
   response_time_s?: number;
 };
@@ -4030,7 +4032,7 @@ export interface RopePoint {
    */
   position_m?: [number, number, number];
   /**
-   * Parallel falls of the rope from the place before to this one: their pull is so many tensions.
+   * Number of parallel falls between the place before and this one. Together they pull with that many times the tension.
    */
   falls?: number;
 }
