@@ -201,7 +201,7 @@ fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Moment<'_, S>) -> Result<(), 
     if !length.all(|length| length > 0.0) {
         return Err(FieldError::new(field("path"), format!("a path of {length} m"), "one longer than 0"));
     }
-    check_sides(rope, at, &field)?;
+    check_sides(rope, at, field)?;
     if rope.unstretched_length.vanishes() {
         rope.unstretched_length = length;
     }
