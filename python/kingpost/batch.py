@@ -77,7 +77,8 @@ class Batch:
         xarray.Dataset
             The variables of `kingpost.run` with a first dimension ``run``; along it the values of
             the parameters and ``status``, which is ``finished`` or why the run ended. A run that
-            ended early has NaN from there on. The attribute ``warnings`` is a list for each run, as JSON.
+            ended early has NaN from there on. The attributes ``warnings`` and
+            ``limits`` are a list for each run, as JSON.
 
         Raises
         ------
@@ -100,9 +101,10 @@ class Batch:
         )
         status = [FINISHED if error is None else str(error) for error in errors]
         about = f"{status.count(FINISHED)} of {len(status)} runs finished"
-        channels, warnings = json.loads(published)
+        channels, warnings, limits = json.loads(published)
         found = results.dataset(self.scenario, channels, _stacked(rows), about)
         found.attrs["warnings"] = json.dumps(warnings)
+        found.attrs["limits"] = json.dumps(limits)
         return found.assign_coords(
             run=np.arange(len(status)),
             status=("run", np.array(status, str)),

@@ -122,6 +122,55 @@ class Warning:
     text: str
 
 
+@dataclass(frozen=True)
+class Limit:
+    """How a limit of the scenario held in the rows of a run.
+
+    Attributes
+    ----------
+    name
+        Its name in the scenario.
+    column
+        The column of the results.
+    unit
+        Unit of all numbers here.
+    at_least, at_most
+        The smallest and the largest value that are allowed; None where that side is free.
+    held
+        Whether it held; None where no row counted.
+    worst, worst_time_s
+        The value nearest to a bound, or farthest beyond one, and when that was, s.
+    """
+
+    name: str
+    column: str
+    unit: str
+    at_least: float | None
+    at_most: float | None
+    held: bool | None
+    worst: float | None
+    worst_time_s: float | None
+
+
+@dataclass(frozen=True)
+class LeverMove:
+    """An input that a hand set.
+
+    Attributes
+    ----------
+    time_s
+        The end of the last step before, s.
+    input
+        Its name.
+    value
+        In its unit.
+    """
+
+    time_s: float
+    input: str
+    value: float
+
+
 class Simulation:
     """One run of a scenario, stepped by hand.
 
@@ -162,7 +211,8 @@ class Simulation:
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
         """Run from here to the scenario's duration and return what was recorded.
 
-        The attributes ``events`` and ``warnings`` say what happened, and what one should know of it, as JSON.
+        The attributes ``events``, ``warnings`` and ``limits`` say what happened, what one should know of it, and
+        how the scenario's limits held, as JSON.
 
         `progress` is called now and then with the time in seconds.
 
@@ -180,6 +230,7 @@ class Simulation:
         results = dataset(self.scenario, self.channels, rows, status)
         results.attrs["events"] = json.dumps([asdict(event) for event in self.events])
         results.attrs["warnings"] = json.dumps([asdict(warning) for warning in self.warnings])
+        results.attrs["limits"] = json.dumps([asdict(limit) for limit in self.limits])
         if error is not None:
             error.results = results
             raise error
@@ -203,6 +254,39 @@ class Simulation:
         []
         """
         return [Warning(**warning) for warning in json.loads(self._engine.warnings_json())]
+
+    @property
+    def limits(self) -> list[Limit]:
+        """How the scenario's limits held in the rows so far; a data set holds it as JSON in
+        ``attrs["limits"]``.
+
+        >>> limits = {"limits": {"roll": {"column": "ship.roll", "within": 1, "unit": "deg"}}}
+        >>> simulation = Simulation(load("paper").with_overrides({**limits, "simulation.duration_s": 1}))
+        >>> _ = simulation.run()
+        >>> simulation.limits[0].held
+        True
+        """
+        return [Limit(**limit) for limit in json.loads(self._engine.limits_json())]
+
+    @property
+    def lever_moves(self) -> list[LeverMove]:
+        """What `set_input` has set so far, in order of time."""
+        return [LeverMove(*move) for move in self._engine.lever_moves()]
+
+    def operation(self) -> dict[str, Any]:
+        """What was set by hand as the ``operation`` of a scenario: a run with it gives the same bits.
+
+        >>> by_hand = Simulation("lowering_by_winch")
+        >>> by_hand.step(20)
+        >>> by_hand.set_input("hoist", -10.0)
+        >>> by_hand.step(20)
+        >>> replayed = Simulation(by_hand.scenario.with_overrides({"operation": by_hand.operation()}))
+        >>> replayed.step(40)
+        >>> bool((replayed.state.q == by_hand.state.q).all())
+        True
+        """
+        moves = [{"input": move.input, "to": move.value, "at_s": move.time_s} for move in self.lever_moves]
+        return {"steps": [{"name": "by hand", "set": moves}]}
 
     @property
     def time_s(self) -> float:

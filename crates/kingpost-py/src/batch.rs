@@ -7,7 +7,7 @@ use kingpost::scenario;
 use pyo3::prelude::*;
 use std::sync::Mutex;
 
-/// The rows of each run, the error that ended it or None, and as JSON the channels and each run's warnings.
+/// The rows of each run, the error that ended it or None, and as JSON the channels and each run's warnings and limits.
 type Runs<'py> = (Vec<Matrix<'py>>, Vec<Option<PyErr>>, String);
 
 /// Whether the processor has AVX2, which a build of this module may be made for.
@@ -52,7 +52,8 @@ pub fn batch<'py>(
         found => errors::input(found),
     })?;
     let warnings: Vec<_> = batch.runs.iter().map(|run| &run.warnings).collect();
-    let published = serde_json::to_string(&(&batch.channels, warnings)).map_err(errors::input)?;
+    let limits: Vec<_> = batch.runs.iter().map(|run| &run.limits).collect();
+    let published = serde_json::to_string(&(&batch.channels, warnings, limits)).map_err(errors::input)?;
     let (mut rows, mut ends) = (Vec::new(), Vec::new());
     for run in batch.runs {
         let count = run.rows.len() / run.columns.max(1);

@@ -143,13 +143,23 @@ impl Simulation {
     }
 
     /// What has happened so far: time, element, what.
-    fn events(&self) -> Vec<(f64, String, &'static str)> {
-        self.inner.events().iter().map(|event| (event.time_s, event.element.clone(), event.what)).collect()
+    fn events(&self) -> Vec<(f64, String, String)> {
+        self.inner.events().iter().map(|event| (event.time_s, event.element.clone(), event.what.to_string())).collect()
     }
 
     /// What a person should know of the rows so far: time, name and text of each, as JSON.
     fn warnings_json(&self) -> PyResult<String> {
         serde_json::to_string(&self.inner.warnings()).map_err(errors::input)
+    }
+
+    /// How the limits held in the rows so far, as JSON.
+    fn limits_json(&self) -> PyResult<String> {
+        serde_json::to_string(&self.inner.limits()).map_err(errors::input)
+    }
+
+    /// What a hand has set so far: time, input, value.
+    fn lever_moves(&self) -> Vec<(f64, String, f64)> {
+        self.inner.lever_moves().into_iter().map(|one| (one.time_s, one.input, one.value)).collect()
     }
 
     fn lines_json(&self) -> PyResult<String> {

@@ -35,6 +35,7 @@ pub fn run(error: RunError) -> JsValue {
         RunError::Diverged { .. } => "diverged",
         RunError::SingularLoop { .. } => "singular_loop",
         RunError::OpenLoop { .. } => "open_loop",
+        RunError::Steering { .. } => "operation",
         RunError::Step(_) | RunError::TooManyEvents { .. } | RunError::EventNotAlone { .. } => "step",
     };
     let Some((body, coordinate, value, limit)) = error.place() else {

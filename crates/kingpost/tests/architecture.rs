@@ -201,6 +201,6 @@ fn files_and_bindings_stay_small() {
     for binding in ["kingpost-py", "kingpost-wasm"] {
         let sources = files_below(&crates.join(binding).join("src"), ".rs");
         let lines: usize = sources.iter().map(|path| read(path).lines().count()).sum();
-        assert!(lines <= 450, "{binding} has {lines} lines: only conversions belong there");
+        assert!(lines <= 500, "{binding} has {lines} lines: only conversions belong there");
     }
 }

@@ -41,6 +41,7 @@ fn simulation(
         world,
         elements,
         watchers: Vec::new(),
+        limits: Vec::new(),
         wires: Vec::new(),
         settings,
         q,

@@ -43,6 +43,7 @@ fn setup<S: Scalar>(
         world: World::calm().with_gravity(S::constant(GRAVITY)),
         elements,
         watchers: Vec::new(),
+        limits: Vec::new(),
         settings,
         q: vec![q],
         v: vec![v],

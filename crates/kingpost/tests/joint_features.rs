@@ -39,6 +39,7 @@ fn slide(mode: Mode, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
         world: World::calm(),
         elements,
         watchers: Vec::new(),
+        limits: Vec::new(),
         settings,
         q: vec![q],
         v: vec![v],

@@ -151,7 +151,7 @@ fn a_reset_leads_to_the_start_with_the_value_that_was_set() {
     simulation.step(50).unwrap();
     scenario.set_parameter(&mut simulation, "wind_m_s", &json!(15)).unwrap();
     let what: Vec<_> =
-        simulation.events().iter().map(|event| (event.time_s, event.element.as_str(), event.what)).collect();
+        simulation.events().iter().map(|event| (event.time_s, event.element.as_str(), event.what.as_ref())).collect();
     assert_eq!(what, [(0.5, "wind_m_s", "was set")]);
     simulation.reset();
     assert_eq!(simulation.time_s(), 0.0);

@@ -165,7 +165,7 @@ fn it_runs_under_every_scheme_and_its_event_is_in_the_table() {
         let run = Simulation::new(setup).run(|_| true);
         run.status.unwrap();
         let [event] = run.events.as_slice() else { panic!("{scheme:?}: {:?}", run.events) };
-        assert_eq!((event.element.as_str(), event.what), ("governor", "latched"));
+        assert_eq!((event.element.as_str(), event.what.as_ref()), ("governor", "latched"));
         event.time_s
     };
     let truth = event(SchemeName::RungeKutta4, 0.000_1);

@@ -70,6 +70,7 @@ fn setup(tree: &Tree, form: Form) -> Setup {
         world: World::calm().with_gravity(9.81),
         elements,
         watchers: Vec::new(),
+        limits: Vec::new(),
         wires: Vec::new(),
         settings,
         q,

@@ -53,19 +53,20 @@ drives: {{winch: {{motor: {{joint: winch, torque_N_m: -300}}}}}}
 }
 
 /// The ledger's errors over the energy, and the events.
-fn ledger(text: &str, steps: usize) -> (f64, Vec<&'static str>) {
+fn ledger(text: &str, steps: usize) -> (f64, Vec<String>) {
     let mut moving = simulation(text);
     moving.step(steps).expect("a motion");
     let scale = values(&mut moving, "kinetic_energy")[0];
     let errors = ["energy_error", "momentum_error", "linear_momentum_error"].map(|name| values(&mut moving, name)[0]);
     let worst = errors.iter().fold(0.0_f64, |worst, error| worst.max(error.abs()));
-    (worst / scale, moving.events().iter().map(|event| event.what).collect())
+    (worst / scale, moving.events().iter().map(|event| event.what.to_string()).collect())
 }
 
 #[test]
 fn a_rope_that_a_drum_pays_out_and_that_goes_slack_and_taut_keeps_energy_and_momentum() {
     let (error, events) = ledger(&crane_in_space(""), 140);
-    assert!(events.contains(&"goes slack") && events.contains(&"comes taut"), "{events:?}");
+    let happened = |what: &str| events.iter().any(|event| event == what);
+    assert!(happened("goes slack") && happened("comes taut"), "{events:?}");
     assert!(error < 1e-9, "{error:e}");
 }
 

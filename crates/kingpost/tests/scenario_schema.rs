@@ -36,13 +36,20 @@ fn the_written_schema_of_hydrostatics_is_that_of_the_types() {
     );
 }
 
-/// Every property of a schema, with its name.
+/// Every property of a schema, with its name. That of a kind without fields of its own is described by the kind.
 fn properties(schema: &Value, into: &mut Vec<(String, Value)>) {
     match schema {
         Value::Array(entries) => entries.iter().for_each(|entry| properties(entry, into)),
         Value::Object(fields) => {
             if let Some(Value::Object(named)) = fields.get("properties") {
-                into.extend(named.iter().map(|(name, property)| (name.clone(), property.clone())));
+                let of_kind = fields.get("description").filter(|_| named.len() == 1);
+                into.extend(named.iter().map(|(name, property)| {
+                    let mut property = property.clone();
+                    if let (Some(description), Value::Object(fields)) = (of_kind, &mut property) {
+                        fields.entry("description").or_insert_with(|| description.clone());
+                    }
+                    (name.clone(), property)
+                }));
             }
             fields.values().for_each(|field| properties(field, into));
         }

@@ -3230,6 +3230,22 @@ export type Cylinder = {
 export type Sensor = {
   motion_reference_unit: MotionReferenceUnit;
 };
+/**
+ * What ends a step of an operation.
+ */
+export type Condition =
+  | {
+      after_s: number;
+    }
+  | {
+      value: ColumnRange;
+    }
+  | {
+      all: Condition[];
+    }
+  | {
+      any: Condition[];
+    };
 
 /**
  * One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
@@ -3302,6 +3318,16 @@ export interface Scenario {
    */
   wires?: {
     [k: string]: Wire;
+  };
+  /**
+   * The timeline that moves its levers and set-points.
+   */
+  operation?: Operation | null;
+  /**
+   * What columns of the results are to keep, by name.
+   */
+  limits?: {
+    [k: string]: Limit;
   };
 }
 /**
@@ -4407,4 +4433,122 @@ export interface Wire {
    * The input: a drive's lever by the drive's name, or `winch.target_offset`, which a servo adds to its target.
    */
   to: string;
+}
+/**
+ * Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. The inputs that it
+ * sets are not a hand's.
+ */
+export interface Operation {
+  /**
+   * Whether it runs; if not, a hand sets the inputs.
+   */
+  enabled?: boolean;
+  /**
+   * The steps.
+   */
+  steps: OperationStep[];
+}
+/**
+ * A step of an operation.
+ */
+export interface OperationStep {
+  /**
+   * What is done: "lift off".
+   */
+  name: string;
+  /**
+   * What is moved. An input that is not named keeps its value.
+   */
+  set?: InputMove[];
+  /**
+   * What ends the step; without it, the end of its last move.
+   */
+  until?: Condition | null;
+  /**
+   * The longest that the step may last, s: beyond it the run ends, and says what the step waited for.
+   */
+  time_out_s?: number | null;
+}
+/**
+ * Moves an input: a lever, a brake, or what is added to a drive's set-point.
+ */
+export interface InputMove {
+  /**
+   * The input, mostly by the name of its drive.
+   */
+  input: string;
+  /**
+   * The value that it goes to, in `unit`.
+   */
+  to: number;
+  /**
+   * Unit of `to`: the input's own in SI (rad, m, rad/s, m/s, N m, N, 1), or deg, deg/s, kN m, kN for it; without it, the SI
+   * unit.
+   */
+  unit?: string | null;
+  /**
+   * When it begins, s since the step began.
+   */
+  at_s?: number;
+  /**
+   * How long it takes, along a straight line from where the input is, s; 0 is at once.
+   */
+  in_s?: number;
+}
+/**
+ * A range of a column of the results: above a bound, below one, or both.
+ */
+export interface ColumnRange {
+  /**
+   * The column, as a table of the results has it: `hook.position.z`, `hoist_rope.rope_tension`.
+   */
+  column: string;
+  /**
+   * It is above this.
+   */
+  above?: number | null;
+  /**
+   * It is below this.
+   */
+  below?: number | null;
+  /**
+   * Unit of the bounds: the column's own in SI, or deg, deg/s, kN, kN m, t and so on for it; without it, the SI unit.
+   */
+  unit?: string | null;
+}
+/**
+ * What a column of the results is to keep. A run says of each whether it held, and the worst value with its time.
+ *
+ * This interface was referenced by `undefined`'s JSON-Schema definition
+ * via the `patternProperty` "^[a-z][a-z0-9_]*$".
+ */
+export interface Limit {
+  /**
+   * Whether it counts.
+   */
+  enabled?: boolean;
+  /**
+   * The column, as a table of the results has it: `hull.roll`, `hoist_rope.rope_tension`.
+   */
+  column: string;
+  /**
+   * The largest value that is allowed.
+   */
+  at_most?: number | null;
+  /**
+   * The smallest value that is allowed.
+   */
+  at_least?: number | null;
+  /**
+   * The largest size that is allowed, to either side of zero.
+   */
+  within?: number | null;
+  /**
+   * Unit of the bounds: the column's own in SI, or deg, deg/s, kN, kN m, t and so on for it; without it, the SI unit.
+   */
+  unit?: string | null;
+  /**
+   * From when on it counts, s: without it, from the start.
+   */
+  from_s?: number;
 }

@@ -211,9 +211,11 @@ fn groups(built: &impl Built) -> Vec<Vec<usize>> {
 /// The runs of a group; `None` where `go_on` said no.
 fn run_group(group: &[usize], built: &impl Built, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
     let alone: Vec<Simulation> = group.iter().map(|&run| built.simulation(run)).collect();
-    let Setup { settings, model, .. } = built.setup(group[0]);
+    let Setup { settings, model, elements, .. } = built.setup(group[0]);
     // The loops' projection takes as many iterations as each run needs: not the same in all lanes.
-    let fits = model.loops.is_empty() && settings.form == Form::Recursive && steps_lanes(settings.scheme);
+    // An operation goes on in each run when its condition comes.
+    let steers = elements.iter().any(|element| !element.declare().steers.is_empty());
+    let fits = !steers && model.loops.is_empty() && settings.form == Form::Recursive && steps_lanes(settings.scheme);
     if group.len() > 1
         && fits
         && let Some(setup) = built.side_by_side(group)

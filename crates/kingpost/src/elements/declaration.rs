@@ -26,6 +26,10 @@ pub struct Declaration {
     pub keeps_states: bool,
     /// Whether it prescribes the motion of coordinates.
     pub prescribes: bool,
+    /// The columns of a row that it [reads](super::Element::steer) at the start of every step, of the model or of any element.
+    pub reads: Vec<String>,
+    /// The inputs of other elements that it sets there.
+    pub steers: Vec<String>,
 }
 
 /// A continuous state that an element keeps.

@@ -18,6 +18,7 @@ use core::fmt::Debug;
 /// | a run begins | [`begin`](Self::begin) |
 /// | every evaluation of the right-hand side | [`loads`](Self::loads), [`prescribe`](Self::prescribe), [`rates`](Self::rates) |
 /// | after every step | [`witness`](Self::witness); where one changes sign, [`respond`](Self::respond) at that time |
+/// | every step begins | [`steer`](Self::steer), where it steers inputs |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
 /// | its numbers are changed during a run | [`renew`](Self::renew) |
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
@@ -66,6 +67,22 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
 
     /// At its tick: sets its discrete numbers and modes.
     fn sample(&mut self, _at: &Moment<'_, S>, _own: &mut Own<'_, S>) {}
+
+    /// Where a step begins: sees the columns that it [reads](Declaration::reads) and sets the inputs that it
+    /// [steers](Declaration::steers), in the order in which it declared both, and may change its numbers and modes. Returns
+    /// what happened, for the table of events.
+    ///
+    /// # Errors
+    /// Why the run ends here.
+    fn steer(
+        &mut self,
+        _at: &Moment<'_, S>,
+        _read: &[S],
+        _own: &mut Own<'_, S>,
+        _inputs: &mut [S],
+    ) -> Result<Vec<String>, String> {
+        Ok(Vec::new())
+    }
 
     /// The function whose change of sign is the event of this number.
     fn witness(&mut self, _event: usize, _at: &Moment<'_, S>) -> S {

@@ -48,6 +48,17 @@ pub struct Wire {
     pub input: usize,
 }
 
+/// An element that reads columns and sets inputs where a step begins.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Steer {
+    /// The element.
+    pub element: usize,
+    /// The columns that it reads.
+    pub reads: Vec<String>,
+    /// The inputs that it sets, in d.
+    pub inputs: Vec<usize>,
+}
+
 /// An output of an element that samples: what a wire may come from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signal {
@@ -103,6 +114,8 @@ pub struct Layout {
     pub prescribing: Vec<usize>,
     /// Inputs that take a sampled output.
     pub wires: Vec<Wire>,
+    /// The elements that steer.
+    pub steers: Vec<Steer>,
 }
 
 impl Layout {
@@ -112,6 +125,7 @@ impl Layout {
         let mut layout = Self { ledger, ..Self::default() };
         layout.inputs = declared.iter().flat_map(|declared| declared.inputs.clone()).collect();
         let (mut input, mut number) = (0, layout.inputs.len());
+        layout.steers = steers(&declared, &layout.inputs);
         for (element, declared) in declared.into_iter().enumerate() {
             let name = elements[element].name();
             let full = |own: &String| format!("{name}.{own}");
@@ -193,6 +207,12 @@ impl Layout {
         signals
     }
 
+    /// What sets an input, if it is not a hand: the signal that it takes, or the element that steers it.
+    pub fn set_by(&self, input: usize) -> Option<&str> {
+        let steered = || self.steers.iter().find(|steer| steer.inputs.contains(&input));
+        self.inputs[input].signal.as_deref().or_else(|| Some(self.names[steered()?.element].as_str()))
+    }
+
     /// Length of s.
     pub fn extras(&self) -> usize {
         self.ledger + self.states.len()
@@ -214,6 +234,16 @@ impl Layout {
         let Share { numbers, modes, .. } = &self.shares[element];
         Own { states: &mut s[self.states_of(element)], numbers: &mut d[numbers.clone()], modes: &mut m[modes.clone()] }
     }
+}
+
+/// The elements that steer, with the inputs that there are.
+fn steers(declared: &[Declaration], inputs: &[Input]) -> Vec<Steer> {
+    let of = |(element, declared): (usize, &Declaration)| {
+        let place = |name: &String| inputs.iter().position(|input| input.name == *name);
+        let inputs: Vec<usize> = declared.steers.iter().filter_map(place).collect();
+        (!inputs.is_empty()).then(|| Steer { element, reads: declared.reads.clone(), inputs })
+    };
+    declared.iter().enumerate().filter_map(of).collect()
 }
 
 fn range(start: usize, len: usize) -> Range<usize> {

@@ -2,7 +2,7 @@
 
 use super::scene::Scene;
 use super::{Plant, Totals};
-use crate::elements::{AnyElement, Element, Moment, Own, Watched};
+use crate::elements::{AnyElement, Element, Moment, Own, Steer, Watched};
 use crate::integrate::{Interval, Stage};
 use crate::ledger;
 use crate::scalar::Scalar;
@@ -70,6 +70,29 @@ impl<S: Scalar> Plant<S> {
                 self.pass_on(i, time_s, state);
             }
         }
+    }
+
+    /// Lets an element that steers set its inputs by the columns that it reads; `values` is working memory.
+    ///
+    /// # Errors
+    /// Why the run ends here, in the element's words.
+    pub fn steer(
+        &mut self,
+        steer: usize,
+        read: &[S],
+        values: &mut Vec<S>,
+        time_s: f64,
+        state: &mut State<S>,
+    ) -> Result<Vec<String>, String> {
+        let Steer { element, inputs, .. } = &self.layout.steers[steer];
+        let element = *element;
+        values.clear();
+        values.extend(inputs.iter().map(|&input| state.d[input]));
+        let mut steered = Ok(Vec::new());
+        self.change(element, time_s, state, |element, at, own, _| steered = element.steer(at, read, own, values));
+        let inputs = &self.layout.steers[steer].inputs;
+        inputs.iter().zip(values).for_each(|(&input, value)| state.d[input] = *value);
+        steered
     }
 
     /// Writes the outputs of an element to the inputs that are wired to them.

@@ -2,6 +2,7 @@
 
 mod axes;
 mod bodies;
+mod columns;
 mod cylinders;
 mod damping;
 mod drives;
@@ -9,8 +10,10 @@ mod equilibrium;
 pub(super) mod flexible;
 mod flow;
 mod histories;
+mod limits;
 mod lines;
 mod loops;
+mod operation;
 mod positioning;
 mod positioning_loop;
 mod ropes;
@@ -96,7 +99,10 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     for motion in of_kind::<S, WaveMotion<S>>(&elements) {
         q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(&world, 0.0).positions);
     }
-    let setup = Setup { model, world, elements, watchers: Vec::new(), wires, settings, q, v, fingerprint: 0 };
+    let (watchers, limits) = (Vec::new(), Vec::new());
+    let mut setup = Setup { model, world, elements, watchers, limits, wires, settings, q, v, fingerprint: 0 };
+    operation::add(scenario, &mut setup)?;
+    setup.limits = limits::of(scenario, &setup)?;
     lines::check_start(&setup)?;
     Ok(setup)
 }

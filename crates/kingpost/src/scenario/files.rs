@@ -175,8 +175,8 @@ impl Scenario {
     /// A number that two scenarios share only if they and their files describe the same run; title, description and
     /// parameters are no part of it.
     pub(super) fn fingerprint(&self) -> u64 {
-        let Self { simulation, bodies, loops, sea, wind, forces, drives, sensors, wires, files, .. } = self;
-        let run = (simulation, bodies, loops, sea, wind, forces, drives, sensors, wires, &files.digests);
+        let Self { simulation, bodies, loops, sea, wind, forces, drives, sensors, wires, operation, files, .. } = self;
+        let run = (simulation, bodies, loops, sea, wind, forces, drives, sensors, wires, operation, &files.digests);
         serde_json::to_vec(&run).map_or(0, |text| digest(&text))
     }
 

@@ -21,6 +21,7 @@ mod lines;
 mod loops;
 mod mounting;
 mod moved_by_waves;
+mod operation;
 mod parameter;
 mod ropes;
 mod sea;
@@ -74,6 +75,7 @@ pub use lines::{CatenaryLine, SpringLine};
 pub use loops::{Attachment, Constraint, Distance, Loop};
 pub use mounting::Mounting;
 pub use moved_by_waves::MovedByWaves;
+pub use operation::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use ropes::{PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave};
 pub use sea::Sea;
@@ -136,6 +138,12 @@ pub struct Scenario<S = f64> {
     /// Inputs that take what is measured, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub wires: IndexMap<Name, Wire>,
+    /// The timeline that moves its levers and set-points.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub operation: Option<Operation<S>>,
+    /// What columns of the results are to keep, by name.
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
+    pub limits: IndexMap<Name, Limit>,
     /// The files that it names, once they are read.
     #[serde(skip)]
     #[cfg_attr(feature = "schema", schemars(skip))]

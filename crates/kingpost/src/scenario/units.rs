@@ -88,6 +88,23 @@ pub(super) fn si_ending(name: &str) -> Option<(&'static str, &'static str)> {
     known.filter(|(ending, _)| name.ends_with(ending)).max_by_key(|(ending, _)| ending.len())
 }
 
+/// How many SI units a unit is, where it stands for the same quantity: `kN` for N, `deg/s` for rad/s.
+pub(super) fn factor_of(unit: &str, si: &str) -> Option<f64> {
+    let written = units_for(si).into_iter().find(|(written, _)| written == unit);
+    written.map(|(_, factor)| factor)
+}
+
+/// The units that a quantity of an SI unit may be written in, the SI unit first, each with how many SI units it is.
+pub(super) fn units_for(si: &str) -> Vec<(String, f64)> {
+    let stem = |ending: &'static str| ending[1..].split('_').next().unwrap_or_default();
+    let of = |alias: &UnitAlias| {
+        let (_, unit) = SI_ENDINGS.iter().find(|(ending, _)| *ending == alias.si)?;
+        (*unit == si).then(|| (unit.replacen(stem(alias.si), stem(alias.ending), 1), alias.factor))
+    };
+    let aliases = UNIT_ALIASES.iter().filter_map(of);
+    core::iter::once((si.to_owned(), 1.0)).chain(aliases).collect()
+}
+
 /// The SI name and the factor, where the name ends in a unit alias.
 pub(super) fn si_name(name: &str) -> Option<(String, f64)> {
     // A stiffness per degree is no angle.

@@ -87,6 +87,16 @@ pub enum RunError {
         /// End of the step that it is in, s.
         time_s: f64,
     },
+    /// An element that steers cannot go on: a step of an operation does not end within its time.
+    #[error("{element} at {} s: {why}", shown(*time_s))]
+    Steering {
+        /// When, s.
+        time_s: f64,
+        /// The element.
+        element: String,
+        /// What is wrong.
+        why: String,
+    },
     /// The scheme cannot make a step.
     #[error(transparent)]
     Step(#[from] StepError),
@@ -119,7 +129,9 @@ impl RunError {
             Self::Diverged { body, coordinate, value, limit, .. } => (body, coordinate, value, limit),
             Self::SingularLoop { name, constraint, pivot, allowed, .. } => (name, constraint, pivot, allowed),
             Self::OpenLoop { name, constraint, gap, allowed, .. } => (name, constraint, gap, allowed),
-            Self::TooManyEvents { .. } | Self::EventNotAlone { .. } | Self::Step(_) => return None,
+            Self::TooManyEvents { .. } | Self::EventNotAlone { .. } | Self::Steering { .. } | Self::Step(_) => {
+                return None;
+            }
         };
         Some((name.clone(), part.clone(), *value, *limit))
     }
@@ -132,6 +144,7 @@ impl RunError {
             | Self::OpenLoop { time_s, .. }
             | Self::TooManyEvents { time_s, .. }
             | Self::EventNotAlone { time_s }
+            | Self::Steering { time_s, .. }
             | Self::Step(StepError::NotConverged { time_s, .. } | StepError::Collapsed { time_s, .. }) => *time_s,
         }
     }

@@ -6,6 +6,7 @@ use crate::integrate::{Interval, Stage, System};
 use crate::scalar::Scalar;
 use crate::state::State;
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// Something that happened in a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -15,7 +16,7 @@ pub struct Happened {
     /// The element that watched for it.
     pub element: String,
     /// What.
-    pub what: &'static str,
+    pub what: Cow<'static, str>,
 }
 
 /// Times are located to this, s, or to the rounding of the time where that is coarser.
@@ -31,6 +32,8 @@ const MOST_TRIALS: usize = 200;
 #[derive(Clone, Debug)]
 pub(super) struct Watch<S> {
     happened: Vec<Happened>,
+    /// By event, the step that it is of, counted from 1.
+    of_step: Vec<u64>,
     /// Events of the step under way.
     in_step: usize,
     /// Witnesses at the start of an interval, at the lower end of the bracket, and where the state stands.
@@ -56,6 +59,7 @@ impl<S: Scalar> Watch<S> {
         let zeros = || vec![S::ZERO; witnesses];
         Self {
             happened: Vec::new(),
+            of_step: Vec::new(),
             in_step: 0,
             before: zeros(),
             low: zeros(),
@@ -69,17 +73,20 @@ impl<S: Scalar> Watch<S> {
         &self.happened
     }
 
-    pub(super) fn note(&mut self, happened: Happened) {
+    pub(super) fn note(&mut self, of_step: u64, happened: Happened) {
         self.happened.push(happened);
+        self.of_step.push(of_step);
     }
 
     pub(super) fn begin_step(&mut self) {
         self.in_step = 0;
     }
 
-    /// Takes events out of the table that a time before them has not seen.
-    pub(super) fn forget_after(&mut self, time_s: f64) {
-        self.happened.retain(|event| event.time_s <= time_s);
+    /// Takes events out of the table that come after so many steps.
+    pub(super) fn forget_after(&mut self, steps: u64) {
+        let kept = self.of_step.partition_point(|step| *step <= steps);
+        self.happened.truncate(kept);
+        self.of_step.truncate(kept);
     }
 
     /// Whether a witness has crossed since the interval began, in any lane.
@@ -205,7 +212,8 @@ impl<S: Scalar> Simulation<S> {
             self.plant.respond(watched, time_s, &mut self.state);
             let after = Interval { start_s: time_s, end_s: time_s + self.settings.step_s };
             self.drift(after, time_s, -delay);
-            self.watch.happened.push(Happened { time_s, element, what: watched.what });
+            let happened = Happened { time_s, element, what: Cow::Borrowed(watched.what) };
+            self.watch.note(self.state.steps, happened);
         }
         Ok(())
     }

@@ -75,6 +75,7 @@ impl Simulation {
         next.memory.fill(0.0);
         self.state = next;
         self.watching.begin_anew();
+        self.limits.begin_anew();
         Ok(())
     }
 
@@ -108,15 +109,22 @@ impl Simulation {
         let mut next = self.state.clone();
         next.restore(bytes, self.fingerprint)?;
         self.state = next;
-        self.watch.forget_after(self.time_s());
+        self.steering.forget_after(self.state.steps);
+        self.watch.forget_after(self.state.steps);
         self.watching.begin_anew();
+        self.limits.begin_anew();
         Ok(())
     }
 
     /// The table of inputs with their values now.
     pub fn inputs(&self) -> Vec<Input> {
-        let now = |(input, value): (&Input, &f64)| Input { value: *value, ..input.clone() };
-        self.plant.layout().inputs.iter().zip(&self.state.d).map(now).collect()
+        let layout = self.plant.layout();
+        let now = |(i, (input, value)): (usize, (&Input, &f64))| Input {
+            value: *value,
+            signal: layout.set_by(i).map(str::to_owned),
+            ..input.clone()
+        };
+        layout.inputs.iter().zip(&self.state.d).enumerate().map(now).collect()
     }
 
     /// Sets an input from the next step on.
@@ -128,13 +136,14 @@ impl Simulation {
             return Err(InputError::Unknown { found: name.to_owned(), allowed });
         };
         let Input { lower, upper, .. } = inputs[i];
-        if let Some(signal) = &inputs[i].signal {
-            return Err(InputError::Wired { name: name.to_owned(), signal: signal.clone() });
+        if let Some(signal) = self.plant.layout().set_by(i) {
+            return Err(InputError::Wired { name: name.to_owned(), signal: signal.to_owned() });
         }
         if !(lower..=upper).contains(&value) {
             return Err(InputError::Range { name: name.to_owned(), found: value, lower, upper });
         }
         self.state.d[i] = value;
+        self.steering.moved(self.state.steps, i, value);
         Ok(())
     }
 

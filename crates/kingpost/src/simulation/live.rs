@@ -50,7 +50,9 @@ impl Simulation {
         next.last_good.copy_from(&next.state);
         next.plant.evaluations = self.plant.evaluations;
         core::mem::swap(&mut next.watch, &mut self.watch);
-        next.watch.note(Happened { time_s, element: what.to_owned(), what: "was set" });
+        core::mem::swap(&mut next.limits, &mut self.limits);
+        core::mem::swap(&mut next.steering, &mut self.steering);
+        next.watch.note(next.state.steps, Happened { time_s, element: what.to_owned(), what: "was set".into() });
         *self = next;
         Ok(())
     }

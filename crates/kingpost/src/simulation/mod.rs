@@ -4,17 +4,21 @@ mod drawing;
 mod errors;
 mod events;
 mod from_outside;
+mod limits;
 mod live;
 mod recording;
 mod settle;
 mod setup;
+mod steering;
 mod watching;
 
 pub use crate::elements::{Input, Warning};
 pub use errors::{InputError, RunError};
 pub use events::Happened;
+pub use limits::{Limit, LimitResult};
 pub use settle::{Equilibrium, Instability, NoEquilibrium};
 pub use setup::{SchemeName, Settings, Setup};
+pub use steering::LeverMove;
 
 use crate::elements::Layout;
 use crate::integrate::{Interval, Scheme, Stage, System};
@@ -24,7 +28,9 @@ use crate::results::{Channel, Channels, Sample};
 use crate::scalar::Scalar;
 use crate::state::State;
 use events::Watch;
+use limits::Limits;
 pub(crate) use recording::Recording;
+use steering::Steering;
 use watching::Watching;
 
 /// Steps after which a run reports progress even if no row is due.
@@ -44,6 +50,8 @@ pub struct Run<S = f64> {
     pub events: Vec<Happened>,
     /// What a person should know of it.
     pub warnings: Vec<Warning>,
+    /// How its limits held.
+    pub limits: Vec<LimitResult>,
     /// An error leaves the rows that came before it.
     pub status: Result<(), RunError>,
 }
@@ -71,6 +79,8 @@ pub struct Simulation<S: Scalar = f64> {
     v_dot: Vec<S>,
     watch: Watch<S>,
     watching: Watching,
+    limits: Limits,
+    steering: Steering<S>,
     /// Of the setup: a snapshot carries it.
     fingerprint: u64,
 }
@@ -79,7 +89,7 @@ impl<S: Scalar> Simulation<S> {
     /// Puts a simulation together at time 0, its equations in the recursive form, whatever the
     /// settings say: the other forms are for plain numbers, and so is what watches a run.
     pub fn recursive(setup: Setup<S>) -> Self {
-        let Setup { model, world, elements, watchers: _, wires, settings, q, v, fingerprint } = setup;
+        let Setup { model, world, elements, watchers: _, limits, wires, settings, q, v, fingerprint } = setup;
         let mut plant = Plant::new(model, world, elements);
         plant.connect(&wires);
         let channels = Channels::new(&plant.model, plant.layout());
@@ -92,8 +102,23 @@ impl<S: Scalar> Simulation<S> {
         state.memory = vec![S::ZERO; scheme.memory_len(state.d.len() + state.m.len())];
         let watch = Watch::new(plant.layout().watched.len(), &state);
         let (initial, last_good) = (state.clone(), state.clone());
-        let watching = Watching::default();
-        Self { plant, scheme, settings, channels, state, initial, last_good, v_dot, watch, watching, fingerprint }
+        let (watching, steering) = (Watching::default(), Steering::new(plant.layout(), &channels));
+        let limits = Limits::new(limits, &channels);
+        Self {
+            plant,
+            scheme,
+            settings,
+            channels,
+            state,
+            initial,
+            last_good,
+            v_dot,
+            watch,
+            watching,
+            limits,
+            steering,
+            fingerprint,
+        }
     }
 
     /// Time, s.
@@ -168,8 +193,10 @@ impl<S: Scalar> Simulation<S> {
     /// Back to time 0.
     pub fn reset(&mut self) {
         self.state.copy_from(&self.initial);
-        self.watch.forget_after(0.0);
+        self.watch.forget_after(0);
         self.watching.begin_anew();
+        self.limits.begin_anew();
+        self.steering = Steering::new(self.plant.layout(), &self.channels);
     }
 
     /// Where everything stands that the elements declare.
@@ -188,21 +215,31 @@ impl<S: Scalar> Simulation<S> {
         self.watching.warnings()
     }
 
-    /// Takes `n` steps; allocates nothing. On an error the state stays at the last good step.
+    /// How the limits held in the rows that were written since the run began, or since its state was set from outside.
+    pub fn limits(&self) -> Vec<LimitResult> {
+        self.limits.results()
+    }
+
+    /// Takes `n` steps, each after the elements that steer; the steps allocate nothing. On an error the state stays at the last good step.
     pub fn step(&mut self, n: usize) -> Result<(), RunError> {
         for _ in 0..n {
             self.last_good.copy_from(&self.state);
-            let start = self.time_s();
-            self.state.steps += 1;
-            let end = self.time_s();
-            let advanced = self.advance(start, end);
-            if let Err(error) = advanced.and_then(|()| self.check(end)) {
+            if let Err(error) = self.one_step() {
                 self.state.copy_from(&self.last_good);
-                self.watch.forget_after(start);
+                self.watch.forget_after(self.state.steps);
                 return Err(error);
             }
         }
         Ok(())
+    }
+
+    fn one_step(&mut self) -> Result<(), RunError> {
+        self.steer()?;
+        let start_s = self.time_s();
+        self.state.steps += 1;
+        let end_s = self.time_s();
+        self.advance(start_s, end_s)?;
+        self.check(end_s)
     }
 
     /// One step, cut where a law changes its form, an element samples or an event happens.
@@ -287,7 +324,8 @@ impl<S: Scalar> Simulation<S> {
 
     /// A run with these rows.
     pub(crate) fn ended(&self, rows: Vec<S>, status: Result<(), RunError>) -> Run<S> {
-        Run { rows, columns: self.columns(), events: self.events().to_vec(), warnings: self.warnings(), status }
+        let (columns, events) = (self.columns(), self.events().to_vec());
+        Run { rows, columns, events, warnings: self.warnings(), limits: self.limits(), status }
     }
 
     /// The channels of a row.
@@ -308,6 +346,7 @@ impl<S: Scalar> Simulation<S> {
         let first = out.len();
         self.channels.write_row(&Sample { time_s, q, v, s, observed }, out);
         self.watching.see(&out[first..]);
+        self.limits.see(&out[first..]);
     }
 }
 

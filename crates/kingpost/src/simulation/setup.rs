@@ -1,5 +1,6 @@
 //! What a simulation is made of.
 
+use super::Limit;
 use crate::elements::{AnyElement, AnyWatcher};
 use crate::integrate::{Scheme, Sizes, Tolerances};
 use crate::model::Model;
@@ -67,6 +68,8 @@ pub struct Setup<S: Scalar = f64> {
     pub wires: Vec<(String, String)>,
     /// What watches its joints and closed loops; an element brings its own watchers.
     pub watchers: Vec<AnyWatcher>,
+    /// What columns of the results are to keep.
+    pub limits: Vec<Limit>,
     /// Time stepping and recording.
     pub settings: Settings,
     /// Initial positions.

@@ -8,16 +8,17 @@ use super::super::wording;
 use super::files;
 
 /// The fields of a scenario whose entries have names of their own in the whole.
-pub const SECTIONS: [&str; 6] = ["bodies", "loops", "forces", "drives", "sensors", "wires"];
+pub const SECTIONS: [&str; 7] = ["bodies", "loops", "forces", "drives", "sensors", "wires", "limits"];
 
 /// Fields below the sections that name something of the scenario, whatever they stand in.
-pub const REFERENCES: [&str; 6] = [
+pub const REFERENCES: [&str; 7] = [
     // The body that a body hangs on.
     "parent", // The body that something acts on or is tied to.
     "body",   // The joint, or the axis of one as `joint.axis`, that a drive acts in.
     "joint",  // A joint's own.
     "name",   // The signal and the input of a wire.
-    "from", "to",
+    "from", "to", // The column of a limit.
+    "column",
 ];
 
 /// Fields below the sections that name files.

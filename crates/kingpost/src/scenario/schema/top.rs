@@ -60,6 +60,8 @@ mod tests {
             "drives",
             "sensors",
             "wires",
+            "operation",
+            "limits",
         ] {
             assert!(is_top_field(name), "{name}");
         }

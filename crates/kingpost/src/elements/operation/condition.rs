@@ -1,0 +1,77 @@
+//! What ends a step of an operation.
+
+use crate::elements::significant;
+
+/// What ends a step.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Condition {
+    /// The step has lasted so long, s.
+    After(f64),
+    /// A column of the results is in a range.
+    Column(ColumnRange),
+    /// All of these hold at once.
+    All(Vec<Condition>),
+    /// One of these holds.
+    Any(Vec<Condition>),
+}
+
+/// The range of a column, in the unit that it is written in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColumnRange {
+    /// Its name.
+    pub column: String,
+    /// Its place among the columns that the operation reads.
+    pub place: usize,
+    /// It is above this.
+    pub above: Option<f64>,
+    /// It is below this.
+    pub below: Option<f64>,
+    /// The unit of both, and how many of the column's SI unit it is.
+    pub unit: (String, f64),
+}
+
+impl Condition {
+    /// Whether it holds so long after the step began, s, with these numbers in the columns.
+    pub fn holds(&self, elapsed_s: f64, columns: &[f64]) -> bool {
+        match self {
+            Self::After(time_s) => elapsed_s >= *time_s,
+            Self::Column(range) => range.holds(columns),
+            Self::All(all) => all.iter().all(|one| one.holds(elapsed_s, columns)),
+            Self::Any(any) => any.iter().any(|one| one.holds(elapsed_s, columns)),
+        }
+    }
+
+    /// What does not hold, as an error says it.
+    pub fn missing(&self, elapsed_s: f64, columns: &[f64]) -> String {
+        let of = |conditions: &[Self], link: &str| {
+            let open = conditions.iter().filter(|one| !one.holds(elapsed_s, columns));
+            open.map(|one| one.missing(elapsed_s, columns)).collect::<Vec<_>>().join(link)
+        };
+        match self {
+            Self::After(time_s) => {
+                format!("found {} s since it began, allowed: at least {} s", significant(elapsed_s, 4), time_s)
+            }
+            Self::Column(range) => range.missing(columns),
+            Self::All(all) => of(all, ", and "),
+            Self::Any(any) => of(any, ", or "),
+        }
+    }
+}
+
+impl ColumnRange {
+    fn value(&self, columns: &[f64]) -> f64 {
+        columns.get(self.place).map_or(f64::NAN, |value| value / self.unit.1)
+    }
+
+    fn holds(&self, columns: &[f64]) -> bool {
+        let value = self.value(columns);
+        self.above.is_none_or(|above| value > above) && self.below.is_none_or(|below| value < below)
+    }
+
+    fn missing(&self, columns: &[f64]) -> String {
+        let (unit, found) = (&self.unit.0, significant(self.value(columns), 4));
+        let bounds = [("above", self.above), ("below", self.below)];
+        let bounds = bounds.into_iter().filter_map(|(side, bound)| Some(format!("{side} {} {unit}", bound?)));
+        format!("found {} {found} {unit}, allowed: {}", self.column, bounds.collect::<Vec<_>>().join(" and "))
+    }
+}

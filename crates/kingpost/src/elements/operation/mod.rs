@@ -1,0 +1,146 @@
+//! An operation as a timeline: named steps that move levers and set-points, each until its condition holds.
+
+mod condition;
+
+pub use condition::{ColumnRange, Condition};
+
+use crate::elements::{Declaration, Element, Moment, Output, Own};
+use crate::scalar::Scalar;
+
+/// A timeline. It looks at its condition where a step of the integrator begins, so a step of the operation ends at most
+/// one of the integrator's late. Where an input moves over a time, it stands over each step of the integrator at its value in the
+/// middle of that step: what follows it is then of second order in the step.
+#[derive(Clone, Debug)]
+pub struct Operation<S = f64> {
+    /// Name in the table of events.
+    pub name: String,
+    /// One after another.
+    pub steps: Vec<OperationStep<S>>,
+    /// The inputs that it sets.
+    pub inputs: Vec<String>,
+    /// The columns that its conditions read.
+    pub columns: Vec<String>,
+    /// Step of the integrator, s.
+    pub step_s: f64,
+}
+
+/// A step of an operation.
+#[derive(Clone, Debug)]
+pub struct OperationStep<S = f64> {
+    /// What is done.
+    pub name: String,
+    /// Each with the place of its input among [`Operation::inputs`]; those of one input in the order of time, one after another.
+    pub moves: Vec<(usize, Vec<Move<S>>)>,
+    /// What ends it.
+    pub until: Condition,
+    /// The run ends with an error where the step lasts longer, s.
+    pub time_out_s: Option<f64>,
+}
+
+/// An input goes to a value.
+#[derive(Clone, Copy, Debug)]
+pub struct Move<S = f64> {
+    /// When it begins, s since the step began.
+    pub at_s: f64,
+    /// How long it takes, s; at once where that is 0.
+    pub in_s: f64,
+    /// In the input's unit.
+    pub to: S,
+}
+
+/// Shares of a step of the integrator by which a time may be early: rounding.
+const TIME_SLACK: f64 = 1e-9;
+/// The one mode: the step under way, from 1; 0 before the first, one more than there are after the last.
+const STEP: usize = 0;
+/// Numbers: when the step began, s, and from [`FROM`] on the value of each input then.
+const BEGAN: usize = 0;
+const FROM: usize = 1;
+
+impl<S: Scalar> Element<S> for Operation<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let from = self.inputs.iter().map(|input| format!("{input}_at_its_start"));
+        let step = Output::number(
+            "operation_step",
+            "step of an operation that is under way, from 1; 0 before the first",
+            "operation",
+            &self.name,
+            &["1"],
+        );
+        Declaration {
+            numbers: core::iter::once("step_began".to_owned()).chain(from).collect(),
+            modes: vec!["step".to_owned()],
+            outputs: vec![step],
+            reads: self.columns.clone(),
+            steers: self.inputs.clone(),
+            ..Declaration::default()
+        }
+    }
+
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        out.push(S::constant(at.modes[STEP] as f64));
+    }
+
+    fn steer(
+        &mut self,
+        at: &Moment<'_, S>,
+        read: &[S],
+        own: &mut Own<'_, S>,
+        inputs: &mut [S],
+    ) -> Result<Vec<String>, String> {
+        let (time_s, columns) = (at.clock.time_s, read.iter().map(|value| value.value()).collect::<Vec<_>>());
+        let mut happened = Vec::new();
+        if own.modes[STEP] == 0 {
+            happened.push(self.go_on(time_s, own, inputs));
+        }
+        while let Some(step) = self.under_way(own) {
+            let elapsed_s = time_s - own.numbers[BEGAN].value();
+            for (input, moves) in &step.moves {
+                inputs[*input] = self.value(moves, elapsed_s, own.numbers[FROM + input], inputs[*input]);
+            }
+            let elapsed_s = elapsed_s + TIME_SLACK * self.step_s;
+            if step.until.holds(elapsed_s, &columns) {
+                happened.push(self.go_on(time_s, own, inputs));
+                continue;
+            }
+            match step.time_out_s {
+                Some(time_out_s) if elapsed_s >= time_out_s => {
+                    let missing = step.until.missing(elapsed_s, &columns);
+                    return Err(format!("step {:?} did not end within {time_out_s} s: {missing}", step.name));
+                }
+                _ => break,
+            }
+        }
+        Ok(happened)
+    }
+}
+
+impl<S: Scalar> Operation<S> {
+    fn under_way(&self, own: &Own<'_, S>) -> Option<&OperationStep<S>> {
+        self.steps.get(usize::try_from(own.modes[STEP] - 1).ok()?)
+    }
+
+    /// Begins the next step, or ends after the last; returns what happened.
+    fn go_on(&self, time_s: f64, own: &mut Own<'_, S>, inputs: &[S]) -> String {
+        own.modes[STEP] += 1;
+        own.numbers[BEGAN] = S::constant(time_s);
+        own.numbers[FROM..].copy_from_slice(inputs);
+        self.under_way(own).map_or_else(|| "ends".to_owned(), |step| format!("begins {:?}", step.name))
+    }
+
+    /// An input so long after the step began, which it began at `from`; it stays `now` before its first move.
+    fn value(&self, moves: &[Move<S>], elapsed_s: f64, from: S, now: S) -> S {
+        let begun = moves.partition_point(|one| one.at_s <= elapsed_s + TIME_SLACK * self.step_s);
+        let Some(one) = begun.checked_sub(1).map(|last| &moves[last]) else { return now };
+        let from = begun.checked_sub(2).map_or(from, |before| moves[before].to);
+        let middle_s = elapsed_s - one.at_s + 0.5 * self.step_s;
+        if middle_s >= one.in_s || one.in_s == 0.0 {
+            one.to
+        } else {
+            from + (one.to - from) * S::constant(middle_s / one.in_s)
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Columns of the results that a scenario names, and the units that it writes their bounds in.
+
+use super::FieldError;
+use crate::elements::Layout;
+use crate::results::Channels;
+use crate::scenario::leaf::Quantity;
+use crate::scenario::units;
+use crate::scenario::wording::{one_of, one_of_with_hint};
+use crate::simulation::Setup;
+
+/// A column of the results.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// As a table has it.
+    pub name: String,
+    /// SI.
+    pub unit: &'static str,
+}
+
+/// Names that an error lists; of more it lists the nearest.
+const MOST_LISTED: usize = 12;
+
+/// Every column of a run.
+pub fn of<S: Quantity>(setup: &Setup<S>) -> Vec<Column> {
+    let channels = Channels::new(&setup.model, &Layout::new(&setup.elements, 0)).list;
+    let of = |channel: crate::results::Channel| {
+        channel.columns.into_iter().zip(channel.units).map(|(name, unit)| Column { name, unit })
+    };
+    channels.into_iter().flat_map(of).collect()
+}
+
+/// The column of a name.
+pub fn find<'a>(columns: &'a [Column], field: &str, name: &str) -> Result<&'a Column, FieldError> {
+    if let Some(column) = columns.iter().find(|column| column.name == name) {
+        return Ok(column);
+    }
+    // Those that share a part of the name: of the same body, say, or the same variable of another.
+    let alike = |column: &&Column| column.name.split('.').any(|part| name.split('.').any(|other| other == part));
+    let names: Vec<&str> = columns.iter().filter(alike).map(|column| column.name.as_str()).collect();
+    let allowed = match names.len() {
+        0 => "a column of the results, as the head of a table of a run has it".to_owned(),
+        1..=MOST_LISTED => one_of_with_hint(&names, name),
+        _ => format!("{}, or another column of the results", one_of_with_hint(&names[..MOST_LISTED], name)),
+    };
+    Err(FieldError::new(field, name, allowed))
+}
+
+/// How many SI units a unit is.
+pub fn factor(field: &str, unit: Option<&str>, si: &str) -> Result<f64, FieldError> {
+    let Some(unit) = unit else { return Ok(1.0) };
+    units::factor_of(unit, si).ok_or_else(|| {
+        let allowed: Vec<String> = units::units_for(si).into_iter().map(|(unit, _)| unit).collect();
+        FieldError::new(field, unit, one_of(&allowed.iter().map(String::as_str).collect::<Vec<_>>()))
+    })
+}

@@ -1,0 +1,38 @@
+//! The limits that a run is held against.
+
+use super::super::schema::{self, Scenario};
+use super::FieldError;
+use super::columns;
+use crate::scenario::leaf::Quantity;
+use crate::simulation::{Limit, Setup};
+
+/// Those that count.
+pub fn of<S: Quantity>(scenario: &Scenario<S>, setup: &Setup<S>) -> Result<Vec<Limit>, FieldError> {
+    let known = columns::of(setup);
+    let one = |(name, given): (&schema::Name, &schema::Limit)| {
+        let field = |rest: &str| format!("limits.{name}.{rest}");
+        let column = columns::find(&known, &field("column"), &given.column)?;
+        let factor = columns::factor(&field("unit"), given.unit.as_deref(), column.unit)?;
+        let bounds = bounds(name, given)?;
+        let unit = (given.unit.clone().unwrap_or_else(|| column.unit.to_owned()), factor);
+        let (name, column) = (name.to_string(), given.column.clone());
+        Ok(Limit { name, column, unit, bounds, from_s: given.from_s.get() })
+    };
+    scenario.limits.iter().filter(|(_, limit)| limit.enabled).map(one).collect()
+}
+
+/// The smallest and the largest value that are allowed.
+fn bounds(name: &str, given: &schema::Limit) -> Result<[Option<f64>; 2], FieldError> {
+    let schema::Limit { at_least, at_most, within, .. } = given;
+    let field = format!("limits.{name}");
+    match (at_least, at_most, within) {
+        (None, None, None) => Err(FieldError::new(field, "no bound", "at_most, at_least, both, or within")),
+        (None, None, Some(within)) => Ok([Some(-within.get()), Some(within.get())]),
+        (_, _, Some(_)) => Err(FieldError::new(field, "within beside at_most or at_least", "one or the other")),
+        (Some(least), Some(most), None) if least > most => {
+            let allowed = format!("not more than at_most, {most}");
+            Err(FieldError::new(format!("{field}.at_least"), least, allowed))
+        }
+        (least, most, None) => Ok([*least, *most]),
+    }
+}

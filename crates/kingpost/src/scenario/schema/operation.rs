@@ -1,0 +1,135 @@
+//! An operation as a timeline, and the limits that it is held against.
+
+use serde::{Deserialize, Serialize};
+
+use super::{NonNegative, Positive, SignalName, yes};
+use crate::scenario::leaf::Leaf;
+
+/// Named steps, one after another: each moves levers and set-points, and lasts until its condition holds. The inputs that it
+/// sets are not a hand's.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Operation", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Operation<S = f64> {
+    /// Whether it runs; if not, a hand sets the inputs.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The steps.
+    pub steps: Vec<OperationStep<S>>,
+}
+
+/// A step of an operation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "OperationStep", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct OperationStep<S = f64> {
+    /// What is done: "lift off".
+    pub name: String,
+    /// What is moved. An input that is not named keeps its value.
+    #[serde(default = "none::<S>", skip_serializing_if = "Vec::is_empty")]
+    pub set: Vec<InputMove<S>>,
+    /// What ends the step; without it, the end of its last move.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<Condition>,
+    /// The longest that the step may last, s: beyond it the run ends, and says what the step waited for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_out_s: Option<Positive>,
+}
+
+/// Moves an input: a lever, a brake, or what is added to a drive's set-point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "InputMove", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct InputMove<S = f64> {
+    /// The input, mostly by the name of its drive.
+    pub input: SignalName,
+    /// The value that it goes to, in `unit`.
+    pub to: S,
+    /// Unit of `to`: the input's own in SI (rad, m, rad/s, m/s, N m, N, 1), or deg, deg/s, kN m, kN for it; without it, the SI
+    /// unit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    /// When it begins, s since the step began.
+    #[serde(default)]
+    pub at_s: NonNegative,
+    /// How long it takes, along a straight line from where the input is, s; 0 is at once.
+    #[serde(default)]
+    pub in_s: NonNegative,
+}
+
+/// What ends a step of an operation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Condition {
+    /// The step has lasted so long, s.
+    AfterS(NonNegative),
+    /// A column of the results is in a range.
+    Value(ColumnRange),
+    /// All of these hold at once.
+    All(Vec<Condition>),
+    /// One of these holds.
+    Any(Vec<Condition>),
+}
+
+/// A range of a column of the results: above a bound, below one, or both.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct ColumnRange {
+    /// The column, as a table of the results has it: `hook.position.z`, `hoist_rope.rope_tension`.
+    pub column: String,
+    /// It is above this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub above: Option<f64>,
+    /// It is below this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub below: Option<f64>,
+    /// Unit of the bounds: the column's own in SI, or deg, deg/s, kN, kN m, t and so on for it; without it, the SI unit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+}
+
+/// What a column of the results is to keep. A run says of each whether it held, and the worst value with its time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Limit {
+    /// Whether it counts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The column, as a table of the results has it: `hull.roll`, `hoist_rope.rope_tension`.
+    pub column: String,
+    /// The largest value that is allowed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_most: Option<f64>,
+    /// The smallest value that is allowed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_least: Option<f64>,
+    /// The largest size that is allowed, to either side of zero.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub within: Option<NonNegative>,
+    /// Unit of the bounds: the column's own in SI, or deg, deg/s, kN, kN m, t and so on for it; without it, the SI unit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    /// From when on it counts, s: without it, from the start.
+    #[serde(default)]
+    pub from_s: NonNegative,
+}
+
+/// No moves.
+const fn none<S>() -> Vec<InputMove<S>> {
+    Vec::new()
+}

@@ -1,0 +1,108 @@
+//! The limits that a run is held against.
+
+use crate::results::Channels;
+use crate::scalar::Scalar;
+use serde::Serialize;
+
+/// What a column of the results is to keep.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// Its name in the scenario.
+    pub name: String,
+    /// The column.
+    pub column: String,
+    /// Unit of the bounds, and how many of the column's SI unit it is.
+    pub unit: (String, f64),
+    /// The smallest and the largest value that are allowed.
+    pub bounds: [Option<f64>; 2],
+    /// From when on it counts, s.
+    pub from_s: f64,
+}
+
+/// Whether a limit held in the rows of a run so far.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct LimitResult {
+    /// Its name in the scenario.
+    pub name: String,
+    /// The column.
+    pub column: String,
+    /// Unit of all its numbers.
+    pub unit: String,
+    /// The smallest value that is allowed.
+    pub at_least: Option<f64>,
+    /// The largest value that is allowed.
+    pub at_most: Option<f64>,
+    /// Whether it held; absent where no row counted.
+    pub held: Option<bool>,
+    /// The value nearest to a bound, or farthest beyond one.
+    pub worst: Option<f64>,
+    /// When that was, s.
+    pub worst_time_s: Option<f64>,
+}
+
+/// Limits, each with its column's place in a row and its worst value so far.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Limits {
+    held: Vec<Held>,
+}
+
+#[derive(Clone, Debug)]
+struct Held {
+    limit: Limit,
+    place: usize,
+    /// Value and time, s.
+    worst: Option<[f64; 2]>,
+}
+
+impl Limit {
+    /// How far a value is within the bounds; negative beyond one.
+    fn margin(&self, value: f64) -> f64 {
+        let [least, most] = self.bounds;
+        let below = most.map_or(f64::INFINITY, |most| most - value);
+        below.min(least.map_or(f64::INFINITY, |least| value - least))
+    }
+}
+
+impl Limits {
+    /// Those whose columns are there: the scenario has checked them.
+    pub(super) fn new(limits: Vec<Limit>, channels: &Channels) -> Self {
+        let columns: Vec<&String> = channels.list.iter().flat_map(|channel| &channel.columns).collect();
+        let placed = |limit: Limit| {
+            let place = columns.iter().position(|column| **column == limit.column)?;
+            Some(Held { limit, place, worst: None })
+        };
+        Self { held: limits.into_iter().filter_map(placed).collect() }
+    }
+
+    /// Sees a row.
+    pub(super) fn see<S: Scalar>(&mut self, row: &[S]) {
+        let time_s = row[0].value();
+        for Held { limit, place, worst } in self.held.iter_mut().filter(|held| time_s >= held.limit.from_s) {
+            let value = row[*place].value() / limit.unit.1;
+            if worst.is_none_or(|[worst, _]| limit.margin(value) < limit.margin(worst)) {
+                *worst = Some([value, time_s]);
+            }
+        }
+    }
+
+    /// Forgets what was seen.
+    pub(super) fn begin_anew(&mut self) {
+        self.held.iter_mut().for_each(|held| held.worst = None);
+    }
+
+    /// How they held so far.
+    pub(super) fn results(&self) -> Vec<LimitResult> {
+        let result = |Held { limit, worst, .. }: &Held| LimitResult {
+            name: limit.name.clone(),
+            column: limit.column.clone(),
+            unit: limit.unit.0.clone(),
+            at_least: limit.bounds[0],
+            at_most: limit.bounds[1],
+            held: worst.map(|[value, _]| limit.margin(value) >= 0.0),
+            worst: worst.map(|[value, _]| value),
+            worst_time_s: worst.map(|[_, time_s]| time_s),
+        };
+        self.held.iter().map(result).collect()
+    }
+}
