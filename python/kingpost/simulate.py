@@ -260,7 +260,7 @@ class Simulation:
         """How the scenario's limits held in the rows so far; a data set holds it as JSON in
         ``attrs["limits"]``.
 
-        >>> limits = {"limits": {"roll": {"column": "ship.roll", "within": 1, "unit": "deg"}}}
+        >>> limits = {"limits": {"roll": {"column": "ship.roll", "within": 10, "unit": "deg"}}}
         >>> simulation = Simulation(load("paper").with_overrides({**limits, "simulation.duration_s": 1}))
         >>> _ = simulation.run()
         >>> simulation.limits[0].held

@@ -1,5 +1,6 @@
 //! Ropes over sheaves: hoists, luffing ropes, slings, tuggers.
 
+mod leads;
 mod path;
 mod station;
 
@@ -110,10 +111,23 @@ impl<S: Scalar> Element<S> for Rope<S> {
 
     fn declare(&self) -> Declaration {
         let number = |variable, description, unit| Output::number(variable, description, "rope", &self.name, unit);
+        let leads = [
+            number(
+                "rope_offlead",
+                "offlead of a rope: its angle to the vertical in the plane of the boom, positive outward",
+                &["rad"],
+            ),
+            number(
+                "rope_sidelead",
+                "sidelead of a rope: its angle to the plane of the boom, positive along the sheave's axis",
+                &["rad"],
+            ),
+        ];
+        let leads = leads.into_iter().filter(|_| self.path.has_leads());
         let points = 2 * self.path.stations().len().saturating_sub(2) + POINTS_OF_LAST_LEG;
         Declaration {
             modes: vec!["condition".to_owned()],
-            outputs: vec![
+            outputs: [
                 number("rope_tension", "tension of a rope at its last end", &["N"]),
                 number("rope_first_tension", "tension of a rope at its first end, or its drum", &["N"]),
                 number(
@@ -127,7 +141,10 @@ impl<S: Scalar> Element<S> for Rope<S> {
                     "length of a rope's path beyond its unstretched length; negative: slack",
                     &["m"],
                 ),
-            ],
+            ]
+            .into_iter()
+            .chain(leads)
+            .collect(),
             lines: vec![DrawnLine { name: self.name.clone(), style: LineStyle::Line, radius_m: 0.0, points }],
             events: EVENTS[..if self.breaking_load.is_some() { PARTS + 1 } else { PARTS }].to_vec(),
             ..Declaration::default()
@@ -175,6 +192,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         let now = self.stretched(at);
         let [first, _] = self.path.pull(now.tension, now.rate, |_, _| {});
         out.extend([now.tension, first, now.unstretched, now.paid_out, now.stretch]);
+        out.extend(self.path.leads().into_iter().flatten());
     }
 
     fn witness(&mut self, event: usize, at: &Moment<'_, S>) -> S {

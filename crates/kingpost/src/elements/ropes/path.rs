@@ -101,6 +101,16 @@ impl<S: Scalar> Path<S> {
         &self.stations
     }
 
+    /// The axis of a station, a unit vector in the world, as [`extent`](Self::extent) saw the bodies.
+    pub(super) fn axis(&self, station: usize) -> Vector3<S> {
+        self.places[station].axis
+    }
+
+    /// The centre of a station in the world, m; the same.
+    pub(super) fn centre(&self, station: usize) -> Vector3<S> {
+        self.places[station].motion.centre
+    }
+
     /// Where a run begins: the wrap on the drum is counted from here.
     pub fn begin(&mut self, at: &Moment<'_, S>) {
         let Some(drum) = self.stations[0].round else { return };

@@ -1,0 +1,54 @@
+//! How far a rope leads off from the vertical of its crane: offlead and sidelead.
+
+use super::Path;
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+
+/// Where a rope leaves its crane.
+struct Leaves {
+    /// The leg between crane and load.
+    leg: usize,
+    /// Whether the rope runs along it from the load to the crane, as one does whose dead end is on the crane.
+    runs_up: bool,
+    /// The station of the sheave or drum whose axis lies across the plane of the boom.
+    across: usize,
+}
+
+impl<S: Scalar> Path<S> {
+    /// The last leg between two bodies. The crane's is the one that the path comes to first; the plane of the boom is across
+    /// the last sheave, or the drum, on it.
+    fn leaves(&self) -> Option<Leaves> {
+        let bodies: Vec<Option<usize>> = self.stations().iter().map(|station| station.centre.body).collect();
+        let leg = (0..bodies.len().saturating_sub(1)).rev().find(|&k| bodies[k] != bodies[k + 1])?;
+        let first = |k: usize| bodies.iter().position(|body| *body == bodies[k]);
+        let runs_up = first(leg + 1) < first(leg);
+        let crane = bodies[leg + usize::from(runs_up)];
+        let on_crane = |&k: &usize| bodies[k] == crane && self.stations()[k].round.is_some();
+        let across = (0..bodies.len()).rev().find(on_crane)?;
+        Some(Leaves { leg, runs_up, across })
+    }
+
+    /// Whether the rope has an offlead and a sidelead.
+    pub fn has_leads(&self) -> bool {
+        self.leaves().is_some()
+    }
+
+    /// Offlead and sidelead of the leg between crane and load, rad: the angle between the leg and the vertical in the plane of the
+    /// boom, positive away from what the rope comes from, and the angle between the leg and that plane, positive along the
+    /// axis of the sheave. With the unit vectors u down the leg, z up, a along the axis, and h across a, level and outward:
+    /// offlead = atan2(u.h, -u.z), sidelead = asin(u.a). `None` where no sheave and no drum is on the crane. After
+    /// [`extent`](Self::extent).
+    pub fn leads(&self) -> Option<[S; 2]> {
+        let Leaves { leg, runs_up, across } = self.leaves()?;
+        let [from, to] = self.straights().nth(leg)?;
+        let down_the_leg = if runs_up { from - to } else { to - from };
+        let axis = self.axis(across);
+        let level = axis.cross(Vector3([S::ZERO, S::ZERO, S::ONE]));
+        let outward =
+            across.checked_sub(1).map_or(S::ONE, |before| level.dot(self.centre(across) - self.centre(before)));
+        let size = level.norm();
+        let level = level * (S::ONE / outward.select_below(0.0, || -size, || size));
+        let (out, aside, down) = (down_the_leg.dot(level), down_the_leg.dot(axis), -down_the_leg[2]);
+        Some([out.atan2(down), aside.atan2((out * out + down * down).sqrt())])
+    }
+}
