@@ -1959,6 +1959,9 @@ export type Force =
       rope: Rope;
     }
   | {
+      tugger_line: TuggerLine;
+    }
+  | {
       wind_load: WindLoad;
     }
   | {
@@ -2231,6 +2234,10 @@ export type Rope = {
    * The same as `breaking_load_N`, in the unit of this name.
    */
   breaking_load_kN?: number | null;
+  /**
+   * Whether it can be released: an input in [0, 1] of the rope's name begins at 0, and at 0.5 the load is lost.
+   */
+  can_be_released?: boolean;
 };
 /**
  * A place on a rope's path.
@@ -2245,6 +2252,30 @@ export type RopeStation =
   | {
       drum: RopeDrum;
     };
+/**
+ * A line whose winch pays out and hauls in so that its tension stays: a tugger line or a tag line. The winch stands at its
+ * first end.
+ */
+export type TuggerLine = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it is there.
+   */
+  enabled?: boolean;
+  /**
+   * What it runs over, from its winch to the load: it begins and ends at a point.
+   */
+  path: RopeStation[];
+  /**
+   * Its tension at the load, N.
+   */
+  tension_N?: number;
+  /**
+   * The same as `tension_N`, in the unit of this name.
+   */
+  tension_kN?: number;
+};
 /**
  * The coefficients.
  */

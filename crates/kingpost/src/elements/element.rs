@@ -20,7 +20,7 @@ use core::fmt::Debug;
 /// | after every step | [`witness`](Self::witness); where one changes sign, [`respond`](Self::respond) at that time |
 /// | every step begins | [`steer`](Self::steer), where it steers inputs |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
-/// | its numbers are changed during a run | [`renew`](Self::renew) |
+/// | its numbers or an input of its own are changed | [`renew`](Self::renew) |
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
 /// | what a row shows is to be warned of | [`watchers`](Self::watchers), once |
 /// | a picture | [`draw`](Self::draw) |
@@ -93,7 +93,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// whole model, as an impact does.
     fn respond(&mut self, _event: usize, _at: &Moment<'_, S>, _own: &mut Own<'_, S>, _v: &mut [S]) {}
 
-    /// Sets its modes anew where its numbers were changed during a run: what they were set by may have crossed.
+    /// Sets its modes anew where its numbers or an input of its own were changed: what they were set by may have crossed.
     fn renew(&mut self, _at: &Moment<'_, S>, _own: &mut Own<'_, S>) {}
 
     /// What it does while an equilibrium is sought, beside its loads; `None` where that is nothing.

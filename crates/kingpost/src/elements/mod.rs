@@ -55,7 +55,7 @@ pub use operation::Operation;
 pub use quadratic_damping::QuadraticDamping;
 pub use regular_waves::{RegularWaves, WavePlace};
 pub use rods::{Pendant, Rod};
-pub use ropes::Rope;
+pub use ropes::{Rope, TuggerLine};
 pub use slack_tank::SlackTank;
 pub use soft_hold::SoftHold;
 pub use viscous_damping::ViscousDamping;

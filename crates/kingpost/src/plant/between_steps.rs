@@ -33,6 +33,23 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
+    /// Sets an input; its element may set its modes by it.
+    pub fn set_input(&mut self, input: usize, value: S, time_s: f64, state: &mut State<S>) {
+        if state.d[input] == value {
+            return;
+        }
+        state.d[input] = value;
+        let Some(owner) = self.layout.shares.iter().position(|share| share.inputs.contains(&input)) else { return };
+        let modes = state.m.clone();
+        self.change(owner, time_s, state, |element, at, own, _| element.renew(at, own));
+        if state.m != modes {
+            let changed = core::mem::replace(&mut state.m, modes);
+            let before = self.totals(instant(time_s, state));
+            state.m = changed;
+            self.book_jump(&before, time_s, state);
+        }
+    }
+
     /// Begins the ledger where the state stands.
     pub fn open_ledger(&mut self, time_s: f64, state: &mut State<S>) {
         if self.layout.ledger == 0 {
@@ -90,8 +107,9 @@ impl<S: Scalar> Plant<S> {
         values.extend(inputs.iter().map(|&input| state.d[input]));
         let mut steered = Ok(Vec::new());
         self.change(element, time_s, state, |element, at, own, _| steered = element.steer(at, read, own, values));
-        let inputs = &self.layout.steers[steer].inputs;
-        inputs.iter().zip(values).for_each(|(&input, value)| state.d[input] = *value);
+        for (k, value) in values.iter().enumerate() {
+            self.set_input(self.layout.steers[steer].inputs[k], *value, time_s, state);
+        }
         steered
     }
 

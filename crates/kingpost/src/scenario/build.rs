@@ -17,6 +17,7 @@ mod operation;
 mod positioning;
 mod positioning_loop;
 mod ropes;
+mod ropes_at_start;
 mod sensors;
 mod soft_hold;
 mod station;
@@ -59,9 +60,9 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     station::check(&setup)?;
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
-    ropes::begin(&mut setup)?;
+    ropes_at_start::begin(&mut setup)?;
     equilibrium::settle(scenario, &mut setup)?;
-    ropes::check_loads(&setup)?;
+    ropes_at_start::check_loads(&setup)?;
     setup.watchers = watchers::of(&setup);
     Ok(setup)
 }
@@ -75,7 +76,7 @@ pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result
     let mut setup = open(scenario)?;
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
-    ropes::begin(&mut setup)?;
+    ropes_at_start::begin(&mut setup)?;
     if scenario.simulation.begin_at_equilibrium {
         equilibrium::follow(alone, &mut setup)?;
         loops::close(scenario, &mut setup)?;
@@ -196,6 +197,7 @@ fn forces<S: Quantity>(
             ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
             ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
             ForceSchema::Rope(given) => forces.extend(ropes::build(scenario, name, given, model)?),
+            ForceSchema::TuggerLine(given) => forces.extend(ropes::tugger(scenario, name, given, model)?),
             ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model, world)?),
             ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
             ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),

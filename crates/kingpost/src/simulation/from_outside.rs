@@ -142,7 +142,8 @@ impl Simulation {
         if !(lower..=upper).contains(&value) {
             return Err(InputError::Range { name: name.to_owned(), found: value, lower, upper });
         }
-        self.state.d[i] = value;
+        let time_s = self.time_s();
+        self.plant.set_input(i, value, time_s, &mut self.state);
         self.steering.moved(self.state.steps, i, value);
         Ok(())
     }

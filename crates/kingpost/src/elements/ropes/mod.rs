@@ -3,12 +3,16 @@
 mod leads;
 mod path;
 mod station;
+mod tugger_line;
 
 pub use path::{Extent, Path};
 pub use station::{Efficiency, Round, Station};
+pub use tugger_line::TuggerLine;
 
 use crate::dynamics::Loads;
-use crate::elements::{Crossing, Declaration, DrawnLine, Element, Event, LineStyle, Moment, Output, Own, Situation};
+use crate::elements::{
+    Crossing, Declaration, DrawnLine, Element, Event, Input, LineStyle, Moment, Output, Own, Situation,
+};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -44,6 +48,8 @@ pub struct Rope<S = f64> {
     pub damping_time: S,
     /// Tension at which it parts, N.
     pub breaking_load: Option<S>,
+    /// Whether an input of its name releases it.
+    pub can_be_released: bool,
 }
 
 /// A drum: a coordinate that a rope is wound up by.
@@ -101,6 +107,8 @@ const LEAVES_RANGE: usize = 3;
 const PARTS: usize = 4;
 /// L, of that at the start, below which a rope is hauled in to its end: its stiffness stays that of this length.
 const SHORTEST: f64 = 1e-3;
+/// The lever at which a rope is released.
+const RELEASES: f64 = 0.5;
 /// Points that the last leg of a picture is drawn through.
 const POINTS_OF_LAST_LEG: usize = 17;
 
@@ -127,6 +135,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         let points = 2 * self.path.stations().len().saturating_sub(2) + POINTS_OF_LAST_LEG;
         Declaration {
             modes: vec!["condition".to_owned()],
+            inputs: self.can_be_released.then(|| Input::lever(&self.name, 0.0, 0.0)).into_iter().collect(),
             outputs: [
                 number("rope_tension", "tension of a rope at its last end", &["N"]),
                 number("rope_first_tension", "tension of a rope at its first end, or its drum", &["N"]),
@@ -153,7 +162,9 @@ impl<S: Scalar> Element<S> for Rope<S> {
 
     fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
         let pull = self.stretched(at).pull_length(self.damping_time);
+        let released = at.inputs.first().is_some_and(|lever| lever.all(|lever| lever >= RELEASES));
         own.modes[0] = match (pull.all(|pull| pull >= 0.0), pull.all(|pull| pull < 0.0)) {
+            _ if released => PARTED,
             (true, _) => TAUT,
             (_, true) => SLACK,
             _ => BY_STRETCH,
@@ -241,7 +252,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
     }
 
     fn ties(&self) -> Vec<[Option<usize>; 2]> {
-        self.path.stations().windows(2).map(|ends| [ends[0].centre.body, ends[1].centre.body]).collect()
+        self.path.ties()
     }
 
     fn keeps_station(&self) -> Option<[Option<usize>; 2]> {

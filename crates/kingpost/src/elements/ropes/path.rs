@@ -101,6 +101,11 @@ impl<S: Scalar> Path<S> {
         &self.stations
     }
 
+    /// The pairs of bodies that the legs lead between.
+    pub fn ties(&self) -> Vec<[Option<usize>; 2]> {
+        self.stations.windows(2).map(|ends| [ends[0].centre.body, ends[1].centre.body]).collect()
+    }
+
     /// The axis of a station, a unit vector in the world, as [`extent`](Self::extent) saw the bodies.
     pub(super) fn axis(&self, station: usize) -> Vector3<S> {
         self.places[station].axis

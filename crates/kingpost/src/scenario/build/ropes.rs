@@ -1,25 +1,13 @@
-//! Ropes: what they run over, and how long they are where a run begins.
+//! Ropes and tugger lines: what they run over.
 
 use super::super::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use super::cylinders::attachment;
 use super::{FieldError, known};
-use crate::dynamics::{Clock, LinkKinematics};
 use crate::elements::ropes::{Drum, Efficiency, Path, Round, Station};
-use crate::elements::{AnyElement, Moment, Rope, Situation, of_kind, of_kind_mut};
+use crate::elements::{AnyElement, Rope, TuggerLine};
 use crate::model::{Attachment, JointKind, Model};
 use crate::scenario::leaf::Quantity;
-use crate::simulation::Setup;
 use crate::spatial::{Frame, Vector3};
-use crate::world::World;
-
-/// Strain at the start beyond which a length is a mistake: steel has parted long before.
-const LARGEST_STRAIN: f64 = 0.05;
-
-/// The largest angle about a sheave at the start, degrees: the rope may turn a little farther.
-const LARGEST_WRAP_DEG: f64 = 260.0;
-
-/// A rope that runs straight past a sheave, degrees.
-const ROUNDING_DEG: f64 = 1.0;
 
 /// Falls of one leg, at most.
 const MOST_FALLS: u32 = 100;
@@ -31,11 +19,57 @@ pub fn build<S: Quantity>(
     given: &schema::Rope<S>,
     model: &Model<S>,
 ) -> Result<Option<AnyElement<S>>, FieldError> {
-    let field = |rest: String| format!("forces.{name}.rope.{rest}");
-    check_order(&given.path, &field)?;
+    let Laid { stations, drum } = lay(scenario, &format!("forces.{name}.rope"), &given.path, model)?;
+    let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
+    Ok(Some(Box::new(Rope {
+        name: name.to_owned(),
+        path: Path::new(stations),
+        drum,
+        unstretched_length: given.unstretched_length_m.map_or(S::ZERO, |length| length.get()),
+        axial_stiffness: given.axial_stiffness_n.get(),
+        series_compliance: given.series_stiffness_n_per_m.map_or(S::ZERO, |stiffness| S::ONE / stiffness.get()),
+        damping_time: given.damping_time_s.get(),
+        breaking_load: given.breaking_load_n.map(|load| load.get()),
+        can_be_released: given.can_be_released,
+    })))
+}
+
+/// One tugger line, where it is on and all that it runs over is there.
+pub fn tugger<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    given: &schema::TuggerLine<S>,
+    model: &Model<S>,
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    let field = format!("forces.{name}.tugger_line");
+    if let Some(RopeStation::Drum(_)) = given.path.first() {
+        let allowed = "a point: the winch that keeps the tension needs no drum";
+        return Err(FieldError::new(format!("{field}.path.0"), "a drum", allowed));
+    }
+    let Laid { stations, .. } = lay(scenario, &field, &given.path, model)?;
+    let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
+    let (name, path, tension) = (name.to_owned(), Path::new(stations), given.tension_n.get());
+    Ok(Some(Box::new(TuggerLine { name, path, tension })))
+}
+
+/// A path as it is laid.
+struct Laid<S> {
+    /// `None` where a body is not there.
+    stations: Option<Vec<Station<S>>>,
+    drum: Option<Drum<S>>,
+}
+
+fn lay<S: Quantity>(
+    scenario: &Scenario<S>,
+    of: &str,
+    path: &[RopeStation<S>],
+    model: &Model<S>,
+) -> Result<Laid<S>, FieldError> {
+    let field = |rest: String| format!("{of}.{rest}");
+    check_order(path, &field)?;
     let mut stations = Vec::new();
     let mut drum = None;
-    for (i, station) in given.path.iter().enumerate() {
+    for (i, station) in path.iter().enumerate() {
         let place = Placing { scenario, model, field: field(format!("path.{i}.{}", station.on().0)) };
         let found = match station {
             RopeStation::Point(point) => place.point(point)?,
@@ -47,19 +81,8 @@ pub fn build<S: Quantity>(
         };
         stations.push(found);
     }
-    check_falls(&given.path, &field)?;
-    let stations: Option<Vec<Station<S>>> = stations.into_iter().collect();
-    let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
-    Ok(Some(Box::new(Rope {
-        name: name.to_owned(),
-        path: Path::new(stations),
-        drum,
-        unstretched_length: given.unstretched_length_m.map_or(S::ZERO, |length| length.get()),
-        axial_stiffness: given.axial_stiffness_n.get(),
-        series_compliance: given.series_stiffness_n_per_m.map_or(S::ZERO, |stiffness| S::ONE / stiffness.get()),
-        damping_time: given.damping_time_s.get(),
-        breaking_load: given.breaking_load_n.map(|load| load.get()),
-    })))
+    check_falls(path, &field)?;
+    Ok(Laid { stations: stations.into_iter().collect(), drum })
 }
 
 /// A rope begins at a point or a drum and ends at a point, with no drum between.
@@ -170,94 +193,4 @@ impl<S: Quantity> Placing<'_, S> {
         let drum = Drum { position: node.positions, coordinate, paid_out: radius * sign, start: S::ZERO };
         Ok(Some((Station { centre, round: Some(round), falls: S::ONE }, drum)))
     }
-}
-
-/// Takes the lengths where the run begins, its loops closed.
-///
-/// # Errors
-/// Sheaves that overlap, or that the rope does not lie against; a rope that is shorter than its path by more than it can stretch.
-pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
-    let Setup { model, world, elements, q, v, .. } = setup;
-    let mut links = LinkKinematics::new(model);
-    links.update(model, q, v);
-    at_rest(world, model, &links, (q, v), |at| {
-        of_kind_mut::<S, Rope<S>>(elements).try_for_each(|rope| begin_one(rope, at))
-    })
-}
-
-fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Moment<'_, S>) -> Result<(), FieldError> {
-    let name = rope.name.clone();
-    let field = |rest: &str| format!("forces.{name}.rope.{rest}");
-    if let Some((leg, [distance, radii])) = rope.path.overlap(at) {
-        let found = format!("a place {distance:.4} m from the one before it");
-        let allowed = format!("one farther from it than {radii:.4} m, the radii of both");
-        return Err(FieldError::new(field(&format!("path.{}", leg + 1)), found, allowed));
-    }
-    if rope.path.drum_is_along(at) {
-        let (found, allowed) = ("an axis along the rope", "a joint whose axis stands across the rope");
-        return Err(FieldError::new(field("path.0.drum.joint"), found, allowed));
-    }
-    let length = rope.begin_at(at);
-    if !length.all(|length| length > 0.0) {
-        return Err(FieldError::new(field("path"), format!("a path of {length} m"), "one longer than 0"));
-    }
-    check_sides(rope, at, field)?;
-    if rope.unstretched_length.vanishes() {
-        rope.unstretched_length = length;
-    }
-    let strain = rope.tension_at_rest(length - rope.unstretched_length) / rope.axial_stiffness;
-    if !strain.all(|strain| strain <= LARGEST_STRAIN) {
-        let found = format!("{} m, on a path of {length:.4} m: a strain of {strain:.3}", rope.unstretched_length);
-        let allowed = format!("a length at which the rope stretches by {LARGEST_STRAIN} at most");
-        return Err(FieldError::new(field("unstretched_length_m"), found, allowed));
-    }
-    Ok(())
-}
-
-/// The rope lies against every sheave, on the side that the axis says.
-fn check_sides<S: Quantity>(
-    rope: &mut Rope<S>,
-    at: &Moment<'_, S>,
-    field: impl Fn(&str) -> String,
-) -> Result<(), FieldError> {
-    for (i, wrap) in rope.path.wraps(at) {
-        let degrees = wrap * S::constant(180.0 / core::f64::consts::PI);
-        if !degrees.all(|degrees| (-ROUNDING_DEG..=LARGEST_WRAP_DEG).contains(&degrees)) {
-            let found = format!("a rope that turns by {degrees:.1} degrees about the axis");
-            let allowed =
-                format!("0 to {LARGEST_WRAP_DEG} degrees; on the other side of the sheave, the opposite axis");
-            return Err(FieldError::new(field(&format!("path.{i}.sheave.axis")), found, allowed));
-        }
-    }
-    Ok(())
-}
-
-/// Where a run begins, ropes carry what they can.
-pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
-    let Setup { model, world, elements, q, v, .. } = setup;
-    let mut links = LinkKinematics::new(model);
-    links.update(model, q, v);
-    for rope in of_kind::<f64, Rope>(elements) {
-        let Some(load) = rope.breaking_load else { continue };
-        let tension = at_rest(world, model, &links, (q, v), |at| rope.clone().tension_here(at));
-        if tension > load {
-            let (name, allowed) =
-                (&rope.name, format!("more than {tension:.0} N, which it carries where the run begins"));
-            return Err(FieldError::new(format!("forces.{name}.rope.breaking_load_N"), load, allowed));
-        }
-    }
-    Ok(())
-}
-
-/// What an element without entries of its own sees of a model at rest.
-fn at_rest<S: Quantity, R>(
-    world: &World<S>,
-    model: &Model<S>,
-    links: &LinkKinematics<S>,
-    (q, v): (&[S], &[S]),
-    see: impl FnOnce(&Moment<'_, S>) -> R,
-) -> R {
-    let clock = Clock { time_s: 0.0, middle_s: 0.0 };
-    let (states, inputs, numbers, modes): (&[S], &[S], &[S], &[i64]) = Default::default();
-    see(&Moment { clock, situation: Situation::AtRest, world, model, links, q, v, states, inputs, numbers, modes })
 }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, Rope, SlackTank, SoftHold,
-    SpringLine, WindLoad, yes,
+    SpringLine, TuggerLine, WindLoad, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -33,6 +33,8 @@ pub enum Force<S = f64> {
     CatenaryLine(CatenaryLine<S>),
     /// A rope over sheaves, which a drum may wind up.
     Rope(Box<Rope<S>>),
+    /// A line whose winch keeps its tension: a tugger line or a tag line.
+    TuggerLine(TuggerLine<S>),
     /// The wind on a body, by coefficients.
     WindLoad(Box<WindLoad<S>>),
     /// The current on a body, by coefficients.

@@ -37,6 +37,29 @@ pub struct Rope<S = f64> {
     /// Tension at which the rope parts, N; without it, it does not.
     #[serde(default, rename = "breaking_load_N", skip_serializing_if = "Option::is_none")]
     pub breaking_load_n: Option<Positive<S>>,
+    /// Whether it can be released: an input in [0, 1] of the rope's name begins at 0, and at 0.5 the load is lost.
+    #[serde(default)]
+    pub can_be_released: bool,
+}
+
+/// A line whose winch pays out and hauls in so that its tension stays: a tugger line or a tag line. The winch stands at its
+/// first end.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "TuggerLine", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct TuggerLine<S = f64> {
+    /// Whether it is there.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// What it runs over, from its winch to the load: it begins and ends at a point.
+    pub path: Vec<RopeStation<S>>,
+    /// Its tension at the load, N.
+    #[serde(rename = "tension_N")]
+    pub tension_n: NonNegative<S>,
 }
 
 /// A place on a rope's path.

@@ -1,0 +1,73 @@
+//! A line whose winch keeps its tension: tugger lines and tag lines.
+
+use super::Path;
+use crate::dynamics::Loads;
+use crate::elements::{Crossing, Declaration, DrawnLine, Element, Event, LineStyle, Moment, Output};
+use crate::scalar::Scalar;
+
+/// A line over a [`Path`] whose winch, at its first end, pays out and hauls in so that the tension T at its last end stays the same,
+/// however fast the load moves: V = T l, with the length l of the path. At the sheaves friction takes its share.
+#[derive(Clone, Debug)]
+pub struct TuggerLine<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// What it runs over; without a drum.
+    pub path: Path<S>,
+    /// T, N.
+    pub tension: S,
+}
+
+const LEAVES_RANGE: Event =
+    Event { what: "leaves its range at a sheave, or two places of its path meet", crossing: Crossing::Falling };
+
+impl<S: Scalar> Element<S> for TuggerLine<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let number = |variable, description, unit| Output::number(variable, description, "line", &self.name, unit);
+        let points = 2 * (self.path.stations().len() - 1);
+        Declaration {
+            outputs: vec![
+                number("winch_tension", "tension of a tugger line at its winch", &["N"]),
+                number("tugger_length", "length of a tugger line from its winch to its end", &["m"]),
+                number("tugger_pay_out_rate", "rate at which the winch of a tugger line pays out", &["m/s"]),
+            ],
+            lines: vec![DrawnLine { name: self.name.clone(), style: LineStyle::Line, radius_m: 0.0, points }],
+            events: vec![LEAVES_RANGE],
+            ..Declaration::default()
+        }
+    }
+
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let rate = self.path.extent(at).rate;
+        let [_, power] = self.path.pull(self.tension, S::ZERO, |station, wrench| {
+            loads.wrenches.extend(station.on_body(at, wrench));
+        });
+        loads.power.dissipated += -(power + self.tension * rate);
+    }
+
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        self.tension * self.path.extent(at).length
+    }
+
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        let extent = self.path.extent(at);
+        let [at_winch, _] = self.path.pull(self.tension, S::ZERO, |_, _| {});
+        out.extend([at_winch, extent.length, extent.rate]);
+    }
+
+    fn witness(&mut self, _event: usize, at: &Moment<'_, S>) -> S {
+        self.path.extent(at).range_left
+    }
+
+    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+        self.path.extent(at);
+        points.extend(self.path.straights().flatten().flat_map(|point| point.0));
+    }
+
+    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+        self.path.ties()
+    }
+}

@@ -1,0 +1,123 @@
+//! Ropes where a run begins: how they lie, how long they are, what they carry.
+
+use super::FieldError;
+use crate::dynamics::{Clock, LinkKinematics};
+use crate::elements::ropes::Path;
+use crate::elements::{Moment, Rope, Situation, TuggerLine, of_kind, of_kind_mut};
+use crate::model::Model;
+use crate::scenario::leaf::Quantity;
+use crate::simulation::Setup;
+use crate::world::World;
+
+/// Strain at the start beyond which a length is a mistake: steel has parted long before.
+const LARGEST_STRAIN: f64 = 0.05;
+
+/// The largest angle about a sheave at the start, degrees: the rope may turn a little farther.
+const LARGEST_WRAP_DEG: f64 = 260.0;
+
+/// A rope that runs straight past a sheave, degrees.
+const ROUNDING_DEG: f64 = 1.0;
+
+/// Takes the lengths where the run begins, its loops closed.
+///
+/// # Errors
+/// Sheaves that overlap, or that the rope does not lie against; a rope that is shorter than its path by more than it can stretch.
+pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
+    let Setup { model, world, elements, q, v, .. } = setup;
+    let mut links = LinkKinematics::new(model);
+    links.update(model, q, v);
+    at_rest(world, model, &links, (q, v), |at| {
+        of_kind_mut::<S, Rope<S>>(elements).try_for_each(|rope| begin_one(rope, at))?;
+        of_kind_mut::<S, TuggerLine<S>>(elements).try_for_each(|line| {
+            let of = format!("forces.{}.tugger_line", line.name);
+            check_apart(&mut line.path, at, &of)?;
+            line.path.begin(at);
+            check_length(&mut line.path, at, &of)?;
+            check_sides(&mut line.path, at, &of)
+        })
+    })
+}
+
+fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Moment<'_, S>) -> Result<(), FieldError> {
+    let of = format!("forces.{}.rope", rope.name);
+    check_apart(&mut rope.path, at, &of)?;
+    let length = rope.begin_at(at);
+    check_length(&mut rope.path, at, &of)?;
+    check_sides(&mut rope.path, at, &of)?;
+    if rope.unstretched_length.vanishes() {
+        rope.unstretched_length = length;
+    }
+    let strain = rope.tension_at_rest(length - rope.unstretched_length) / rope.axial_stiffness;
+    if !strain.all(|strain| strain <= LARGEST_STRAIN) {
+        let found = format!("{} m, on a path of {length:.4} m: a strain of {strain:.3}", rope.unstretched_length);
+        let allowed = format!("a length at which the rope stretches by {LARGEST_STRAIN} at most");
+        return Err(FieldError::new(format!("{of}.unstretched_length_m"), found, allowed));
+    }
+    Ok(())
+}
+
+/// No two places of the path meet, and a drum stands across the rope.
+fn check_apart<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -> Result<(), FieldError> {
+    if let Some((leg, [distance, radii])) = path.overlap(at) {
+        let found = format!("a place {distance:.4} m from the one before it");
+        let allowed = format!("one farther from it than {radii:.4} m, the radii of both");
+        return Err(FieldError::new(format!("{of}.path.{}", leg + 1), found, allowed));
+    }
+    if path.drum_is_along(at) {
+        let (found, allowed) = ("an axis along the rope", "a joint whose axis stands across the rope");
+        return Err(FieldError::new(format!("{of}.path.0.drum.joint"), found, allowed));
+    }
+    Ok(())
+}
+
+fn check_length<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -> Result<(), FieldError> {
+    let length = path.extent(at).length;
+    if length.all(|length| length > 0.0) {
+        return Ok(());
+    }
+    Err(FieldError::new(format!("{of}.path"), format!("a path of {length} m"), "one longer than 0"))
+}
+
+/// The rope lies against every sheave, on the side that the axis says.
+fn check_sides<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -> Result<(), FieldError> {
+    for (i, wrap) in path.wraps(at) {
+        let degrees = wrap * S::constant(180.0 / core::f64::consts::PI);
+        if !degrees.all(|degrees| (-ROUNDING_DEG..=LARGEST_WRAP_DEG).contains(&degrees)) {
+            let found = format!("a rope that turns by {degrees:.1} degrees about the axis");
+            let allowed =
+                format!("0 to {LARGEST_WRAP_DEG} degrees; on the other side of the sheave, the opposite axis");
+            return Err(FieldError::new(format!("{of}.path.{i}.sheave.axis"), found, allowed));
+        }
+    }
+    Ok(())
+}
+
+/// Where a run begins, ropes carry what they can.
+pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
+    let Setup { model, world, elements, q, v, .. } = setup;
+    let mut links = LinkKinematics::new(model);
+    links.update(model, q, v);
+    for rope in of_kind::<f64, Rope>(elements) {
+        let Some(load) = rope.breaking_load else { continue };
+        let tension = at_rest(world, model, &links, (q, v), |at| rope.clone().tension_here(at));
+        if tension > load {
+            let (name, allowed) =
+                (&rope.name, format!("more than {tension:.0} N, which it carries where the run begins"));
+            return Err(FieldError::new(format!("forces.{name}.rope.breaking_load_N"), load, allowed));
+        }
+    }
+    Ok(())
+}
+
+/// What an element without entries of its own sees of a model at rest.
+fn at_rest<S: Quantity, R>(
+    world: &World<S>,
+    model: &Model<S>,
+    links: &LinkKinematics<S>,
+    (q, v): (&[S], &[S]),
+    see: impl FnOnce(&Moment<'_, S>) -> R,
+) -> R {
+    let clock = Clock { time_s: 0.0, middle_s: 0.0 };
+    let (states, inputs, numbers, modes): (&[S], &[S], &[S], &[i64]) = Default::default();
+    see(&Moment { clock, situation: Situation::AtRest, world, model, links, q, v, states, inputs, numbers, modes })
+}
