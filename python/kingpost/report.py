@@ -64,8 +64,8 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
     if shown := _elements(results):
         lines += ["", *shown]
     lines += ["", *_ledger(results)]
-    if found := limits(results):
-        lines += ["", *found]
+    for found in (events(results), limits(results)):
+        lines += ["", *found] if found else []
     if found := warnings(results):
         lines += ["", *found]
     return "\n".join(lines)
@@ -75,6 +75,13 @@ def warnings(results: xarray.Dataset) -> list[str]:
     """What the engine warns of in a run, a line each."""
     found = json.loads(results.attrs.get("warnings", "[]"))
     return [f"warning: {warning['name']}: {warning['text']}" for warning in found]
+
+
+def events(results: xarray.Dataset) -> list[str]:
+    """What happened in a run: a table, a row each."""
+    found = json.loads(results.attrs.get("events", "[]"))
+    rows = [(f"{event['time_s']:.2f}", event["element"], event["what"]) for event in found]
+    return table(_shortened([("at, s", "", "what happened"), *rows]), align="><<") if rows else []
 
 
 def limits(results: xarray.Dataset) -> list[str]:

@@ -42,10 +42,13 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
 
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let rate = self.path.extent(at).rate;
-        let [_, power] = self.path.pull(self.tension, S::ZERO, |station, wrench| {
+        let [at_winch, power] = self.path.pull(self.tension, S::ZERO, |station, wrench| {
             loads.wrenches.extend(station.on_body(at, wrench));
         });
-        loads.power.dissipated += -(power + self.tension * rate);
+        // V has the work of T; what friction takes besides is the winch's to give.
+        let given = (self.tension - at_winch) * rate;
+        loads.power.drives += given;
+        loads.power.dissipated += given - (power + self.tension * rate);
     }
 
     fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
