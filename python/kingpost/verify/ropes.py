@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..scenario import Scenario
 from ..simulate import Simulation
 from .models import scenario, settings, slider, value
 from .peers import AREA
@@ -51,7 +52,7 @@ def _disc(case: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def reeving(name: str) -> Simulation:
+def reeving(name: str) -> Scenario:
     """The disc in the bight of a rope: in one plane (`plane`), with the sheaves as in Exudyn's test (`skew`),
     or with that test's length of rope, which begins slack (`slack`)."""
     case = kept()["reeving"]
@@ -64,14 +65,12 @@ def reeving(name: str) -> Simulation:
     )
     rope = {
         "path": [first, {"sheave": {"body": "disc", "radius_m": case["radius_m"], "axis": [0, -1, 0]}}, last],
-        "unstretched_length_m": _length(case)
-        if name == "as_published"
-        else case[name]["unstretched_length_m"],
+        "unstretched_length_m": case[name].get("unstretched_length_m", _length(case)),
         "axial_stiffness_N": case["axial_stiffness_N"],
         "damping_time_s": case["damping_time_s"],
     }
     forces = _gravity(case) | {"rope": {"rope": rope}}
-    return _simulation({"disc": disc}, forces, case)
+    return _scenario({"disc": disc}, forces, case)
 
 
 def _length(case: dict[str, Any]) -> float:
@@ -84,7 +83,7 @@ def _length(case: dict[str, Any]) -> float:
 def published_norm() -> Compared:
     """The number of Exudyn's test: norm of the move of the disc's sheave and its quaternion's change."""
     case = kept()["reeving"]
-    simulation = reeving("as_published")
+    simulation = Simulation(reeving("as_published"))
     simulation.step(round(case["duration_s"] / STEP_S))
     q = simulation.state.q
     w, x, y, z = q[3:7]
@@ -93,8 +92,8 @@ def published_norm() -> Compared:
     return Compared(float(np.linalg.norm([*move, w - 1, x, y, z])), case["published_norm"])
 
 
-def lift(sideways: float = 0.0, *, drum: bool = False) -> Simulation:
-    """The load on a rope over a fixed sheave, which a carriage on a level slide hauls in, or a drum."""
+def lift(sideways: float = 0.0, *, drum: bool = False) -> Scenario:
+    """A load on a rope over a fixed sheave, which a carriage on a level slide hauls in, or a drum."""
     case = kept()["lift"]
     velocity = [case["load_velocity_m_s"][0], sideways, 0]
     start = {"position_m": case["load_m"], "velocity_m_s": velocity}
@@ -120,7 +119,7 @@ def lift(sideways: float = 0.0, *, drum: bool = False) -> Simulation:
     }
     forces = _gravity(case) | {"rope": {"rope": rope}}
     drives = {"pull": {kind: {"joint": "winch", **how} for kind, how in pull.items()}}
-    return _simulation({"winch": hauls, "load": load}, forces, case, drives=drives)
+    return _scenario({"load": load, "winch": hauls}, forces, case, drives=drives)
 
 
 def _drum(case: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any]]:
@@ -137,17 +136,15 @@ def _drum(case: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any], dict[st
     return body, station, {"motor": {"torque_N_m": -case["pull_N"] * radius}}
 
 
-def _simulation(
-    bodies: dict[str, Any], forces: dict[str, Any], case: dict[str, Any], **more: Any
-) -> Simulation:
+def _scenario(bodies: Any, forces: Any, case: dict[str, Any], **more: Any) -> Scenario:
     simulation = settings(STEP_S, case["duration_s"], integrator="rk4")
-    return Simulation(scenario(bodies, forces, simulation=simulation, **more))
+    return scenario(bodies, forces, simulation=simulation, **more)
 
 
-def track(simulation: Simulation, case: dict[str, Any], moving: str) -> dict[str, np.ndarray]:
+def track(one: Scenario, case: dict[str, Any], moving: str) -> dict[str, np.ndarray]:
     """Tension of the rope, place of a body's centre of mass (3), turn or travel of the winch, at the times of
     what is kept."""
-    every, rows = round(case["every_s"] / STEP_S), []
+    simulation, every, rows = Simulation(one), round(case["every_s"] / STEP_S), []
     winch = "winch" in simulation.coordinates
     for sample in range(round(case["duration_s"] / case["every_s"]) + 1):
         if sample:
@@ -164,8 +161,8 @@ def _ours(name: str) -> dict[str, np.ndarray]:
     """Our run of a reeving or a lift, by the name that the others' is kept under."""
     if name in kept()["reeving"]:
         return track(reeving(name), kept()["reeving"], "disc")
-    simulation = lift(SIDEWAYS if name.endswith("sideways") else 0.0, drum=name == "drum")
-    return track(simulation, kept()["lift"], "load")
+    sideways = SIDEWAYS if name.endswith("sideways") else 0.0
+    return track(lift(sideways, drum=name == "drum"), kept()["lift"], "load")
 
 
 def _theirs(name: str) -> dict[str, np.ndarray]:
