@@ -10,6 +10,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import models
@@ -26,7 +27,7 @@ PINOCCHIO_DEFINITIONS = (
 )
 # many runs at once: scheme and threads
 BATCHES = ("batch_euler_1", "batch_euler_2", "batch_rk4_1", "batch_rk4_2")
-# of a ship in the water: the step as it ships
+# of a ship in the water and of a lift: the step as it ships
 AFLOAT = ("rk4_step_ledger",)
 WASM_PACKAGE = models.REPOSITORY / "web" / "src" / "engine" / "pkg"
 
@@ -133,7 +134,10 @@ def mujoco(case: models.Case, folder: Path, quick: bool) -> Engine:
     path = models.write_mujoco(case, folder)
     version = importlib.metadata.version("mujoco")
     operations = ("forward",) if case.links else ("forward", "euler_step", "rk4_step")
-    return Engine("mujoco", case, (str(program), str(path)), operations, True, version, same, same)
+    state = same
+    if case.lift is not None:
+        operations, state = ("rk4_step",), partial(models.mujoco_lift_as_ours, case)
+    return Engine("mujoco", case, (str(program), str(path)), operations, True, version, same, state)
 
 
 def mujoco_rollout(case: models.Case, folder: Path, quick: bool) -> Engine:
@@ -144,6 +148,16 @@ def mujoco_rollout(case: models.Case, folder: Path, quick: bool) -> Engine:
     command = (sys.executable, str(BENCHES / "peers" / "mujoco_rollout.py"), str(path))
     version = importlib.metadata.version("mujoco")
     return Engine("mujoco-rollout", case, command, BATCHES, False, version, same, same)
+
+
+def exudyn(case: models.Case, folder: Path, quick: bool) -> Engine:
+    """Exudyn's explicit RK4, from Python; its steps run in C++."""
+    del quick
+    _package("exudyn")
+    path = models.write_exudyn(case, folder)
+    command = (sys.executable, str(BENCHES / "peers" / "exudyn_lift.py"), str(path))
+    version = importlib.metadata.version("exudyn")
+    return Engine("exudyn", case, command, ("rk4_step",), False, version, same, same)
 
 
 def pinocchio(case: models.Case, folder: Path, quick: bool) -> Engine:
@@ -176,17 +190,21 @@ BUILDERS: dict[str, Builder] = {
     "pinocchio": pinocchio,
     "mujoco": mujoco,
     "mujoco-rollout": mujoco_rollout,
+    "exudyn": exudyn,
 }
-# these run other models than the paper's: chains, and a ship in the water
+# these run other models than the paper's: chains, a ship in the water, a lift
 ON_CHAINS = ("kingpost", "pinocchio", "mujoco")
 ON_WATER = ("kingpost", "kingpost-wasm")
+ON_A_ROPE = ("kingpost", "kingpost-wasm", "mujoco", "exudyn")
 
 
 def takes(name: str, case: models.Case) -> bool:
     """Whether an engine is measured on a model."""
+    if case.lift is not None:
+        return name in ON_A_ROPE
     if case.tree is None:
         return name in ON_WATER
-    return name in ON_CHAINS or not case.links
+    return name in ON_CHAINS or not (case.links or name == "exudyn")
 
 
 def _tool(name: str) -> str:

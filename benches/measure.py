@@ -152,12 +152,21 @@ def agreement(engines: Sequence[Engine]) -> list[tuple[str, str, float]]:
     rows = []
     for case in dict.fromkeys(engine.case.name for engine in engines):
         for operation in COMPARED:
-            able = [e for e in engines if e.case.name == case and operation in e.operations]
-            results = [check_values(engine, operation) for engine in able]
-            for engine, values in zip(able[1:], results[1:], strict=True):
+            able = _able([engine for engine in engines if engine.case.name == case], operation)
+            results = [check_values(engine, own) for engine, own in able]
+            for (engine, _), values in zip(able[1:], results[1:], strict=True):
                 difference = np.abs(values - results[0]).max() / np.abs(results[0]).max()
-                rows.append((f"{engine.name} - {able[0].name}, {case}", operation, float(difference)))
+                rows.append((f"{engine.name} - {able[0][0].name}, {case}", operation, float(difference)))
     return rows
+
+
+def _able(engines: Sequence[Engine], operation: str) -> list[tuple[Engine, str]]:
+    """The engines with an operation, and by what name: of a lift ours has only the step with its ledger."""
+    if not any(operation in engine.operations for engine in engines):
+        return []
+    names = (operation, f"{operation}_ledger")
+    own = [(engine, next((n for n in names if n in engine.operations), None)) for engine in engines]
+    return [(engine, name) for engine, name in own if name is not None]
 
 
 def _lines(engine: Engine, arguments: Sequence[str]) -> list[str]:

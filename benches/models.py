@@ -1,8 +1,9 @@
 """The models that are measured, each at one fixed state, written for every engine from the resolved scenario.
 
 All numbers go through Kingpost's reader and the translators of the peer tests, so the engines run the same
-model: the paper's free one with load, from ``scenarios/paper.yaml``, and chains of several lengths. No
-peer has a ship in a sea: ``scenarios/offshore_vessel.yaml`` is measured against its own clock.
+model: the paper's free one with load, from ``scenarios/paper.yaml``, chains of several lengths, and the lift
+of ``kingpost verify --only peers``: a load on a rope over a sheave, which a carriage hauls in. No peer has a
+ship in a sea: ``scenarios/offshore_vessel.yaml`` is measured against its own clock.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ sys.path.insert(0, str(REPOSITORY / "python" / "tests"))
 from peers import loads, states, tree  # noqa: E402
 
 PAPER = "paper_free_load"
+LIFT = "lift_over_sheave"
 OVERRIDES: dict[str, Any] = {"hold_centre": False, "load": True, "motor_1": True, "motor_2": True}
 CHAIN_LINKS = (2, 4, 8, 16, 32, 64)
 # a ship in a sea of 200 waves, by how the water carries it
@@ -44,8 +46,9 @@ class Case:
     """One model at one state: the resolved scenario, its tree, and q and v in Kingpost's layout.
 
     ``files`` are what the scenario reads from others, ``snapshot`` is Kingpost's own form of the state, for
-    the WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree. By
-    ``weight`` a case is repeated less often than its number of velocities says.
+    the WASM module; ``links`` is the number of links of a chain. A ship in the water has no tree, nor has the
+    lift, whose numbers are in ``lift``. By ``weight`` a case is repeated less often than its number of
+    velocities says.
     """
 
     name: str
@@ -57,6 +60,7 @@ class Case:
     links: int = 0
     weight: int = 1
     files: Mapping[str, str] = field(default_factory=dict)
+    lift: Mapping[str, Any] | None = None
 
 
 def paper() -> Case:
@@ -84,6 +88,17 @@ def afloat(kind: str) -> Case:
     simulation = kingpost.Simulation(scenario)
     start = {"snapshot": simulation.snapshot(), "q": simulation.state.q, "v": simulation.state.v}
     return Case(afloat_name(kind), scenario.json, **start, weight=HEAVY.get(kind, 1), files=scenario.files)
+
+
+def lift() -> Case:
+    """A load that swings on a rope over a fixed sheave, which a carriage on a level slide hauls in."""
+    import kingpost
+    from kingpost.verify import ropes
+
+    scenario = ropes.lift()
+    simulation = kingpost.Simulation(scenario)
+    start = {"snapshot": simulation.snapshot(), "q": simulation.state.q, "v": simulation.state.v}
+    return Case(LIFT, scenario.json, **start, lift=ropes.kept()["lift"])
 
 
 def afloat_name(kind: str) -> str:
@@ -144,6 +159,8 @@ def write_kingpost(case: Case, folder: Path) -> Path:
 
 def write_mujoco(case: Case, folder: Path) -> Path:
     """Writes MJCF (.xml) and the state (.txt) and returns the path without ending."""
+    if case.lift is not None:
+        return _write_mujoco_lift(case, folder)
     peer_module = importlib.import_module("peers.mujoco_peer")
     peer = peer_module.MujocoPeer(case.tree)
     free = case.tree.free()
@@ -153,6 +170,31 @@ def write_mujoco(case: Case, folder: Path) -> Path:
     path.with_suffix(".txt").write_text(
         _lines([("qpos", peer.qpos(case.q)), ("qvel", case.v[free]), ("qfrc", force)])
     )
+    return path
+
+
+def _write_mujoco_lift(case: Case, folder: Path) -> Path:
+    """The same of the lift: carriage and load on slides from where they start."""
+    text = importlib.import_module("peers.mujoco_lift").mjcf(case.lift, STEP_S)
+    path = folder / f"{case.name}_mujoco"
+    path.with_suffix(".xml").write_text(text)
+    velocity = [0.0, *case.lift["load_velocity_m_s"]]
+    pull = [-case.lift["pull_N"], 0.0, 0.0, 0.0]
+    path.with_suffix(".txt").write_text(_lines([("qpos", np.zeros(4)), ("qvel", velocity), ("qfrc", pull)]))
+    return path
+
+
+def mujoco_lift_as_ours(case: Case, values: tree.Array) -> tree.Array:
+    """Kingpost's q and v of the lift of MuJoCo's: the load, its held orientation, the carriage."""
+    travel, speed = values[0], values[4]
+    place = np.array(case.lift["load_m"]) + values[1:4]
+    return np.concatenate([place, [1, 0, 0, 0, travel], values[5:8], [0, 0, 0, speed]])
+
+
+def write_exudyn(case: Case, folder: Path) -> Path:
+    """Writes the numbers of the lift as JSON and returns the path."""
+    path = folder / f"{case.name}_exudyn.json"
+    path.write_text(json.dumps(case.lift))
     return path
 
 
@@ -180,6 +222,7 @@ def write_pinocchio(case: Case, folder: Path) -> Path:
 CASES: dict[str, Callable[[], Case]] = {
     PAPER: paper,
     **{chain_name(links): partial(chain, links) for links in CHAIN_LINKS},
+    LIFT: lift,
     **{afloat_name(kind): partial(afloat, kind) for kind in AFLOAT},
 }
 

@@ -75,15 +75,16 @@ def tables(figures: Sequence[Figure], head: str) -> dict[str, str]:
     """The figures, ratios and growth as Markdown: a text by each section of README.md that was measured."""
     measured = {
         "paper": [figure for figure in figures if figure.model == models.PAPER],
+        "lift": [figure for figure in figures if figure.model == models.LIFT],
         "afloat": [f for f in figures if f.model in map(models.afloat_name, models.AFLOAT)],
         "chains": [f for f in figures if f.model in map(models.chain_name, models.CHAIN_LINKS)],
     }
-    lines = {"paper": _paper, "afloat": _afloat, "chains": _chains}
+    lines = {"paper": _operations, "lift": _operations, "afloat": _afloat, "chains": _chains}
     when = f"{datetime.datetime.now(datetime.UTC).date().isoformat()}, {head}."
     return {name: "\n".join([when, "", *lines[name](here)]) for name, here in measured.items() if here}
 
 
-def _paper(figures: Sequence[Figure]) -> Iterator[str]:
+def _operations(figures: Sequence[Figure]) -> Iterator[str]:
     """A row for each engine and operation, then the ratios."""
     yield "| engine | operation | median, ns | fastest tenth, ns | instructions |"
     yield "| --- | --- | --- | --- | --- |"
@@ -91,7 +92,7 @@ def _paper(figures: Sequence[Figure]) -> Iterator[str]:
         cells = [figure.engine, figure.operation, f"{figure.median_ns:,.0f}", f"{figure.low_ns:,.0f}"]
         yield f"| {' | '.join([*cells, _count(figure)])} |"
     yield ""
-    yield from (f"- {line.replace(f', {models.PAPER}', '')}" for line in ratios(figures))
+    yield from (f"- {line.replace(f', {figures[0].model}', '')}" for line in ratios(figures))
 
 
 def _afloat(figures: Sequence[Figure]) -> Iterator[str]:

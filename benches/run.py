@@ -1,4 +1,4 @@
-"""Kingpost beside Pinocchio and MuJoCo: the paper's model, chains, many runs at once; and a ship in a sea.
+"""Kingpost beside Pinocchio, MuJoCo and Exudyn: the paper's model, chains, many runs, a lift; a ship afloat.
 
 Prints ``engine|model|operation|median_ns|instructions``, a line for each; lines that start with ``#`` are
 for people. See README.md beside this file.
@@ -145,7 +145,7 @@ def _version(tool: str) -> str:
 
 def versions() -> str:
     """Machine, packages and compilers, for the head of the table."""
-    packages = [f"{name} {_package_version(name)}" for name in ("kingpost", "mujoco", "pin")]
+    packages = [f"{name} {_package_version(name)}" for name in ("kingpost", "mujoco", "pin", "exudyn")]
     return f"{machine()}; " + ", ".join([*packages, _version("g++"), _version("rustc")])
 
 

@@ -1,7 +1,7 @@
 // MuJoCo's forward dynamics and one step of its Euler scheme or RK4. The model is MJCF beside a text file with the lines
 // "qpos ...", "qvel ...", "qfrc ..." (MODEL.xml and MODEL.txt). Every stage that this model has no use for
 // is switched off as its users can: contacts, constraints, passive forces, actuation, sensors, gravity where
-// there is none.
+// there is none. A tendon, the rope of a lift, is a passive force.
 #include <mujoco/mujoco.h>
 
 #include <cstring>
@@ -65,7 +65,8 @@ int main(int argc, char **argv) {
     std::fprintf(stderr, "%s\n", error);
     return 2;
   }
-  model->opt.disableflags |= mjDSBL_SPRING | mjDSBL_DAMPER | mjDSBL_AUTORESET;
+  model->opt.disableflags |= mjDSBL_AUTORESET;
+  if (model->ntendon == 0) model->opt.disableflags |= mjDSBL_SPRING | mjDSBL_DAMPER;
   if (model->opt.gravity[2] == 0.0) model->opt.disableflags |= mjDSBL_GRAVITY;
   const Start start = read_start(path + ".txt");
   if (static_cast<int>(start.qpos.size()) != model->nq || static_cast<int>(start.qvel.size()) != model->nv) {

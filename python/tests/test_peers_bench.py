@@ -40,7 +40,7 @@ def test_bench_prints_readable_lines(lines: list[str]) -> None:
     rows = [line.split("|") for line in lines if not line.startswith("#")]
     assert peers_here() <= {row[0] for row in rows}
     for _engine, model, operation, nanoseconds, instructions in rows:
-        assert re.fullmatch("paper_free_load|chain_[0-9]+|offshore_vessel_[a-z]+", model)
+        assert re.fullmatch("paper_free_load|chain_[0-9]+|offshore_vessel_[a-z]+|lift_over_sheave", model)
         assert re.fullmatch(
             "forward|euler_step|rk4_step(_ledger)?|lanes_(euler|rk4)|batch_(euler|rk4)_[12]", operation
         )

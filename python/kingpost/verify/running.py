@@ -8,7 +8,7 @@ from importlib import import_module
 from ..errors import KingpostError
 from .rows import AREAS, CHECKS, Check, Row, measured
 
-FILES = (*AREAS, "tops", "flume_forces", "cylinders", "rolling", "spheres")
+FILES = (*AREAS, "tops", "flume_forces", "cylinders", "rolling", "spheres", "ropes")
 """The modules of the rows: one an area, and what did not fit into one."""
 
 
