@@ -139,7 +139,7 @@ impl<S: Scalar> Entry<S> {
         let labels: Vec<Vec<String>> = self.dims.iter().map(|dimension| dimension.labels(model)).collect();
         let columns = self.columns(&labels);
         let units = self.unit.of_columns(model, columns.len());
-        let dims: Vec<&'static str> = self.dims.iter().map(|dimension| dimension.name()).collect();
+        let dims: Vec<String> = self.dims.iter().map(|dimension| dimension.name().to_owned()).collect();
         Channel {
             variable: self.variable,
             long_name: short_name(self.description),

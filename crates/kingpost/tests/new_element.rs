@@ -189,7 +189,7 @@ fn its_columns_are_published_with_their_units() {
     assert_eq!(moment.columns, ["x", "y", "z"].map(|axis| format!("governor.governor_moment.{axis}")));
     assert_eq!(
         (moment.dims.as_slice(), moment.units.as_slice()),
-        (["governor", "axis"].as_slice(), ["N m"; 3].as_slice())
+        (["governor", "axis"].map(str::to_owned).as_slice(), ["N m"; 3].as_slice())
     );
     let channels: usize = simulation.channels().iter().map(|channel| channel.len).sum();
     assert_eq!(channels, simulation.columns());

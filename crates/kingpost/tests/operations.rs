@@ -290,3 +290,28 @@ fn refused(text: &str, expected: &str) {
     let error = read(text, "slide.yaml", &[]).and_then(|scenario| scenario.setup()).expect_err("a mistake").to_string();
     assert!(error.contains(expected), "{error}\n{expected}");
 }
+
+#[test]
+fn every_dimension_of_the_results_has_one_list_of_labels() {
+    // A drive that turns beside one that slides: the one has a torque, the other a force, both have a power.
+    let rest = "  turn: {controlled_drive: {joint: turn, set_point: {speed: {rate_rad_s: 1}}, speed_limit_rad_s: 2, \
+                acceleration_limit_rad_s2: 1, torque_limit_N_m: 9, stiffness_N_m_per_rad: 9, damping_N_m_s_per_rad: 9}}
+";
+    let more = "  wheel: {mass_kg: 1, shape: {sphere: {radius_m: 1}}, joint: {revolute: {name: turn, axis: [1, 0, 0]}}}
+drives:
+  pull: {linear_controlled_drive: {joint: slide, set_point: {speed: {speed_m_s: 1}}, speed_limit_m_s: 2, \
+                acceleration_limit_m_s2: 1, force_limit_N: 9, stiffness_N_per_m: 9, damping_N_s_per_m: 9}}
+";
+    let mixed = simulation(&slide(0.01, rest).replacen("drives:\n", more, 1));
+    let mut found: Vec<(String, Vec<String>)> = Vec::new();
+    for channel in mixed.channels() {
+        for (dimension, labels) in channel.dims.iter().zip(&channel.labels) {
+            match found.iter().find(|(known, _)| known == dimension) {
+                Some((_, known)) => assert_eq!(known, labels, "{}", channel.variable),
+                None => found.push((dimension.clone(), labels.clone())),
+            }
+        }
+    }
+    let labels = |name: &str| found.iter().find(|(known, _)| known == name).expect("a dimension").1.join(" ");
+    assert_eq!([labels("drive"), labels("drive_with_drive_torque")], ["pull turn", "turn"]);
+}

@@ -24,7 +24,7 @@ pub struct Channel {
     /// Frame of the components.
     pub frame: Frame,
     /// Names of the dimensions, slowest first.
-    pub dims: Vec<&'static str>,
+    pub dims: Vec<String>,
     /// Labels along each dimension.
     pub labels: Vec<Vec<String>>,
     /// How a column is named by its labels: `{body}.angular_velocity.{axis}`.
@@ -80,7 +80,8 @@ impl Channels {
             written += output.len();
         }
         self.places = vec![0; written];
-        for outputs in by_variable.into_values() {
+        let widest = widest(&by_variable);
+        for (variable, outputs) in by_variable {
             let mut place = self.columns();
             for (first, output) in &outputs {
                 for k in 0..output.len() {
@@ -89,7 +90,10 @@ impl Channels {
                 place += output.len();
             }
             let outputs: Vec<&Output> = outputs.into_iter().map(|(_, output)| output).collect();
-            self.push(channel_of(&outputs));
+            let dimension = outputs[0].dimension;
+            let has_all = widest.get(dimension).is_none_or(|all| *all == labels_of(&outputs));
+            let dimension = if has_all { dimension.to_owned() } else { format!("{dimension}_with_{variable}") };
+            self.push(channel_of(&outputs, dimension));
         }
     }
 
@@ -106,14 +110,33 @@ impl Channels {
     }
 }
 
-/// One channel of the outputs of one variable.
-fn channel_of(outputs: &[&Output]) -> Channel {
+fn labels_of(outputs: &[&Output]) -> Vec<String> {
+    outputs.iter().flat_map(|output| output.labels.clone()).collect()
+}
+
+/// By dimension the longest list of labels that a variable has along it. A variable that only some of them have, as the torque of
+/// drives of which others have a force, stands along a dimension of its own: a dimension has one list of labels.
+fn widest<'a>(by_variable: &IndexMap<&str, Vec<(usize, &'a Output)>>) -> IndexMap<&'a str, Vec<String>> {
+    let mut widest: IndexMap<&str, Vec<String>> = IndexMap::new();
+    for outputs in by_variable.values() {
+        let outputs: Vec<&Output> = outputs.iter().map(|(_, output)| *output).collect();
+        let (labels, widest) = (labels_of(&outputs), widest.entry(outputs[0].dimension).or_default());
+        if labels.len() > widest.len() {
+            *widest = labels;
+        }
+    }
+    widest
+}
+
+/// One channel of the outputs of one variable, its things along a dimension.
+fn channel_of(outputs: &[&Output], dimension: String) -> Channel {
     let one = outputs[0];
-    let things: Vec<String> = outputs.iter().flat_map(|output| output.labels.clone()).collect();
+    let things = labels_of(outputs);
     let components = one.components.labels().map(|labels| labels.iter().map(|label| (*label).to_owned()).collect());
     let columns: Vec<String> = outputs.iter().flat_map(|output| output.columns()).collect();
     let units: Vec<&'static str> = one.units.iter().copied().cycle().take(columns.len()).collect();
-    let dims: Vec<&'static str> = [Some(one.dimension), one.components.dimension()].into_iter().flatten().collect();
+    let components_along = one.components.dimension().map(str::to_owned);
+    let dims: Vec<String> = [Some(dimension), components_along].into_iter().flatten().collect();
     Channel {
         variable: one.variable,
         long_name: short_name(one.description),
@@ -132,7 +155,7 @@ fn channel_of(outputs: &[&Output]) -> Channel {
 }
 
 /// How a column is named by its labels: that of a thing leads the variable.
-pub(super) fn column_by(variable: &str, dims: &[&str], thing_leads: bool) -> String {
+pub(super) fn column_by(variable: &str, dims: &[String], thing_leads: bool) -> String {
     let mut parts: Vec<String> = dims.iter().map(|dim| format!("{{{dim}}}")).collect();
     parts.insert(usize::from(thing_leads && !dims.is_empty()), variable.to_owned());
     parts.join(".")

@@ -26,7 +26,8 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let number = |variable, description, unit| Output::number(variable, description, "line", &self.name, unit);
+        let number =
+            |variable, description, unit| Output::number(variable, description, "tugger_line", &self.name, unit);
         let points = 2 * (self.path.stations().len() - 1);
         Declaration {
             outputs: vec![
