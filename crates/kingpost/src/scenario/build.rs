@@ -2,6 +2,7 @@
 
 mod axes;
 mod bodies;
+mod contacts;
 mod cylinders;
 mod damping;
 mod drives;
@@ -57,8 +58,10 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
     ropes::begin(&mut setup)?;
+    contacts::begin(&mut setup)?;
     equilibrium::settle(scenario, &mut setup)?;
     ropes::check_loads(&setup)?;
+    contacts::check_rest(&setup)?;
     setup.watchers = watchers::of(&setup);
     Ok(setup)
 }
@@ -73,6 +76,7 @@ pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
     ropes::begin(&mut setup)?;
+    contacts::begin(&mut setup)?;
     if scenario.simulation.begin_at_equilibrium {
         equilibrium::follow(alone, &mut setup)?;
         loops::close(scenario, &mut setup)?;
@@ -190,6 +194,7 @@ fn forces<S: Quantity>(
             ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
             ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
             ForceSchema::Rope(given) => forces.extend(ropes::build(scenario, name, given, model)?),
+            ForceSchema::Contact(given) => forces.extend(contacts::build(scenario, name, given, model)?),
             ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model, world)?),
             ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
             ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),

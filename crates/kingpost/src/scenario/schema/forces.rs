@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, Rope, SlackTank, SoftHold,
-    SpringLine, WindLoad, yes,
+    CatenaryLine, Contact, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, Rope, SlackTank,
+    SoftHold, SpringLine, WindLoad, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -33,6 +33,8 @@ pub enum Force<S = f64> {
     CatenaryLine(CatenaryLine<S>),
     /// A rope over sheaves, which a drum may wind up.
     Rope(Box<Rope<S>>),
+    /// Contact of a load with a deck, a quay, the seabed, another vessel.
+    Contact(Box<Contact<S>>),
     /// The wind on a body, by coefficients.
     WindLoad(Box<WindLoad<S>>),
     /// The current on a body, by coefficients.

@@ -1,0 +1,392 @@
+//! Contact against closed forms and conservation laws.
+
+mod common;
+
+use common::{simulation, values};
+use kingpost::simulation::Simulation;
+
+/// Free fall, m/s^2.
+const G: f64 = 9.80665;
+
+/// A ball of 1 t and 0.5 m over the ground, at the integrator's own settings.
+fn ball(settings: &str, motion: &str, contact: &str) -> String {
+    format!(
+        "version: 1
+title: A ball
+simulation: {{{settings}}}
+bodies:
+  ball: {{mass_kg: 1000, shape: {{sphere: {{radius_m: 0.5}}}}, joint: {{floating: {{initial: {{{motion}}}}}}}}}
+forces:
+  gravity: {{gravity: {{}}}}
+  ground:
+    contact:
+      load: {{body: ball, shape: {{sphere: {{radius_m: 0.5}}}}}}
+      surface: {{body: world, shape: {{plane: {{}}}}}}
+{contact}
+"
+    )
+}
+
+const FINE: &str = "integrator: rk4, step_s: 0.0002, duration_s: 60";
+
+fn lines(contact: &[&str]) -> String {
+    contact.iter().map(|line| format!("      {line}\n")).collect()
+}
+
+/// Times of what happened.
+fn times(run: &Simulation, what: &str) -> Vec<f64> {
+    run.events().iter().filter(|event| event.what == what).map(|event| event.time_s).collect()
+}
+
+/// The ledger's error over an energy.
+fn energy_error(run: &mut Simulation, scale: f64) -> f64 {
+    values(run, "energy_error")[0].abs() / scale
+}
+
+/// Without gravity, x (1 + e) = ln((1 + x) / (1 - e x)) with x = a v is exact at every speed, and e at the speed that it is given for
+/// is the one that is given, whatever mass and stiffness.
+#[test]
+fn a_ball_comes_back_by_its_restitution_at_every_speed() {
+    for (restitution, speed) in [(0.6, 3.0), (0.6, 1.0), (0.6, 0.1), (0.15, 3.0), (0.9, 3.0), (1.0, 1.0)] {
+        let contact = lines(&[
+            "stiffness_N_per_m: 1e8",
+            &format!("restitution: {restitution}"),
+            "restitution_speed_m_s: 3",
+            "friction_coefficient: 0",
+        ]);
+        let settings = "integrator: rk4, step_s: 0.0001, duration_s: 60";
+        let text = ball(settings, &format!("position_m: [0, 0, 0.51], velocity_m_s: [0, 0, -{speed}]"), &contact);
+        let mut thrown = simulation(&text.replace("gravity: {}", "gravity: {enabled: false}"));
+        while times(&thrown, "leaves").is_empty() {
+            thrown.step(100).expect("it comes back");
+        }
+        let found = thrown.state().v[2] / speed;
+        let x = kingpost::elements::contact::dissipation(restitution, 3.0) * speed;
+        let law = x * (1.0 + found) - ((1.0 + x) / (1.0 - found * x)).ln();
+        assert!(law.abs() < 1e-7, "{restitution} at {speed}: {found}");
+        assert!(speed < 3.0 || (found - restitution).abs() < 1e-6, "{restitution}: {found}");
+        assert!(found >= restitution - 1e-6, "{restitution} at {speed}: {found}");
+        assert!((values(&mut thrown, "contact_impulse")[0] / (1000.0 * speed * (1.0 + found)) - 1.0).abs() < 1e-7);
+        assert!(energy_error(&mut thrown, 500.0 * speed * speed) < 1e-7);
+    }
+}
+
+/// Without losses: every bounce takes the same time and reaches the same height. The touch lasts
+/// 2 (pi - atan(v omega / g)) / omega, of the oscillator on its spring under its weight.
+#[test]
+fn a_ball_without_losses_bounces_for_ever() {
+    let contact = lines(&["stiffness_N_per_m: 1e6", "restitution: 1", "friction_coefficient: 0"]);
+    let mut falling = simulation(&ball(FINE, "position_m: [0, 0, 1.5]", &contact));
+    falling.step(100_000).expect("it bounces");
+    let (touches, leaves) = (times(&falling, "touches"), times(&falling, "leaves"));
+    let (speed, omega) = ((2.0 * G).sqrt(), 1000.0_f64.sqrt());
+    let touch = 2.0 * (std::f64::consts::PI - (speed * omega / G).atan()) / omega;
+    for (k, (touched, left)) in touches.iter().zip(&leaves).enumerate() {
+        let exact = speed / G + k as f64 * (2.0 * speed / G + touch);
+        assert!((touched - exact).abs() < 1e-7 && (left - exact - touch).abs() < 1e-7, "{k}: {touched} {exact} {left}");
+    }
+    assert!(touches.len() > 15, "{touches:?}");
+    assert!(energy_error(&mut falling, 1000.0 * G) < 1e-9);
+}
+
+/// A crate of 2 t on feet 0.5 m below its centre, on a plane at 20 degrees; gravity at rest is g.
+fn slope(settings: &str, friction: &str, motion: &str) -> String {
+    let (sin, cos) = 20.0_f64.to_radians().sin_cos();
+    let rest = 2000.0 * G * cos / 4e7;
+    let off = 0.5 - rest;
+    format!(
+        "version: 1
+title: A crate on a tilted deck
+simulation: {{{settings}}}
+bodies:
+  crate:
+    mass_t: 2
+    shape: {{box: {{length_m: 2, width_m: 1.5, height_m: 1}}}}
+    joint: {{floating: {{initial: {{orientation_deg: [0, 20, 0], position_m: [{}, 0, {}]{motion}}}}}}}
+forces:
+  gravity: {{gravity: {{}}}}
+  deck:
+    contact:
+      load: {{body: crate, shape: {{box: {{length_m: 2, width_m: 1.5, height_m: 1}}}}}}
+      surface: {{body: world, orientation_deg: [0, 20, 0], shape: {{plane: {{}}}}}}
+      stiffness_kN_per_m: 10000
+      friction_coefficient: {friction}
+",
+        off * sin,
+        off * cos
+    )
+}
+
+/// How far the crate is down the slope, m.
+fn down(run: &Simulation) -> f64 {
+    let (sin, cos) = 20.0_f64.to_radians().sin_cos();
+    let q = &run.state().q;
+    q[0] * cos - q[2] * sin
+}
+
+/// x = v t + g (sin - mu cos) t^2 / 2; the bristles take mu N / k, 0.1 mm, of the way before it slides.
+#[test]
+fn a_block_slides_down_a_slope_as_coulomb_says() {
+    let (sin, cos) = 20.0_f64.to_radians().sin_cos();
+    let motion = format!(", velocity_m_s: [{}, 0, {}]", cos, -sin);
+    let mut sliding = simulation(&slope("integrator: rk4, step_s: 0.001, duration_s: 60", "0.25", &motion));
+    sliding.step(3000).expect("it slides");
+    let exact = 3.0 + 0.5 * G * (sin - 0.25 * cos) * 9.0;
+    assert!((down(&sliding) / exact - 1.0).abs() < 2e-4, "{} {exact}", down(&sliding));
+    let heat = values(&mut sliding, "energy_dissipated")[0];
+    let rubbed = 0.25 * 2000.0 * G * cos * exact;
+    assert!((heat / rubbed - 1.0).abs() < 5e-4, "{heat} {rubbed}");
+    assert!(energy_error(&mut sliding, heat) < 1e-9);
+}
+
+/// mu = 0.4 is more than tan 20 degrees = 0.364. It rests on springs of 4 k, m g cos / 4 k deep, m g sin / 4 k down the slope, and
+/// moves no more, of 0.17 mm, than rounding in an hour.
+#[test]
+fn a_block_below_the_angle_of_friction_holds_for_an_hour() {
+    let settings = "integrator: rk4, step_s: 0.01, duration_s: 4000, begin_at_equilibrium: true";
+    let mut resting = simulation(&slope(settings, "0.4", ""));
+    let (sin, cos) = 20.0_f64.to_radians().sin_cos();
+    let depth = values(&mut resting, "contact_penetration")[0];
+    // The lower corners carry more, by the friction's moment mu h.
+    assert!(depth > 2000.0 * G * cos / 4e7 && depth < 2.0 * 2000.0 * G * cos / 4e7, "{depth}");
+    let before = down(&resting);
+    assert!((before - 2000.0 * G * sin / 4e7).abs() < 2e-4, "{before}");
+    resting.step(360_000).expect("it rests");
+    assert!((down(&resting) - before).abs() < 1e-9, "{:e}", down(&resting) - before);
+    assert!(times(&resting, "slides").is_empty());
+}
+
+/// A crate on corners, over a floor; without gravity it would keep its spin.
+fn dropped(settings: &str, motion: &str, more: &str) -> String {
+    format!(
+        "version: 1
+title: A crate is dropped
+simulation: {{{settings}}}
+bodies:
+  crate:
+    mass_t: 2
+    shape: {{box: {{length_m: 2, width_m: 1.5, height_m: 1}}}}
+    joint: {{floating: {{initial: {{{motion}}}}}}}
+forces:
+  gravity: {{gravity: {{}}}}
+  deck:
+    contact:
+      load: {{body: crate, shape: {{box: {{length_m: 2, width_m: 1.5, height_m: 1}}}}}}
+      surface: {{body: world, position_m: [0, 0, -0.5], shape: {{box: {{length_m: 8, width_m: 8, height_m: 1}}}}}}
+      stiffness_kN_per_m: 5000
+      friction_coefficient: 0.4
+{more}"
+    )
+}
+
+/// Kinetic, potential and elastic energy together; the ledger closes.
+#[test]
+fn a_crate_dropped_flat_or_on_a_corner_never_gains_energy() {
+    let settings = "integrator: rk4, step_s: 0.0002, duration_s: 60";
+    for motion in [
+        "position_m: [0, 0, 1]",
+        "position_m: [0, 0, 1.6], orientation_deg: [25, 35, 10]",
+        "position_m: [0, 0, 1.4], orientation_deg: [10, 20, 0], velocity_m_s: [2, -1, 0], angular_velocity_rad_s: [0, 1, 3]",
+    ] {
+        let mut falling = simulation(&dropped(settings, motion, ""));
+        let mut energy = f64::MAX;
+        let first = values(&mut falling, "kinetic_energy")[0] + values(&mut falling, "potential_energy")[0];
+        for _ in 0..1500 {
+            falling.step(10).expect("it falls");
+            let now = values(&mut falling, "kinetic_energy")[0] + values(&mut falling, "potential_energy")[0];
+            assert!(now <= energy + 1e-6 * first, "{motion}: {now} after {energy}");
+            energy = now;
+        }
+        assert!(values(&mut falling, "contact_points")[0] == 4.0, "{motion}: it lies");
+        assert!(energy_error(&mut falling, first) < 1e-8, "{motion}: {:e}", energy_error(&mut falling, first));
+    }
+}
+
+/// Half the step, and half again: the impulse of a drop on a corner that slides and tips to its rest.
+#[test]
+fn half_the_step_changes_the_impulse_by_less_than_one_percent() {
+    let motion = "position_m: [0, 0, 1.3], orientation_deg: [15, 20, 10], velocity_m_s: [1, 0, 0]";
+    let impulse = |integrator: &str, step_s: f64| {
+        let mut falling =
+            simulation(&dropped(&format!("integrator: {integrator}, step_s: {step_s}, duration_s: 60"), motion, ""));
+        falling.step((0.5 / step_s) as usize).expect("it falls");
+        values(&mut falling, "contact_impulse")[0]
+    };
+    for (integrator, step_s) in [("rk4", 0.002), ("implicit_midpoint", 0.002), ("generalized_alpha", 0.002)] {
+        let [coarse, fine] = [impulse(integrator, step_s), impulse(integrator, 0.5 * step_s)];
+        assert!((coarse / fine - 1.0).abs() < 0.01, "{integrator}: {coarse} {fine}");
+    }
+}
+
+/// m g / 4 k on four corners, on a deck with edges and beside another crate.
+#[test]
+fn a_load_rests_as_deep_as_its_weight_over_the_stiffness() {
+    let settings = "integrator: rk4, step_s: 0.001, duration_s: 60, begin_at_equilibrium: true";
+    let mut resting = simulation(&dropped(settings, "position_m: [0, 0, 0.501]", ""));
+    let depth = 2000.0 * G / 2e7;
+    assert!((values(&mut resting, "contact_penetration")[0] / depth - 1.0).abs() < 1e-6);
+    assert!((values(&mut resting, "contact_normal_force")[0] / (2000.0 * G) - 1.0).abs() < 1e-6);
+    assert_eq!(values(&mut resting, "contact_points"), [4.0]);
+}
+
+/// A crate that overhangs a narrow platform on both sides stands on the platform's corners: they press into its bottom.
+#[test]
+fn a_wide_crate_stands_on_the_corners_of_a_narrow_platform() {
+    let settings = "integrator: rk4, step_s: 0.001, duration_s: 60, begin_at_equilibrium: true";
+    let text = dropped(settings, "position_m: [0, 0, 0.5]", "")
+        .replace("{length_m: 8, width_m: 8", "{length_m: 1, width_m: 1");
+    let mut resting = simulation(&text);
+    let depth = 2000.0 * G / 2e7;
+    assert!((values(&mut resting, "contact_penetration")[0] / depth - 1.0).abs() < 1e-6);
+    let force = values(&mut resting, "contact_force");
+    assert!((force[2] / (2000.0 * G) - 1.0).abs() < 1e-6, "{force:?}");
+}
+
+/// A pipe that rolls without sliding: x = g sin t^2 / 3, with the inertia of a full cylinder.
+#[test]
+fn a_pipe_rolls_down_a_slope() {
+    let (sin, cos) = 10.0_f64.to_radians().sin_cos();
+    let off = 0.4 - 500.0 * G * cos / 2e8;
+    let text = format!(
+        "version: 1
+title: A pipe
+simulation: {{integrator: rk4, step_s: 0.0005, duration_s: 60}}
+bodies:
+  pipe:
+    mass_kg: 500
+    shape: {{cylinder: {{radius_m: 0.4, length_m: 3, axis: y}}}}
+    joint: {{floating: {{initial: {{position_m: [{}, 0, {}]}}}}}}
+forces:
+  gravity: {{gravity: {{}}}}
+  deck:
+    contact:
+      load: {{body: pipe, shape: {{cylinder: {{radius_m: 0.4, length_m: 3, axis: y}}}}}}
+      surface: {{body: world, shape: {{plane: {{normal: [{sin}, 0, {cos}]}}}}}}
+      stiffness_kN_per_m: 100000
+      friction_coefficient: 0.5
+",
+        off * sin,
+        off * cos
+    );
+    let mut rolling = simulation(&text);
+    rolling.step(4000).expect("it rolls");
+    let q = &rolling.state().q;
+    let (down, exact) = (q[0] * cos - q[2] * sin, G * sin * 4.0 / 3.0);
+    assert!((down / exact - 1.0).abs() < 1e-3, "{down} {exact}");
+    assert!((rolling.state().v[4] * 0.4 / (G * sin * 2.0 * 2.0 / 3.0) - 1.0).abs() < 1e-3);
+    assert!(energy_error(&mut rolling, 500.0 * G * exact * sin) < 1e-9);
+}
+
+/// A pipe stands on its end, and one that leans beyond its rim falls over.
+#[test]
+fn a_pipe_stands_or_falls() {
+    let stands = |lean_deg: f64| {
+        let text = format!(
+            "version: 1
+title: A pipe
+simulation: {{integrator: rk4, step_s: 0.001, duration_s: 60}}
+bodies:
+  pipe:
+    mass_kg: 500
+    shape: {{cylinder: {{radius_m: 0.4, length_m: 3}}}}
+    joint: {{floating: {{initial: {{position_m: [0, 0, {}], orientation_deg: [0, {lean_deg}, 0]}}}}}}
+forces:
+  gravity: {{gravity: {{}}}}
+  deck:
+    contact:
+      load: {{body: pipe, shape: {{cylinder: {{radius_m: 0.4, length_m: 3}}}}}}
+      surface: {{body: world, shape: {{plane: {{}}}}}}
+      stiffness_kN_per_m: 20000
+      friction_coefficient: 0.8
+",
+            1.5 * lean_deg.to_radians().cos() + 0.4 * lean_deg.to_radians().sin()
+        );
+        let mut leaning = simulation(&text);
+        leaning.step(6000).expect("it moves");
+        leaning.state().q[2]
+    };
+    // Its centre is over the rim at atan(0.4 / 1.5) = 14.9 degrees.
+    assert!((stands(13.0) - 1.5).abs() < 0.05);
+    assert!((stands(17.0) - 0.4).abs() < 0.1);
+}
+
+/// A roller of 0.2 m against a vertical pipe, and a ball on a ball: the distance of the centres is that of the radii less F / k.
+#[test]
+fn balls_and_pipes_touch_at_the_sum_of_their_radii() {
+    let guide = |load: &str, distance: f64| {
+        format!(
+            "version: 1
+title: A guide
+simulation: {{integrator: rk4, step_s: 0.001, duration_s: 60, begin_at_equilibrium: true}}
+bodies:
+  load: {{mass_kg: 1000, shape: {{sphere: {{radius_m: 0.5}}}}, joint: {{prismatic: {{name: lift, axis: [0, 0, 1], position_m: [0, 0, {distance}]}}}}}}
+forces:
+  gravity: {{gravity: {{}}}}
+  guide:
+    contact:
+      load: {{body: load, shape: {{{load}}}}}
+      surface: {{body: world, shape: {{sphere: {{radius_m: 0.2}}}}}}
+      stiffness_N_per_m: 1e6
+      friction_coefficient: 0
+"
+        )
+    };
+    for load in [
+        "sphere: {radius_m: 0.5}",
+        "cylinder: {radius_m: 0.5, length_m: 4, axis: x}",
+        "box: {length_m: 3, width_m: 2, height_m: 1}",
+    ] {
+        let resting = simulation(&guide(load, 0.7));
+        assert!((resting.state().q[0] + 1000.0 * G / 1e6).abs() < 1e-9, "{load}: {}", resting.state().q[0]);
+    }
+}
+
+/// By MuJoCo, whose own runs at half the stiffness and a tenth of the grip differ by 1.3 mm and 0.001 rad.
+#[test]
+fn a_crate_that_slides_and_spins_comes_to_rest_where_mujoco_has_it() {
+    let peer: serde_json::Value =
+        serde_json::from_str(include_str!("../../../python/tests/peers/sliding_crate.json")).expect("JSON");
+    let text = format!(
+        "version: 1
+title: A crate slides and spins to rest
+simulation: {{integrator: rk4, step_s: 0.0005, duration_s: 60}}
+bodies:
+  crate:
+    mass_t: 2
+    inertia: {{tensor: {{moments_kg_m2: [541.6666666666666, 833.3333333333334, 1041.6666666666667]}}}}
+    joint:
+      floating:
+        {{initial: {{position_m: [0, 0, {}], velocity_m_s: [3, 0, 0], angular_velocity_rad_s: [0, 0, 2.5]}}}}
+forces:
+  gravity: {{gravity: {{}}}}
+  deck:
+    contact:
+      load: {{body: crate, shape: {{points: {{positions_m: [[1, 0.75, -0.5], [1, -0.75, -0.5], [-1, 0, -0.5]]}}}}}}
+      surface: {{body: world, shape: {{plane: {{}}}}}}
+      stiffness_kN_per_m: 100000
+      friction_coefficient: 0.3
+",
+        0.5 - 2000.0 * G / 3e8
+    );
+    let mut sliding = simulation(&text);
+    for row in peer["rows"].as_array().expect("rows").iter().skip(1) {
+        sliding.step(200).expect("it slides");
+        let [x, y, yaw] = [1, 2, 3].map(|k| row[k].as_f64().expect("a number"));
+        let q = &sliding.state().q;
+        let found = [q[0], q[1], 2.0 * q[6].atan2(q[3])];
+        assert!(
+            (found[0] - x).abs() < 3e-3 && (found[1] - y).abs() < 3e-3 && (found[2] - yaw).abs() < 3e-3,
+            "{row}: {found:?}"
+        );
+    }
+}
+
+#[test]
+fn contact_has_exact_derivatives() {
+    let settings = "integrator: rk4, step_s: 0.001, duration_s: 60";
+    common::assert_linearised(&dropped(
+        settings,
+        "position_m: [0, 0, 0.501], orientation_deg: [0.1, 0.2, 5], velocity_m_s: [1, 0.5, 0]",
+        "",
+    ));
+}
