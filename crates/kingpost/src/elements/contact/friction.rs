@@ -43,6 +43,15 @@ pub struct Rubbing<S> {
 /// steps of 50 ms.
 const TURNING_S: f64 = 0.02;
 
+/// Of its limit, the most that friction which begins to hold has.
+pub(super) const RESTS: f64 = 1.0 - 2e-9;
+
+/// Over the cosine between bristle and slip: what fades is all there up to 84 degrees.
+const FADING: f64 = 10.0;
+
+/// tau_0, s: a bristle that has just begun, of no length, points along the slip.
+const AIMING_S: f64 = 1e-3;
+
 impl<S: Scalar> Friction<S> {
     /// `f = sigma (z + tau v)`, z' = v: it holds.
     pub fn holding(&self, at: &Rubbing<S>) -> Drag<S> {
@@ -51,17 +60,33 @@ impl<S: Scalar> Friction<S> {
         Drag { force, rate: at.slip, heat: damping * at.slip.norm_squared() }
     }
 
-    /// `f = mu N z / |z|`, `z' = (l v / |v| - z) min(|v| / l, 1/T)` with `l = mu N / sigma`: it slides.
+    /// `f = mu N u / |u|`, `u = z + (tau + tau_0) v`, `z' = (l v / |v| - z) min(|v| / l, 1/T)` with `l = mu N / sigma`: it slides, until
+    /// z . v = 0. Towards that, the parts by v fade; beyond, where no step ends, f and z keep their direction, so that an implicit step
+    /// over it can be found.
     pub fn sliding(&self, at: &Rubbing<S>) -> Drag<S> {
-        let force = at.along * (at.limit / length(at.along));
+        let cosine = at.along.dot(at.slip) / (length(at.along) * length(at.slip));
+        let onwards = (cosine * S::constant(FADING)).clipped(S::ZERO, S::ONE);
+        let against = at.along + at.slip * ((at.damping_time + S::constant(AIMING_S)) * onwards);
+        let force = against * (at.limit / length(against));
         let (speed, slack) = (length(at.slip), at.limit / self.stiffness);
         let turning = S::constant(TURNING_S);
         let rate = Vector3(core::array::from_fn(|i| {
             let slowly = || at.slip[i] - at.along[i] * (speed / slack);
             let fast = || (at.slip[i] * (slack / speed) - at.along[i]) / turning;
-            (speed * turning).select_less(slack, slowly, fast)
+            (speed * turning).select_less(slack, slowly, fast) * onwards
         }));
         Drag { force, rate, heat: force.dot(at.slip) - self.stiffness * at.bristle.dot(rate) }
+    }
+
+    /// What a bristle that has slid to z . v = 0 is from there, and whether it holds: as long as the damping of the slip across it
+    /// leaves room for; where that is more than mu N, it slides on that way.
+    pub fn after_sliding(&self, at: &Rubbing<S>) -> (Vector3<S>, bool) {
+        let (speed, limit) = (length(at.slip), at.limit * S::constant(RESTS));
+        let damping = self.stiffness * at.damping_time * speed;
+        if (damping - limit).all(|beyond| beyond < 0.0) {
+            return (self.within_limit(at.along, (limit * limit - damping * damping).sqrt()), true);
+        }
+        (at.slip * (length(self.within_limit(at.along, limit)) / speed), false)
     }
 
     /// It holds up to mu N: where no mode says whether it slides.

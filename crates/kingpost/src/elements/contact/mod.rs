@@ -19,7 +19,7 @@ use crate::elements::{
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
-use friction::{Drag, Rubbing};
+use friction::{Drag, RESTS, Rubbing};
 use sides::{Met, Sides};
 use solid::length;
 use watch::Depth;
@@ -86,7 +86,7 @@ const BEGINS_TO_SLIDE: usize = 2;
 const ROUNDING_M: f64 = 1e-10;
 /// Length of a bristle that only has a direction, m.
 const DIRECTION_M: f64 = 1e-12;
-/// Of its limit, the most that a bristle which begins to hold has.
+/// Of its limit, the least friction that slides.
 const JUST_HOLDS: f64 = 1.0 - 1e-9;
 /// A bristle that would need more than this times what friction can give belongs to another place.
 const PLAUSIBLE: f64 = 1.5;
@@ -153,9 +153,13 @@ impl<S: Scalar> Element<S> for Contact<S> {
             let limit = friction.coefficient * self.by_depth(&met).normal;
             let along = met.along(met.middle - self.anchors[i]);
             let is_plausible = (length(along) * friction.stiffness - limit * S::constant(PLAUSIBLE)).all(|x| x <= 0.0);
+            let limit = limit * S::constant(RESTS);
             let bristle = if is_plausible { friction.within_limit(along, limit) } else { Vector3::zero() };
             bristle.write_to(&mut own.states[3 * i..]);
             self.anchors[i].write_to(&mut own.numbers[3 * i..]);
+            if own.modes[i] == HOLDS {
+                self.hold_or_slide(i, &friction, &met, bristle, own);
+            }
         }
     }
 
@@ -245,7 +249,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
             (LEAVES, _) if mode != BY_DEPTH => met.depth + S::constant(ROUNDING_M),
             (TOUCHES | LEAVES, _) | (_, None) => met.depth,
             (BEGINS_TO_SLIDE, Some(friction)) => {
-                let rubbing = self.rubbing(i, &friction, &met, self.pressed(mode, &met).normal, at);
+                let rubbing = self.rubbing(&friction, &met, self.pressed(mode, &met).normal, self.bristle(i, &met, at));
                 length(friction.holding(&rubbing).force) - rubbing.limit
             }
             _ => {
@@ -262,12 +266,16 @@ impl<S: Scalar> Element<S> for Contact<S> {
             (LEAVES, _) => self.let_go(i, own),
             (TOUCHES, None) => own.modes[i] = HOLDS,
             (TOUCHES, Some(friction)) => self.touch(i, &friction, &met, own),
-            (BEGINS_TO_SLIDE, Some(friction)) => self.begin_to_slide(i, &friction, &met, at, own),
+            (BEGINS_TO_SLIDE, Some(friction)) => {
+                let bristle = self.bristle(i, &met, at);
+                self.hold_or_slide(i, &friction, &met, bristle, own);
+            }
             (_, Some(friction)) => {
-                own.modes[i] = HOLDS;
-                let limit = friction.coefficient * self.pressed(SLIDES, &met).normal * S::constant(JUST_HOLDS);
-                let along = met.along(self.bristle(i, &met, at));
-                friction.within_limit(along, limit).write_to(&mut own.states[3 * i..]);
+                let normal = self.pressed(SLIDES, &met).normal;
+                let rubbing = self.rubbing(&friction, &met, normal, self.bristle(i, &met, at));
+                let (bristle, holds) = friction.after_sliding(&rubbing);
+                own.modes[i] = if holds { HOLDS } else { SLIDES };
+                bristle.write_to(&mut own.states[3 * i..]);
             }
             (_, None) => {}
         }
@@ -327,7 +335,7 @@ impl<S: Scalar> Contact<S> {
         }
         let pressed = self.pressed(mode, &met);
         let drag = self.friction.map_or(Drag { force: Vector3::zero(), rate: Vector3::zero(), heat: S::ZERO }, |own| {
-            let rubbing = self.rubbing(i, &own, &met, pressed.normal, at);
+            let rubbing = self.rubbing(&own, &met, pressed.normal, self.bristle(i, &met, at));
             match mode {
                 HOLDS => own.holding(&rubbing),
                 SLIDES => own.sliding(&rubbing),
@@ -354,8 +362,7 @@ impl<S: Scalar> Contact<S> {
         Pressed { normal, energy: self.stiffness * depth * depth * S::constant(0.5), heat }
     }
 
-    fn rubbing(&self, i: usize, friction: &Friction<S>, met: &Met<S>, normal: S, at: &Moment<'_, S>) -> Rubbing<S> {
-        let bristle = self.bristle(i, met, at);
+    fn rubbing(&self, friction: &Friction<S>, met: &Met<S>, normal: S, bristle: Vector3<S>) -> Rubbing<S> {
         let limit = friction.coefficient * normal.select_below(0.0, || S::ZERO, || normal);
         let depth = met.depth.select_below(0.0, || S::ZERO, || met.depth);
         let damping_time = self.dissipation * depth;
@@ -384,25 +391,32 @@ impl<S: Scalar> Contact<S> {
     fn touch(&self, i: usize, friction: &Friction<S>, met: &Met<S>, own: &mut Own<'_, S>) {
         let (slip, stiffest) = (met.slip(), friction.coefficient * self.stiffness * met.rate());
         let slides = (friction.stiffness * length(slip) - stiffest).all(|beyond| beyond > 0.0);
-        let direction = slip * (S::constant(DIRECTION_M) / length(slip));
-        (own.modes[i], _) = if slides { (SLIDES, ()) } else { (HOLDS, ()) };
-        let bristle = if slides { direction } else { Vector3::zero() };
-        bristle.write_to(&mut own.states[3 * i..]);
+        own.modes[i] = if slides { SLIDES } else { HOLDS };
+        let size = if slides { S::constant(DIRECTION_M) } else { S::ZERO };
+        (slip * (size / length(slip))).write_to(&mut own.states[3 * i..]);
     }
 
-    /// The bristle turns to where friction points, and gives what that leaves of its energy as heat. One that pushes along the
-    /// motion, as its grip weakens, gives way by half instead.
-    fn begin_to_slide(&self, i: usize, friction: &Friction<S>, met: &Met<S>, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
-        let rubbing = self.rubbing(i, friction, met, self.pressed(HOLDS, met).normal, at);
+    /// A spot that is pressed on holds by its bristle if that can be. Else it slides, and the bristle turns between friction and slip; its length
+    /// and its energy stay. One that pushes along the motion, as its grip weakens, gives way.
+    fn hold_or_slide(&self, i: usize, friction: &Friction<S>, met: &Met<S>, bristle: Vector3<S>, own: &mut Own<'_, S>) {
+        let rubbing = self.rubbing(friction, met, self.pressed(HOLDS, met).normal, bristle);
         let force = friction.holding(&rubbing).force;
-        let bristle = if force.dot(rubbing.slip).all(|power| power > 0.0) {
-            own.modes[i] = SLIDES;
-            let size = length(rubbing.along);
-            let size = size.select_below(DIRECTION_M, || S::constant(DIRECTION_M), || size);
-            force * (size / length(force))
-        } else {
-            rubbing.along * S::constant(0.5)
-        };
+        let size = length(force);
+        let holds = (size - rubbing.limit * S::constant(JUST_HOLDS)).all(|beyond| beyond <= 0.0);
+        let pushes = force.dot(rubbing.slip).all(|power| power <= 0.0);
+        let is_straight = bristle.0.iter().all(|x| x.all(|x| x == 0.0));
+        if !holds && pushes && !is_straight {
+            let half = rubbing.along * S::constant(0.5);
+            let none = length(half).select_below(DIRECTION_M, || S::ZERO, || S::ONE);
+            return self.hold_or_slide(i, friction, met, half * none, own);
+        }
+        let holds = holds || pushes;
+        own.modes[i] = if holds { HOLDS } else { SLIDES };
+        let long = length(rubbing.along);
+        let long = long.select_below(DIRECTION_M, || S::constant(DIRECTION_M), || long);
+        // Between friction and slip, so that it does not hold again at once.
+        let between = force * (S::ONE / size) + rubbing.slip * (S::ONE / length(rubbing.slip));
+        let bristle = if holds { bristle } else { between * (long / length(between)) };
         bristle.write_to(&mut own.states[3 * i..]);
     }
 }
