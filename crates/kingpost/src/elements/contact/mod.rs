@@ -1,6 +1,7 @@
 //! Contact of a load with a deck, a quay, the seabed, another vessel.
 
 mod friction;
+mod law;
 mod restitution;
 mod sides;
 mod solid;
@@ -13,21 +14,19 @@ pub use solid::Solid;
 pub use spot::Spot;
 
 use crate::dynamics::Loads;
-use crate::elements::{
-    AnyWatcher, Crossing, Declaration, Element, Event, Frame, Kept, Moment, Output, Own, Situation, hunt_crossley,
-};
+use crate::elements::{AnyWatcher, Crossing, Declaration, Element, Event, Frame, Kept, Moment, Output, Own, Situation};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
-use friction::{Drag, RESTS, Rubbing};
-use sides::{Met, Sides};
+use friction::RESTS;
+use law::condition;
 use solid::length;
 use watch::Depth;
 
 /// Contact between two sides, a load and a surface: spots of each against the solid of the other.
 ///
 /// A spot at the depth d is pressed out along the normal with `N = k d (1 + a d')`, never less than 0, which is heat but for
-/// `k d^2 / 2` ([`hunt_crossley`]; a from a restitution by [`dissipation`]). Along the surface a bristle z holds it with
+/// `k d^2 / 2` ([`hunt_crossley`](crate::elements::hunt_crossley); a from a restitution by [`dissipation`]). Along the surface a bristle z holds it with
 /// `sigma (z + a d v)` up to mu N; from there it slides with mu N against its motion, until that turns ([`Friction`]). Both forces act in
 /// one point on both bodies, so that momenta close; N is the gradient of its energy, so that lifting and setting down give
 /// nothing back that was not put in.
@@ -90,17 +89,6 @@ const DIRECTION_M: f64 = 1e-12;
 const JUST_HOLDS: f64 = 1.0 - 1e-9;
 /// A bristle that would need more than this times what friction can give belongs to another place.
 const PLAUSIBLE: f64 = 1.5;
-
-/// What a spot is pressed with.
-#[derive(Clone, Copy, Debug)]
-struct Pressed<S> {
-    /// N, N.
-    normal: S,
-    /// Stored, J.
-    energy: S,
-    /// W.
-    heat: S,
-}
 
 impl<S: Scalar> Element<S> for Contact<S> {
     fn name(&self) -> &str {
@@ -287,136 +275,5 @@ impl<S: Scalar> Element<S> for Contact<S> {
 
     fn ties(&self) -> Vec<[Option<usize>; 2]> {
         vec![self.sides.each_ref().map(|side| side.body)]
-    }
-}
-
-/// The mode of a spot; at rest it goes by its depth.
-fn condition<S>(i: usize, at: &Moment<'_, S>) -> i64 {
-    if at.situation == Situation::Running { at.modes.get(i).copied().unwrap_or(BY_DEPTH) } else { BY_DEPTH }
-}
-
-impl<S: Scalar> Contact<S> {
-    /// Where a run begins, before an equilibrium is sought: the bristles are straight here.
-    pub fn begin_at(&mut self, at: &Moment<'_, S>) {
-        let sides = self.sides_at(at);
-        self.anchors = (0..self.spots.len()).map(|i| self.met(i, &sides).middle).collect();
-    }
-
-    /// The depth of the deepest spot where the bodies are, m; negative without touch.
-    pub fn depth(&self, at: &Moment<'_, S>) -> S {
-        let sides = self.sides_at(at);
-        let depths = (0..self.spots.len()).map(|i| self.met(i, &sides).depth);
-        depths.fold(S::constant(f64::MIN), |most, depth| most.select_less(depth, || depth, || most))
-    }
-
-    fn events_of_a_spot(&self) -> usize {
-        if self.friction.is_some() { EVENTS.len() } else { BEGINS_TO_SLIDE }
-    }
-
-    fn sides_at(&self, at: &Moment<'_, S>) -> Sides<S> {
-        Sides::new(&self.sides, at)
-    }
-
-    fn met(&self, i: usize, sides: &Sides<S>) -> Met<S> {
-        let (facing, spot) = &self.spots[i];
-        let solid = self.solids[1 - *facing as usize].as_ref();
-        sides.met(*facing, spot, solid.unwrap_or(&Solid::Sphere { radius: S::ZERO }))
-    }
-
-    /// What a spot does where it touches.
-    fn acting(&self, i: usize, sides: &Sides<S>, at: &Moment<'_, S>) -> Option<(Met<S>, Pressed<S>, Drag<S>)> {
-        let mode = condition(i, at);
-        if mode == OPEN {
-            return None;
-        }
-        let met = self.met(i, sides);
-        if mode == BY_DEPTH && met.depth.all(|depth| depth < 0.0) {
-            return None;
-        }
-        let pressed = self.pressed(mode, &met);
-        let drag = self.friction.map_or(Drag { force: Vector3::zero(), rate: Vector3::zero(), heat: S::ZERO }, |own| {
-            let rubbing = self.rubbing(&own, &met, pressed.normal, self.bristle(i, &met, at));
-            match mode {
-                HOLDS => own.holding(&rubbing),
-                SLIDES => own.sliding(&rubbing),
-                _ => own.up_to_its_limit(&rubbing),
-            }
-        });
-        Some((met, pressed, drag))
-    }
-
-    fn pressed(&self, mode: i64, met: &Met<S>) -> Pressed<S> {
-        match mode {
-            OPEN => Pressed { normal: S::ZERO, energy: S::ZERO, heat: S::ZERO },
-            BY_DEPTH => self.by_depth(met),
-            _ => self.at_depth(met.depth, met),
-        }
-    }
-
-    fn by_depth(&self, met: &Met<S>) -> Pressed<S> {
-        self.at_depth(met.depth.select_below(0.0, || S::ZERO, || met.depth), met)
-    }
-
-    fn at_depth(&self, depth: S, met: &Met<S>) -> Pressed<S> {
-        let (normal, heat) = hunt_crossley(self.stiffness, self.dissipation, depth, met.rate());
-        Pressed { normal, energy: self.stiffness * depth * depth * S::constant(0.5), heat }
-    }
-
-    fn rubbing(&self, friction: &Friction<S>, met: &Met<S>, normal: S, bristle: Vector3<S>) -> Rubbing<S> {
-        let limit = friction.coefficient * normal.select_below(0.0, || S::ZERO, || normal);
-        let depth = met.depth.select_below(0.0, || S::ZERO, || met.depth);
-        let damping_time = self.dissipation * depth;
-        Rubbing { limit, bristle, along: met.along(bristle), slip: met.slip(), damping_time }
-    }
-
-    /// The bristle of a spot; while an equilibrium is sought, its way from where the search began.
-    fn bristle(&self, i: usize, met: &Met<S>, at: &Moment<'_, S>) -> Vector3<S> {
-        let own = 3 * i..3 * i + 3;
-        if at.situation == Situation::Settling {
-            let anchor = at.numbers.get(own).map_or(self.anchors[i], Vector3::from_slice);
-            return met.along(met.middle - anchor);
-        }
-        let has_states = self.friction.is_some() && !at.states.is_empty();
-        if has_states { Vector3::from_slice(&at.states[own]) } else { Vector3::zero() }
-    }
-
-    fn let_go(&self, i: usize, own: &mut Own<'_, S>) {
-        own.modes[i] = OPEN;
-        if self.friction.is_some() {
-            own.states[3 * i..3 * i + 3].fill(S::ZERO);
-        }
-    }
-
-    /// It holds, unless friction grows faster than its limit from here.
-    fn touch(&self, i: usize, friction: &Friction<S>, met: &Met<S>, own: &mut Own<'_, S>) {
-        let (slip, stiffest) = (met.slip(), friction.coefficient * self.stiffness * met.rate());
-        let slides = (friction.stiffness * length(slip) - stiffest).all(|beyond| beyond > 0.0);
-        own.modes[i] = if slides { SLIDES } else { HOLDS };
-        let size = if slides { S::constant(DIRECTION_M) } else { S::ZERO };
-        (slip * (size / length(slip))).write_to(&mut own.states[3 * i..]);
-    }
-
-    /// A spot that is pressed on holds by its bristle if that can be. Else it slides, and the bristle turns between friction and slip; its length
-    /// and its energy stay. One that pushes along the motion, as its grip weakens, gives way.
-    fn hold_or_slide(&self, i: usize, friction: &Friction<S>, met: &Met<S>, bristle: Vector3<S>, own: &mut Own<'_, S>) {
-        let rubbing = self.rubbing(friction, met, self.pressed(HOLDS, met).normal, bristle);
-        let force = friction.holding(&rubbing).force;
-        let size = length(force);
-        let holds = (size - rubbing.limit * S::constant(JUST_HOLDS)).all(|beyond| beyond <= 0.0);
-        let pushes = force.dot(rubbing.slip).all(|power| power <= 0.0);
-        let is_straight = bristle.0.iter().all(|x| x.all(|x| x == 0.0));
-        if !holds && pushes && !is_straight {
-            let half = rubbing.along * S::constant(0.5);
-            let none = length(half).select_below(DIRECTION_M, || S::ZERO, || S::ONE);
-            return self.hold_or_slide(i, friction, met, half * none, own);
-        }
-        let holds = holds || pushes;
-        own.modes[i] = if holds { HOLDS } else { SLIDES };
-        let long = length(rubbing.along);
-        let long = long.select_below(DIRECTION_M, || S::constant(DIRECTION_M), || long);
-        // Between friction and slip, so that it does not hold again at once.
-        let between = force * (S::ONE / size) + rubbing.slip * (S::ONE / length(rubbing.slip));
-        let bristle = if holds { bristle } else { between * (long / length(between)) };
-        bristle.write_to(&mut own.states[3 * i..]);
     }
 }
