@@ -1962,6 +1962,9 @@ export type Force =
       tugger_line: TuggerLine;
     }
   | {
+      contact: Contact;
+    }
+  | {
       wind_load: WindLoad;
     }
   | {
@@ -2275,6 +2278,140 @@ export type TuggerLine = {
    * The same as `tension_N`, in the unit of this name.
    */
   tension_kN?: number;
+};
+/**
+ * Contact of a load with a surface: it is pressed out, and held by friction.
+ */
+export type Contact = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether it is there.
+   */
+  enabled?: boolean;
+  load: ContactLoad;
+  surface: ContactSurface;
+  /**
+   * Stiffness of each point that touches, N/m: a box that stands on four corners has four times as much.
+   */
+  stiffness_N_per_m?: number;
+  /**
+   * The same as `stiffness_N_per_m`, in the unit of this name.
+   */
+  stiffness_kN_per_m?: number;
+  /**
+   * What is left of the speed of an impact at `restitution_speed_m_s`, from 0.1 to 1; slower impacts leave more.
+   */
+  restitution?: number;
+  /**
+   * The speed of impact that the restitution is for, m/s.
+   */
+  restitution_speed_m_s?: number;
+  /**
+   * Coulomb's coefficient of friction; 0 for a smooth surface.
+   */
+  friction_coefficient: number;
+  /**
+   * Stiffness of each point along the surface while friction holds it, N/m; without it, that of the contact.
+   */
+  friction_stiffness_N_per_m?: number | null;
+  /**
+   * The same as `friction_stiffness_N_per_m`, in the unit of this name.
+   */
+  friction_stiffness_kN_per_m?: number | null;
+  /**
+   * Penetration that is refused where a run begins, and that a run warns of, m.
+   */
+  penetration_tolerance_m?: number;
+};
+/**
+ * What touches.
+ */
+export type ContactLoad = {
+  /**
+   * The body.
+   */
+  body: string;
+  /**
+   * The centre of the shape in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The shape's axes in the body's: roll, pitch, yaw, rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  /**
+   * What touches.
+   */
+  shape:
+    | {
+        box: BoxShape;
+      }
+    | {
+        cylinder: CylinderShape;
+      }
+    | {
+        sphere: SphereShape;
+      }
+    | {
+        points: ContactPoints;
+      };
+};
+/**
+ * What it touches: a deck, a quay, the seabed, a bumper.
+ */
+export type ContactSurface = {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * A point of the plane, or the centre of the shape, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The shape's axes in the body's: roll, pitch, yaw, rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  /**
+   * What is touched.
+   */
+  shape:
+    | {
+        plane: ContactPlane;
+      }
+    | {
+        box: BoxShape;
+      }
+    | {
+        sphere: SphereShape;
+      };
 };
 /**
  * The coefficients.
@@ -4145,6 +4282,27 @@ export interface RopeDrum {
    * The rate of the joint that pays out rope. The rope leaves the drum on the side that moves along with it then.
    */
   pays_out?: "with_positive_rate" | "with_negative_rate";
+}
+/**
+ * Points that touch.
+ */
+export interface ContactPoints {
+  /**
+   * From the shape's centre, in its axes, m; at most 64.
+   */
+  positions_m: [number, number, number][];
+}
+/**
+ * A plane.
+ */
+export interface ContactPlane {
+  /**
+   * Out of the surface, in its axes, any length.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  normal?: [number, number, number];
 }
 /**
  * The wind on a body by coefficients of its relative velocity.

@@ -4,6 +4,7 @@
 //! and shows it [declares](Declaration); the [`Layout`] of all elements gives each its place in the state, in the
 //! results, in snapshots, in A and B. Nothing else names a kind.
 
+pub mod contact;
 mod coulomb_friction;
 mod damped_against;
 mod declaration;
@@ -33,6 +34,7 @@ mod soft_hold;
 mod viscous_damping;
 mod watcher;
 
+pub use contact::Contact;
 pub use coulomb_friction::CoulombFriction;
 pub use damped_against::DampedAgainst;
 pub use declaration::{Components, Crossing, Declaration, Event, Frame, Input, Kept, Output, WRENCH};

@@ -49,3 +49,17 @@ pub struct Moment<'a, S = f64> {
     /// Its modes, which its ticks and events set.
     pub modes: &'a [i64],
 }
+
+impl<'a, S> Moment<'a, S> {
+    /// A model at rest, as an element without entries of its own sees it; `q` and `v` are its.
+    pub fn at_rest(
+        world: &'a World<S>,
+        model: &'a Model<S>,
+        links: &'a LinkKinematics<S>,
+        (q, v): (&'a [S], &'a [S]),
+    ) -> Self {
+        let clock = Clock { time_s: 0.0, middle_s: 0.0 };
+        let (states, inputs, numbers, modes) = Default::default();
+        Self { clock, situation: Situation::AtRest, world, model, links, q, v, states, inputs, numbers, modes }
+    }
+}

@@ -1,8 +1,9 @@
-//! Loads that hang freely, on a joint or a line: to the ship their weight acts where they hang from.
+//! Loads that hang freely, on a joint or a line: to the ship their weight acts where they hang from. Loads that stand on
+//! her deck: it acts where they are.
 
-use crate::dynamics::Kinematics;
+use crate::dynamics::{Kinematics, LinkKinematics};
 use crate::elements::drives::{Brake, ControlledDrive, Cylinder, Motor, PrescribedMotion, Servo, WaveMotion};
-use crate::elements::{CatenaryLine, Hull, JointSpring, Rope, SpringLine, of_kind};
+use crate::elements::{CatenaryLine, Contact, Hull, JointSpring, Moment, Rope, SpringLine, of_kind};
 use crate::model::{Attachment, JointKind, Mode, Model};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
@@ -44,6 +45,8 @@ pub(super) struct Restraints {
     tied: Vec<usize>,
     /// Hulls in the water.
     wet: Vec<usize>,
+    /// Bodies that touch each other.
+    touching: Vec<[Option<usize>; 2]>,
 }
 
 impl Restraints {
@@ -75,6 +78,7 @@ impl Restraints {
             wet: of_kind(elements).map(|hull: &Hull| hull.frame.body).collect(),
             lines,
             tied,
+            touching: touching(setup),
         }
     }
 
@@ -200,10 +204,40 @@ pub(super) fn loads(
     found
 }
 
-/// The bodies whose weight a hull carries: by its joints, and on lines.
+/// The bodies whose weight a hull carries: by its joints, on lines, and those that stand on its deck.
 pub(super) fn aboard(model: &Model, at: &Kinematics, hull: usize, restraints: &Restraints) -> Vec<usize> {
     let on_lines = on_lines(model, at, hull, restraints).into_iter().flat_map(|load| load.bodies);
-    model.carried(hull).into_iter().chain(on_lines).collect()
+    let on_deck = on_deck(model, hull, restraints);
+    model.carried(hull).into_iter().chain(on_lines).chain(on_deck).collect()
+}
+
+/// Free bodies with what their joints carry that touch a hull, or what its joints carry, and that nothing else holds.
+fn on_deck(model: &Model, hull: usize, restraints: &Restraints) -> Vec<usize> {
+    let ship = model.carried(hull);
+    let is_free = |root: &usize| {
+        let node = &model.tree.nodes[*root];
+        node.parent.is_none() && !ship.contains(root) && matches!(node.kind, JointKind::Floating(_))
+    };
+    let stands = |bodies: &Vec<usize>| {
+        let is_held = |body: &usize| restraints.bodies.contains(body) || restraints.wet.contains(body);
+        let has = |end: &Option<usize>| end.is_some_and(|body| bodies.contains(&body));
+        let on_ship = |end: &Option<usize>| end.is_some_and(|body| ship.contains(&body));
+        let own: Vec<_> = restraints.touching.iter().filter(|pair| pair.iter().any(has)).collect();
+        let only_ship = own.iter().all(|pair| pair.iter().all(|end| has(end) || on_ship(end)));
+        !bodies.iter().any(is_held) && only_ship && own.iter().any(|pair| pair.iter().any(on_ship))
+    };
+    let roots = (0..model.bodies.len()).filter(is_free);
+    roots.map(|root| model.carried(root)).filter(stands).flatten().collect()
+}
+
+/// The bodies of the contacts that touch where the setup is.
+fn touching(setup: &Setup) -> Vec<[Option<usize>; 2]> {
+    let Setup { model, world, elements, q, v, .. } = setup;
+    let mut links = LinkKinematics::new(model);
+    links.update(model, q, v);
+    let at = Moment::at_rest(world, model, &links, (q, v));
+    let contacts = of_kind(elements).filter(|contact: &&Contact| contact.depth(&at) > 0.0);
+    contacts.map(|contact| contact.sides.each_ref().map(|side| side.body)).collect()
 }
 
 /// Shares below are rounding.

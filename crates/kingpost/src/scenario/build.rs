@@ -3,6 +3,7 @@
 mod axes;
 mod bodies;
 mod columns;
+mod contacts;
 mod cylinders;
 mod damping;
 mod drives;
@@ -61,8 +62,10 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
     ropes_at_start::begin(&mut setup)?;
+    contacts::begin(&mut setup)?;
     equilibrium::settle(scenario, &mut setup)?;
     ropes_at_start::check_loads(&setup)?;
+    contacts::check_rest(&setup)?;
     setup.watchers = watchers::of(&setup);
     Ok(setup)
 }
@@ -77,6 +80,7 @@ pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
     ropes_at_start::begin(&mut setup)?;
+    contacts::begin(&mut setup)?;
     if scenario.simulation.begin_at_equilibrium {
         equilibrium::follow(alone, &mut setup)?;
         loops::close(scenario, &mut setup)?;
@@ -198,6 +202,7 @@ fn forces<S: Quantity>(
             ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
             ForceSchema::Rope(given) => forces.extend(ropes::build(scenario, name, given, model)?),
             ForceSchema::TuggerLine(given) => forces.extend(ropes::tugger(scenario, name, given, model)?),
+            ForceSchema::Contact(given) => forces.extend(contacts::build(scenario, name, given, model)?),
             ForceSchema::WindLoad(given) => forces.extend(flow::wind(scenario, name, given, model, world)?),
             ForceSchema::CurrentLoad(given) => forces.extend(flow::water(scenario, name, given, model, world)?),
             ForceSchema::DynamicPositioning(given) => forces.extend(positioning::build(scenario, name, given, model)?),

@@ -116,6 +116,12 @@ impl<S: Leaf> Direction<S> {
         (finite && directed).then_some(Self(components))
     }
 
+    /// For default values: a literal that stands in the source.
+    pub(crate) fn literal(components: [f64; 3]) -> Self {
+        assert!(components.iter().any(|component| *component != 0.0));
+        Self(components.map(S::literal))
+    }
+
     /// The components as written; not normalised.
     pub fn get(self) -> [S; 3] {
         self.0

@@ -4,6 +4,7 @@
 
 mod axes;
 mod bodies;
+mod contacts;
 mod controlled_drives;
 mod cylinder;
 mod drives;
@@ -47,6 +48,7 @@ pub use bodies::{
     Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
     SphereShape,
 };
+pub use contacts::{Contact, ContactLoad, ContactPlane, ContactPoints, ContactSurface, LoadShape, SurfaceShape};
 pub use controlled_drives::{
     AngleSetPoint, AngleSetPoints, ControlledDrive, ExtensionSetPoint, ForceSetPoint, LengthSetPoints,
     LinearControlledDrive, RateSetPoint, SpeedSetPoint, TorqueSetPoint,

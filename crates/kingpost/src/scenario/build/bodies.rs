@@ -333,14 +333,18 @@ fn solid<S: Quantity>(shape: &schema::Shape<S>) -> Shape<S> {
             Shape::Box { edges_m: [given.length_m, given.width_m, given.height_m].map(|edge| edge.get()) }
         }
         schema::Shape::Cylinder(given) => {
-            let axis = match given.axis {
-                schema::PrincipalAxis::X => Axis::X,
-                schema::PrincipalAxis::Y => Axis::Y,
-                schema::PrincipalAxis::Z => Axis::Z,
-            };
-            Shape::Cylinder { radius_m: given.radius_m.get(), length_m: given.length_m.get(), axis }
+            Shape::Cylinder { radius_m: given.radius_m.get(), length_m: given.length_m.get(), axis: axis(given.axis) }
         }
         schema::Shape::Sphere(given) => Shape::Sphere { radius_m: given.radius_m.get() },
         schema::Shape::Point(_) => Shape::Point,
+    }
+}
+
+/// An axis in the engine's terms.
+pub(super) fn axis(given: schema::PrincipalAxis) -> Axis {
+    match given {
+        schema::PrincipalAxis::X => Axis::X,
+        schema::PrincipalAxis::Y => Axis::Y,
+        schema::PrincipalAxis::Z => Axis::Z,
     }
 }

@@ -1,9 +1,9 @@
 //! Ropes where a run begins: how they lie, how long they are, what they carry.
 
 use super::FieldError;
-use crate::dynamics::{Clock, LinkKinematics};
+use crate::dynamics::LinkKinematics;
 use crate::elements::ropes::Path;
-use crate::elements::{Moment, Rope, Situation, TuggerLine, of_kind, of_kind_mut};
+use crate::elements::{Moment, Rope, TuggerLine, of_kind, of_kind_mut};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
@@ -110,14 +110,12 @@ pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
 }
 
 /// What an element without entries of its own sees of a model at rest.
-fn at_rest<S: Quantity, R>(
+pub(super) fn at_rest<S: Quantity, R>(
     world: &World<S>,
     model: &Model<S>,
     links: &LinkKinematics<S>,
     (q, v): (&[S], &[S]),
     see: impl FnOnce(&Moment<'_, S>) -> R,
 ) -> R {
-    let clock = Clock { time_s: 0.0, middle_s: 0.0 };
-    let (states, inputs, numbers, modes): (&[S], &[S], &[S], &[i64]) = Default::default();
-    see(&Moment { clock, situation: Situation::AtRest, world, model, links, q, v, states, inputs, numbers, modes })
+    see(&Moment::at_rest(world, model, links, (q, v)))
 }

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CatenaryLine, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, Rope, SlackTank, SoftHold,
-    SpringLine, TuggerLine, WindLoad, yes,
+    CatenaryLine, Contact, CurrentLoad, DynamicPositioning, Hydrodynamics, Name, NonNegative, Rope, SlackTank,
+    SoftHold, SpringLine, TuggerLine, WindLoad, yes,
 };
 use crate::scenario::leaf::Leaf;
 
@@ -35,6 +35,8 @@ pub enum Force<S = f64> {
     Rope(Box<Rope<S>>),
     /// A line whose winch keeps its tension: a tugger line or a tag line.
     TuggerLine(TuggerLine<S>),
+    /// Contact of a load with a deck, a quay, the seabed, another vessel.
+    Contact(Box<Contact<S>>),
     /// The wind on a body, by coefficients.
     WindLoad(Box<WindLoad<S>>),
     /// The current on a body, by coefficients.

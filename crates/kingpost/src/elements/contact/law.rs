@@ -1,0 +1,165 @@
+//! What acts at a spot: how it is pressed, whether it holds or slides.
+
+use super::friction::{Drag, Rubbing};
+use super::sides::{Met, Sides};
+use super::solid::length;
+use super::{
+    BEGINS_TO_SLIDE, BY_DEPTH, Contact, DIRECTION_M, EVENTS, Friction, HOLDS, JUST_HOLDS, OPEN, SLIDES, Solid,
+};
+use crate::elements::{Moment, Own, Situation, hunt_crossley};
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+
+/// What a spot is pressed with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pressed<S> {
+    /// N, N.
+    pub(super) normal: S,
+    /// Stored, J.
+    pub(super) energy: S,
+    /// W.
+    pub(super) heat: S,
+}
+
+/// The mode of a spot; at rest it goes by its depth.
+pub(super) fn condition<S>(i: usize, at: &Moment<'_, S>) -> i64 {
+    if at.situation == Situation::Running { at.modes.get(i).copied().unwrap_or(BY_DEPTH) } else { BY_DEPTH }
+}
+
+impl<S: Scalar> Contact<S> {
+    /// Where a run begins, before an equilibrium is sought: the bristles are straight here.
+    pub fn begin_at(&mut self, at: &Moment<'_, S>) {
+        let sides = self.sides_at(at);
+        self.anchors = (0..self.spots.len()).map(|i| self.met(i, &sides).middle).collect();
+    }
+
+    /// The depth of the deepest spot where the bodies are, m; negative without touch.
+    pub fn depth(&self, at: &Moment<'_, S>) -> S {
+        let sides = self.sides_at(at);
+        let depths = (0..self.spots.len()).map(|i| self.met(i, &sides).depth);
+        depths.fold(S::constant(f64::MIN), |most, depth| most.select_less(depth, || depth, || most))
+    }
+
+    pub(super) fn events_of_a_spot(&self) -> usize {
+        if self.friction.is_some() { EVENTS.len() } else { BEGINS_TO_SLIDE }
+    }
+
+    pub(super) fn sides_at(&self, at: &Moment<'_, S>) -> Sides<S> {
+        Sides::new(&self.sides, at)
+    }
+
+    pub(super) fn met(&self, i: usize, sides: &Sides<S>) -> Met<S> {
+        let (facing, spot) = &self.spots[i];
+        let solid = self.solids[1 - *facing as usize].as_ref();
+        sides.met(*facing, spot, solid.unwrap_or(&Solid::Sphere { radius: S::ZERO }))
+    }
+
+    /// What a spot does where it touches.
+    pub(super) fn acting(
+        &self,
+        i: usize,
+        sides: &Sides<S>,
+        at: &Moment<'_, S>,
+    ) -> Option<(Met<S>, Pressed<S>, Drag<S>)> {
+        let mode = condition(i, at);
+        if mode == OPEN {
+            return None;
+        }
+        let met = self.met(i, sides);
+        if mode == BY_DEPTH && met.depth.all(|depth| depth < 0.0) {
+            return None;
+        }
+        let pressed = self.pressed(mode, &met);
+        let drag = self.friction.map_or(Drag { force: Vector3::zero(), rate: Vector3::zero(), heat: S::ZERO }, |own| {
+            let rubbing = self.rubbing(&own, &met, pressed.normal, self.bristle(i, &met, at));
+            match mode {
+                HOLDS => own.holding(&rubbing),
+                SLIDES => own.sliding(&rubbing),
+                _ => own.up_to_its_limit(&rubbing),
+            }
+        });
+        Some((met, pressed, drag))
+    }
+
+    pub(super) fn pressed(&self, mode: i64, met: &Met<S>) -> Pressed<S> {
+        match mode {
+            OPEN => Pressed { normal: S::ZERO, energy: S::ZERO, heat: S::ZERO },
+            BY_DEPTH => self.by_depth(met),
+            _ => self.at_depth(met.depth, met),
+        }
+    }
+
+    pub(super) fn by_depth(&self, met: &Met<S>) -> Pressed<S> {
+        self.at_depth(met.depth.select_below(0.0, || S::ZERO, || met.depth), met)
+    }
+
+    fn at_depth(&self, depth: S, met: &Met<S>) -> Pressed<S> {
+        let (normal, heat) = hunt_crossley(self.stiffness, self.dissipation, depth, met.rate());
+        Pressed { normal, energy: self.stiffness * depth * depth * S::constant(0.5), heat }
+    }
+
+    pub(super) fn rubbing(&self, friction: &Friction<S>, met: &Met<S>, normal: S, bristle: Vector3<S>) -> Rubbing<S> {
+        let limit = friction.coefficient * normal.select_below(0.0, || S::ZERO, || normal);
+        let depth = met.depth.select_below(0.0, || S::ZERO, || met.depth);
+        let damping_time = self.dissipation * depth;
+        Rubbing { limit, bristle, along: met.along(bristle), slip: met.slip(), damping_time }
+    }
+
+    /// The bristle of a spot; while an equilibrium is sought, its way from where the search began.
+    pub(super) fn bristle(&self, i: usize, met: &Met<S>, at: &Moment<'_, S>) -> Vector3<S> {
+        let own = 3 * i..3 * i + 3;
+        if at.situation == Situation::Settling {
+            let anchor = at.numbers.get(own).map_or(self.anchors[i], Vector3::from_slice);
+            return met.along(met.middle - anchor);
+        }
+        let has_states = self.friction.is_some() && !at.states.is_empty();
+        if has_states { Vector3::from_slice(&at.states[own]) } else { Vector3::zero() }
+    }
+
+    pub(super) fn let_go(&self, i: usize, own: &mut Own<'_, S>) {
+        own.modes[i] = OPEN;
+        if self.friction.is_some() {
+            own.states[3 * i..3 * i + 3].fill(S::ZERO);
+        }
+    }
+
+    /// It holds, unless friction grows faster than its limit from here.
+    pub(super) fn touch(&self, i: usize, friction: &Friction<S>, met: &Met<S>, own: &mut Own<'_, S>) {
+        let (slip, stiffest) = (met.slip(), friction.coefficient * self.stiffness * met.rate());
+        let slides = (friction.stiffness * length(slip) - stiffest).all(|beyond| beyond > 0.0);
+        own.modes[i] = if slides { SLIDES } else { HOLDS };
+        let size = if slides { S::constant(DIRECTION_M) } else { S::ZERO };
+        (slip * (size / length(slip))).write_to(&mut own.states[3 * i..]);
+    }
+
+    /// A spot that is pressed on holds by its bristle if that can be. Else it slides, and the bristle turns between friction and slip; its length
+    /// and its energy stay. One that pushes along the motion, as its grip weakens, gives way.
+    pub(super) fn hold_or_slide(
+        &self,
+        i: usize,
+        friction: &Friction<S>,
+        met: &Met<S>,
+        bristle: Vector3<S>,
+        own: &mut Own<'_, S>,
+    ) {
+        let rubbing = self.rubbing(friction, met, self.pressed(HOLDS, met).normal, bristle);
+        let force = friction.holding(&rubbing).force;
+        let size = length(force);
+        let holds = (size - rubbing.limit * S::constant(JUST_HOLDS)).all(|beyond| beyond <= 0.0);
+        let pushes = force.dot(rubbing.slip).all(|power| power <= 0.0);
+        let is_straight = bristle.0.iter().all(|x| x.all(|x| x == 0.0));
+        if !holds && pushes && !is_straight {
+            let half = rubbing.along * S::constant(0.5);
+            let none = length(half).select_below(DIRECTION_M, || S::ZERO, || S::ONE);
+            return self.hold_or_slide(i, friction, met, half * none, own);
+        }
+        let holds = holds || pushes;
+        own.modes[i] = if holds { HOLDS } else { SLIDES };
+        let long = length(rubbing.along);
+        let long = long.select_below(DIRECTION_M, || S::constant(DIRECTION_M), || long);
+        // Between friction and slip, so that it does not hold again at once.
+        let between = force * (S::ONE / size) + rubbing.slip * (S::ONE / length(rubbing.slip));
+        let bristle = if holds { bristle } else { between * (long / length(between)) };
+        bristle.write_to(&mut own.states[3 * i..]);
+    }
+}

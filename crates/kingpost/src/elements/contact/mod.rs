@@ -1,0 +1,279 @@
+//! Contact of a load with a deck, a quay, the seabed, another vessel.
+
+mod friction;
+mod law;
+mod restitution;
+mod sides;
+mod solid;
+mod spot;
+mod watch;
+
+pub use friction::Friction;
+pub use restitution::dissipation;
+pub use solid::Solid;
+pub use spot::Spot;
+
+use crate::dynamics::Loads;
+use crate::elements::{AnyWatcher, Crossing, Declaration, Element, Event, Frame, Kept, Moment, Output, Own, Situation};
+use crate::model::Attachment;
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+use friction::RESTS;
+use law::condition;
+use solid::length;
+use watch::Depth;
+
+/// Contact between two sides, a load and a surface: spots of each against the solid of the other.
+///
+/// A spot at the depth d is pressed out along the normal with `N = k d (1 + a d')`, never less than 0, which is heat but for
+/// `k d^2 / 2` ([`hunt_crossley`](crate::elements::hunt_crossley); a from a restitution by [`dissipation`]). Along the surface a bristle z holds it with
+/// `sigma (z + a d v)` up to mu N; from there it slides with mu N against its motion, until that turns ([`Friction`]). Both forces act in
+/// one point on both bodies, so that momenta close; N is the gradient of its energy, so that lifting and setting down give
+/// nothing back that was not put in.
+#[derive(Clone, Debug)]
+pub struct Contact<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// The load's shape and the surface, each on a body or in the world.
+    pub sides: [Attachment<S>; 2],
+    /// What of the load meets the surface's solid, and what of the surface the load's.
+    pub spots: Vec<(Facing, Spot<S>)>,
+    /// The solids of load and surface.
+    pub solids: [Option<Solid<S>>; 2],
+    /// k of a spot, N/m.
+    pub stiffness: S,
+    /// a, s/m.
+    pub dissipation: S,
+    /// Without it, the surface is smooth.
+    pub friction: Option<Friction<S>>,
+    /// Depth beyond which a run warns, m.
+    pub tolerance: S,
+    /// Where the spots stood, in the solids' axes, when their bristles were straight, m.
+    pub anchors: Vec<Vector3<S>>,
+    /// Whether an equilibrium is being sought.
+    pub settles: bool,
+}
+
+/// Whose spot it is; it meets the other's solid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Facing {
+    /// The load's.
+    Load,
+    /// The surface's.
+    Surface,
+}
+
+/// The mode of a spot, which events change, so that no step mixes two laws. Runs side by side that begin differently go by
+/// the depth until the first event of one.
+const BY_DEPTH: i64 = 0;
+const HOLDS: i64 = 1;
+const SLIDES: i64 = 2;
+const OPEN: i64 = 3;
+
+/// Events of one spot, in the order of [`Contact::declare`]; the last two with friction.
+const EVENTS: [Event; 4] = [
+    Event { what: "touches", crossing: Crossing::Rising },
+    Event { what: "leaves", crossing: Crossing::Falling },
+    Event { what: "slides", crossing: Crossing::Rising },
+    Event { what: "holds", crossing: Crossing::Falling },
+];
+const TOUCHES: usize = 0;
+const LEAVES: usize = 1;
+const BEGINS_TO_SLIDE: usize = 2;
+
+/// How far a spot is off before it leaves, m: rounding.
+const ROUNDING_M: f64 = 1e-10;
+/// Length of a bristle that only has a direction, m.
+const DIRECTION_M: f64 = 1e-12;
+/// Of its limit, the least friction that slides.
+const JUST_HOLDS: f64 = 1.0 - 1e-9;
+/// A bristle that would need more than this times what friction can give belongs to another place.
+const PLAUSIBLE: f64 = 1.5;
+
+impl<S: Scalar> Element<S> for Contact<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let number = |variable, description, unit| Output::number(variable, description, "contact", &self.name, unit);
+        let of_spots = |what: &str| {
+            let axes = |i: usize| ["x", "y", "z"].map(|axis| format!("{what}_{i}_{axis}"));
+            let count = if self.friction.is_some() { self.spots.len() } else { 0 };
+            (0..count).flat_map(axes).collect::<Vec<_>>()
+        };
+        let bristles = of_spots("bristle").into_iter().map(|name| Kept::memory(name, "m"));
+        let components = crate::elements::Components::Axis;
+        let force = number("contact_force", "force on the load by the surface", &["N"]);
+        Declaration {
+            states: bristles.chain([Kept::memory("impulse", "N s")]).collect(),
+            numbers: of_spots("anchor"),
+            modes: (0..self.spots.len()).map(|i| format!("spot_{i}")).collect(),
+            outputs: vec![
+                Output { components, frame: Frame::World, ..force },
+                number("contact_normal_force", "sum of the normal forces of a contact", &["N"]),
+                number("contact_friction_force", "sum of the friction of a contact's points, each by its size", &["N"]),
+                number("contact_impulse", "normal force of a contact, integrated over time", &["N s"]),
+                number("contact_penetration", "depth of the deepest point in touch; 0 without touch", &["m"]),
+                number("contact_gap", "least clearance of a contact; negative: penetration", &["m"]),
+                number("contact_points", "points of a contact in touch", &["1"]),
+            ],
+            events: (0..self.spots.len()).flat_map(|_| &EVENTS[..self.events_of_a_spot()]).copied().collect(),
+            ..Declaration::default()
+        }
+    }
+
+    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        let sides = self.sides_at(at);
+        let first_of_search = at.situation == Situation::Settling && !self.settles;
+        self.settles = at.situation == Situation::Settling;
+        for i in 0..self.spots.len() {
+            let met = self.met(i, &sides);
+            own.modes[i] = match (met.depth.all(|depth| depth >= 0.0), met.depth.all(|depth| depth < 0.0)) {
+                (true, _) => HOLDS,
+                (_, true) => OPEN,
+                _ => BY_DEPTH,
+            };
+            let Some(friction) = self.friction else { continue };
+            if first_of_search {
+                self.anchors[i] = met.middle;
+            }
+            let limit = friction.coefficient * self.by_depth(&met).normal;
+            let along = met.along(met.middle - self.anchors[i]);
+            let is_plausible = (length(along) * friction.stiffness - limit * S::constant(PLAUSIBLE)).all(|x| x <= 0.0);
+            let limit = limit * S::constant(RESTS);
+            let bristle = if is_plausible { friction.within_limit(along, limit) } else { Vector3::zero() };
+            bristle.write_to(&mut own.states[3 * i..]);
+            self.anchors[i].write_to(&mut own.numbers[3 * i..]);
+            if own.modes[i] == HOLDS {
+                self.hold_or_slide(i, &friction, &met, bristle, own);
+            }
+        }
+    }
+
+    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        let sides = self.sides_at(at);
+        for i in 0..self.spots.len() {
+            let touches = self.met(i, &sides).depth.all(|depth| depth >= 0.0);
+            match (own.modes[i], touches) {
+                (OPEN, true) => own.modes[i] = HOLDS,
+                (HOLDS | SLIDES, false) => self.let_go(i, own),
+                _ => {}
+            }
+        }
+    }
+
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let sides = self.sides_at(at);
+        let (mut sum, mut heat) = (sides.nothing(), S::ZERO);
+        for i in 0..self.spots.len() {
+            let Some((met, pressed, drag)) = self.acting(i, &sides, at) else { continue };
+            let force = met.to_world(met.normal * pressed.normal - drag.force);
+            sum.push(force, &met);
+            heat += pressed.heat + drag.heat;
+        }
+        sides.hand_over(&sum, &self.sides, loads);
+        loads.power.dissipated += heat;
+    }
+
+    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+        let sides = self.sides_at(at);
+        rates.fill(S::ZERO);
+        let impulse = rates.len() - 1;
+        for i in 0..self.spots.len() {
+            let Some((_, pressed, drag)) = self.acting(i, &sides, at) else { continue };
+            rates[impulse] += pressed.normal;
+            if self.friction.is_some() {
+                drag.rate.write_to(&mut rates[3 * i..]);
+            }
+        }
+    }
+
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let sides = self.sides_at(at);
+        let half = S::constant(0.5);
+        (0..self.spots.len()).fold(S::ZERO, |sum, i| {
+            let met = self.met(i, &sides);
+            let bristle = self.bristle(i, &met, at);
+            let stored = self.friction.map_or(S::ZERO, |friction| friction.stiffness * bristle.norm_squared() * half);
+            sum + self.pressed(condition(i, at), &met).energy + stored
+        })
+    }
+
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        let sides = self.sides_at(at);
+        let (mut force, mut normal, mut friction, mut count) = (Vector3::zero(), S::ZERO, S::ZERO, S::ZERO);
+        let mut deepest = S::constant(f64::MIN);
+        for i in 0..self.spots.len() {
+            let depth = self.met(i, &sides).depth;
+            deepest = deepest.select_less(depth, || depth, || deepest);
+            let Some((met, pressed, drag)) = self.acting(i, &sides, at) else { continue };
+            force += met.on_load(met.to_world(met.normal * pressed.normal - drag.force));
+            normal += pressed.normal;
+            friction += length(drag.force);
+            count += met.depth.select_below(-ROUNDING_M, || S::ZERO, || S::ONE);
+        }
+        let impulse = at.states.last().copied().unwrap_or(S::ZERO);
+        out.extend(force.0);
+        let penetration = deepest.select_below(0.0, || S::ZERO, || deepest);
+        out.extend([normal, friction, impulse, penetration, -deepest, count]);
+    }
+
+    fn witness(&mut self, event: usize, at: &Moment<'_, S>) -> S {
+        let (i, event) = (event / self.events_of_a_spot(), event % self.events_of_a_spot());
+        let mode = condition(i, at);
+        let never = if EVENTS[event].crossing == Crossing::Rising { -S::ONE } else { S::ONE };
+        let is_watched = match event {
+            TOUCHES => matches!(mode, OPEN | BY_DEPTH),
+            LEAVES => mode != OPEN,
+            BEGINS_TO_SLIDE => matches!(mode, HOLDS | BY_DEPTH),
+            _ => mode == SLIDES,
+        };
+        if !is_watched {
+            return never;
+        }
+        let met = self.met(i, &self.sides_at(at));
+        match (event, self.friction) {
+            (LEAVES, _) if mode != BY_DEPTH => met.depth + S::constant(ROUNDING_M),
+            (TOUCHES | LEAVES, _) | (_, None) => met.depth,
+            (BEGINS_TO_SLIDE, Some(friction)) => {
+                let rubbing = self.rubbing(&friction, &met, self.pressed(mode, &met).normal, self.bristle(i, &met, at));
+                length(friction.holding(&rubbing).force) - rubbing.limit
+            }
+            _ => {
+                let along = met.along(self.bristle(i, &met, at));
+                along.dot(met.slip()) / length(along)
+            }
+        }
+    }
+
+    fn respond(&mut self, event: usize, at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+        let (i, event) = (event / self.events_of_a_spot(), event % self.events_of_a_spot());
+        let met = self.met(i, &self.sides_at(at));
+        match (event, self.friction) {
+            (LEAVES, _) => self.let_go(i, own),
+            (TOUCHES, None) => own.modes[i] = HOLDS,
+            (TOUCHES, Some(friction)) => self.touch(i, &friction, &met, own),
+            (BEGINS_TO_SLIDE, Some(friction)) => {
+                let bristle = self.bristle(i, &met, at);
+                self.hold_or_slide(i, &friction, &met, bristle, own);
+            }
+            (_, Some(friction)) => {
+                let normal = self.pressed(SLIDES, &met).normal;
+                let rubbing = self.rubbing(&friction, &met, normal, self.bristle(i, &met, at));
+                let (bristle, holds) = friction.after_sliding(&rubbing);
+                own.modes[i] = if holds { HOLDS } else { SLIDES };
+                bristle.write_to(&mut own.states[3 * i..]);
+            }
+            (_, None) => {}
+        }
+    }
+
+    fn watchers(&self) -> Vec<AnyWatcher> {
+        vec![Box::new(Depth::new(&self.name, self.tolerance.value()))]
+    }
+
+    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+        vec![self.sides.each_ref().map(|side| side.body)]
+    }
+}

@@ -1,0 +1,133 @@
+//! The two sides of a contact: where they are, how they move, what acts between them.
+
+use super::Facing;
+use super::solid::Solid;
+use super::spot::{Nearness, Spot};
+use crate::dynamics::Loads;
+use crate::elements::Moment;
+use crate::model::Attachment;
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Matrix3, Vector3, Wrench};
+
+/// One side: all in world axes.
+#[derive(Clone, Copy, Debug)]
+struct Side<S> {
+    /// Of its shape.
+    frame: Frame<S>,
+    /// Of its body; of what is fixed to the world, none.
+    body: Frame<S>,
+    /// Of the origin of its body, m/s.
+    velocity: Vector3<S>,
+    /// rad/s.
+    angular_velocity: Vector3<S>,
+}
+
+/// Both: the load, the surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sides<S>([Side<S>; 2]);
+
+/// A spot and the solid that it meets.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Met<S> {
+    facing: Facing,
+    /// Of the solid.
+    rotation: Matrix3<S>,
+    /// Where both act on each other, world, m.
+    point: Vector3<S>,
+    /// Of the spot over the solid there, in the solid's axes, m/s.
+    velocity: Vector3<S>,
+    /// Out of the solid, in its axes.
+    pub(super) normal: Vector3<S>,
+    /// m.
+    pub(super) depth: S,
+    /// Of the spot, in the solid's axes, m.
+    pub(super) middle: Vector3<S>,
+}
+
+/// Forces on the load, in world axes, and their moments on both sides about the origins of their bodies.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sum<S> {
+    origins: [Vector3<S>; 2],
+    force: Vector3<S>,
+    moments: [Vector3<S>; 2],
+}
+
+impl<S: Scalar> Sides<S> {
+    pub(super) fn new(sides: &[Attachment<S>; 2], at: &Moment<'_, S>) -> Self {
+        Self(sides.each_ref().map(|side| {
+            let still = (Frame::identity(), Vector3::zero(), Vector3::zero());
+            let (body, velocity, angular_velocity) = side.body.map_or(still, |body| {
+                let (frame, twist) = (at.links.body_frame(at.model, body), at.links.body_twist(at.model, body));
+                (frame, frame.rotation * twist.linear, frame.rotation * twist.angular)
+            });
+            Side { frame: body.times(&side.in_body), body, velocity, angular_velocity }
+        }))
+    }
+
+    pub(super) fn met(&self, facing: Facing, spot: &Spot<S>, solid: &Solid<S>) -> Met<S> {
+        let [own, other] = [self.0[facing as usize], self.0[1 - facing as usize]];
+        let Nearness { point, normal, depth, middle } = spot.nearness(solid, &other.frame.inverse().times(&own.frame));
+        let point = other.frame.point(point);
+        let velocity = other.frame.rotation.transpose_times(own.velocity_at(point) - other.velocity_at(point));
+        Met { facing, rotation: other.frame.rotation, point, velocity, normal, depth, middle }
+    }
+
+    pub(super) fn nothing(&self) -> Sum<S> {
+        let origins = self.0.each_ref().map(|side| side.body.position);
+        Sum { origins, force: Vector3::zero(), moments: [Vector3::zero(); 2] }
+    }
+
+    /// Acts on both bodies.
+    pub(super) fn hand_over(&self, sum: &Sum<S>, sides: &[Attachment<S>; 2], loads: &mut Loads<S>) {
+        for (k, force) in [sum.force, -sum.force].into_iter().enumerate() {
+            let Some(body) = sides[k].body else { continue };
+            let rotation = &self.0[k].body.rotation;
+            let (moment, force) = (rotation.transpose_times(sum.moments[k]), rotation.transpose_times(force));
+            loads.wrenches.push((body, Wrench { moment, force }));
+        }
+    }
+}
+
+impl<S: Scalar> Side<S> {
+    fn velocity_at(&self, point: Vector3<S>) -> Vector3<S> {
+        self.velocity + self.angular_velocity.cross(point - self.body.position)
+    }
+}
+
+impl<S: Scalar> Met<S> {
+    /// d', m/s.
+    pub(super) fn rate(&self) -> S {
+        -self.normal.dot(self.velocity)
+    }
+
+    /// v along the surface, in the solid's axes, m/s.
+    pub(super) fn slip(&self) -> Vector3<S> {
+        self.along(self.velocity)
+    }
+
+    /// The part of a vector along the surface.
+    pub(super) fn along(&self, vector: Vector3<S>) -> Vector3<S> {
+        vector - self.normal * self.normal.dot(vector)
+    }
+
+    /// A vector in the solid's axes, in the world's.
+    pub(super) fn to_world(&self, vector: Vector3<S>) -> Vector3<S> {
+        self.rotation * vector
+    }
+
+    /// A force on the spot as one on the load.
+    pub(super) fn on_load(&self, force: Vector3<S>) -> Vector3<S> {
+        if self.facing == Facing::Load { force } else { -force }
+    }
+}
+
+impl<S: Scalar> Sum<S> {
+    /// Adds a force on a spot, world axes.
+    pub(super) fn push(&mut self, force: Vector3<S>, met: &Met<S>) {
+        let force = met.on_load(force);
+        self.force += force;
+        for (k, on_side) in [force, -force].into_iter().enumerate() {
+            self.moments[k] += (met.point - self.origins[k]).cross(on_side);
+        }
+    }
+}

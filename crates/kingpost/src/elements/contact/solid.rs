@@ -1,0 +1,105 @@
+//! How far a point is from a solid.
+
+use crate::model::Axis;
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+
+/// What points press on, in its own axes about its centre.
+#[derive(Clone, Copy, Debug)]
+pub enum Solid<S = f64> {
+    /// All that is below a plane through the origin; the unit normal points out of it.
+    Plane {
+        /// Unit vector.
+        normal: Vector3<S>,
+    },
+    /// A cuboid.
+    Box {
+        /// Half of its edges along x, y, z, m.
+        half: [S; 3],
+    },
+    /// A circular cylinder.
+    Cylinder {
+        /// m.
+        radius: S,
+        /// Half of its length, m.
+        half_length: S,
+        /// What it lies along.
+        axis: Axis,
+    },
+    /// A ball.
+    Sphere {
+        /// m.
+        radius: S,
+    },
+}
+
+impl<S: Scalar> Solid<S> {
+    /// The distance of a point from the surface, m, negative inside, and its gradient: the unit normal out of the solid
+    /// where it is nearest. Inside, the nearest face counts; where two are as near, either.
+    ///
+    /// ```
+    /// use kingpost::elements::contact::Solid;
+    /// use kingpost::spatial::Vector3;
+    /// let deck = Solid::Box { half: [10.0, 5.0, 1.0] };
+    /// let (distance, normal) = deck.distance(Vector3::new(13.0, 0.0, 5.0));
+    /// assert_eq!((distance, normal.0), (5.0, [0.6, 0.0, 0.8]));
+    /// assert_eq!(deck.distance(Vector3::new(1.0, 2.0, 0.9)).1.0, [0.0, 0.0, 1.0]);
+    /// ```
+    pub fn distance(&self, point: Vector3<S>) -> (S, Vector3<S>) {
+        match *self {
+            Self::Plane { normal } => (normal.dot(point), normal),
+            Self::Sphere { radius } => {
+                let away = length(point);
+                (away - radius, point * (S::ONE / away))
+            }
+            Self::Box { half } => {
+                let signs = point.0.map(sign);
+                let (distance, gradient) =
+                    from_corner(core::array::from_fn::<_, 3, _>(|i| point[i] * signs[i] - half[i]));
+                (distance, Vector3(core::array::from_fn(|i| gradient[i] * signs[i])))
+            }
+            Self::Cylinder { radius, half_length, axis } => {
+                let along = axis as usize;
+                let side = sign(point[along]);
+                let mut across = point;
+                across[along] = S::ZERO;
+                let off = length(across);
+                let (distance, [radial, axial]) = from_corner([off - radius, point[along] * side - half_length]);
+                let mut normal = across * (radial / off);
+                normal[along] = axial * side;
+                (distance, normal)
+            }
+        }
+    }
+}
+
+/// The distance from the corner of all that has no positive coordinate, and its gradient.
+fn from_corner<S: Scalar, const N: usize>(beyond: [S; N]) -> (S, [S; N]) {
+    let mut nearest = beyond[0];
+    let mut faces = [S::ZERO; N];
+    faces[0] = S::ONE;
+    for i in 1..N {
+        let is_nearer = nearest.select_less(beyond[i], || S::ONE, || S::ZERO);
+        nearest = nearest.select_less(beyond[i], || beyond[i], || nearest);
+        faces[..i].iter_mut().for_each(|face| *face = *face * (S::ONE - is_nearer));
+        faces[i] = is_nearer;
+    }
+    let outside = beyond.map(|x| x.select_below(0.0, || S::ZERO, || x));
+    let squared = outside.iter().fold(S::ZERO, |sum, x| sum + *x * *x);
+    let away = root(squared);
+    let choose = |inside: S, outside: S| squared.select_below(f64::MIN_POSITIVE, || inside, || outside);
+    (choose(nearest, away), core::array::from_fn(|i| choose(faces[i], outside[i] / away)))
+}
+
+fn sign<S: Scalar>(x: S) -> S {
+    x.select_below(0.0, || -S::ONE, || S::ONE)
+}
+
+/// The length of a vector, or the least that can be divided by.
+pub(super) fn length<S: Scalar>(vector: Vector3<S>) -> S {
+    root(vector.norm_squared())
+}
+
+fn root<S: Scalar>(squared: S) -> S {
+    squared.select_below(f64::MIN_POSITIVE, || S::constant(f64::MIN_POSITIVE), || squared).sqrt()
+}

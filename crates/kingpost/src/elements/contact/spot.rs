@@ -1,0 +1,67 @@
+//! What of one side may touch the solid of the other: points, balls, the ends of a cylinder.
+
+use super::solid::Solid;
+use crate::scalar::Scalar;
+use crate::spatial::{Frame, Vector3};
+
+/// A place of a shape that may touch, in the shape's axes.
+#[derive(Clone, Copy, Debug)]
+pub enum Spot<S = f64> {
+    /// A ball; of radius 0, a corner or a foot.
+    Ball {
+        /// m.
+        centre: Vector3<S>,
+        /// m.
+        radius: S,
+    },
+    /// The end of a cylinder: a flat spheroid, so that a cylinder that lies rolls as on a circle, one that stands has one point of
+    /// touch that moves to its rim as it leans, and nothing jumps between. Only against a plane.
+    End {
+        /// m.
+        centre: Vector3<S>,
+        /// Unit vector along the cylinder.
+        axis: Vector3<S>,
+        /// Semi-axis across it, m.
+        radius: S,
+        /// Semi-axis along it, m.
+        bulge: S,
+    },
+}
+
+/// How a spot is to a solid, in the solid's axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearness<S> {
+    /// The spot's deepest point, m.
+    pub point: Vector3<S>,
+    /// Out of the solid.
+    pub normal: Vector3<S>,
+    /// How far the spot is inside, m; negative outside.
+    pub depth: S,
+    /// The middle of the spot, m.
+    pub middle: Vector3<S>,
+}
+
+impl<S: Scalar> Spot<S> {
+    /// How it is to a solid, where its shape's frame is seen from the solid's.
+    pub fn nearness(&self, solid: &Solid<S>, seen: &Frame<S>) -> Nearness<S> {
+        match *self {
+            Self::Ball { centre, radius } => {
+                let middle = seen.point(centre);
+                let (distance, normal) = solid.distance(middle);
+                Nearness { point: middle - normal * radius, normal, depth: radius - distance, middle }
+            }
+            Self::End { centre, axis, radius, bulge } => {
+                let middle = seen.point(centre);
+                let (distance, normal) = solid.distance(middle);
+                let up = seen.rotation.transpose_times(normal);
+                let along = up.dot(axis);
+                let across = up - axis * along;
+                // The support function of a spheroid and its gradient.
+                let to_rim = (across * radius).norm_squared() + (along * bulge) * (along * bulge);
+                let reach = to_rim.sqrt();
+                let deepest = (across * (radius * radius) + axis * (along * bulge * bulge)) * (-S::ONE / reach);
+                Nearness { point: middle + seen.rotation * deepest, normal, depth: reach - distance, middle }
+            }
+        }
+    }
+}

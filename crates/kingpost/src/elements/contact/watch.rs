@@ -1,0 +1,40 @@
+//! Warns where a contact is pressed in deeper than it should be.
+
+use crate::elements::{Extreme, Warning, Watcher, significant};
+
+/// The largest penetration of a run.
+#[derive(Clone, Debug)]
+pub(super) struct Depth {
+    name: String,
+    tolerance_m: f64,
+    largest: Extreme,
+}
+
+impl Depth {
+    pub(super) fn new(name: &str, tolerance_m: f64) -> Self {
+        Self { name: name.to_owned(), tolerance_m, largest: Extreme::default() }
+    }
+}
+
+impl Watcher for Depth {
+    fn columns(&self) -> Vec<String> {
+        vec![format!("{}.contact_penetration", self.name)]
+    }
+
+    fn see(&mut self, time_s: f64, values: &[f64]) {
+        self.largest.see(time_s, values.first().copied().unwrap_or_default());
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        let Extreme { value, time_s } = self.largest;
+        if value <= self.tolerance_m {
+            return Vec::new();
+        }
+        let text = format!(
+            "is pressed in by {} m, more than its penetration_tolerance_m of {} m: make it stiffer",
+            significant(value, 3),
+            significant(self.tolerance_m, 3)
+        );
+        vec![Warning { time_s, name: self.name.clone(), text }]
+    }
+}

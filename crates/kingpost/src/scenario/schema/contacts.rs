@@ -1,0 +1,184 @@
+//! Contact of a load with a deck, a quay, the seabed, another vessel.
+
+use serde::{Deserialize, Serialize};
+
+use super::{BoxShape, CylinderShape, Direction, Fraction, Name, NonNegative, Positive, SphereShape, yes};
+use crate::scenario::leaf::Leaf;
+
+/// Contact of a load with a surface: it is pressed out, and held by friction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Contact", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Contact<S = f64> {
+    /// Whether it is there.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// What touches.
+    pub load: ContactLoad<S>,
+    /// What it touches: a deck, a quay, the seabed, a bumper.
+    pub surface: ContactSurface<S>,
+    /// Stiffness of each point that touches, N/m: a box that stands on four corners has four times as much.
+    #[serde(rename = "stiffness_N_per_m")]
+    pub stiffness_n_per_m: Positive<S>,
+    /// What is left of the speed of an impact at `restitution_speed_m_s`, from 0.1 to 1; slower impacts leave more.
+    #[serde(default = "third::<S>")]
+    pub restitution: Fraction<S>,
+    /// The speed of impact that the restitution is for, m/s.
+    #[serde(default = "half::<S>")]
+    pub restitution_speed_m_s: Positive<S>,
+    /// Coulomb's coefficient of friction; 0 for a smooth surface.
+    pub friction_coefficient: NonNegative<S>,
+    /// Stiffness of each point along the surface while friction holds it, N/m; without it, that of the contact.
+    #[serde(default, rename = "friction_stiffness_N_per_m", skip_serializing_if = "Option::is_none")]
+    pub friction_stiffness_n_per_m: Option<Positive<S>>,
+    /// Penetration that is refused where a run begins, and that a run warns of, m.
+    #[serde(default = "tolerance::<S>")]
+    pub penetration_tolerance_m: Positive<S>,
+}
+
+/// The shape that touches, and where it is on its body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "ContactLoad", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct ContactLoad<S = f64> {
+    /// The body.
+    pub body: Name,
+    /// The centre of the shape in the body's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [S; 3],
+    /// The shape's axes in the body's: roll, pitch, yaw, rad.
+    #[serde(default)]
+    pub orientation_rad: [S; 3],
+    /// What touches.
+    pub shape: LoadShape<S>,
+}
+
+/// What touches a surface.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LoadShape", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum LoadShape<S = f64> {
+    /// A box: its corners touch, and corners of the surface touch its faces.
+    Box(BoxShape<S>),
+    /// A circular cylinder, that rolls or stands on a plane.
+    Cylinder(CylinderShape<S>),
+    /// A ball.
+    Sphere(SphereShape<S>),
+    /// Points: feet, or the corners of a convex body.
+    Points(ContactPoints<S>),
+}
+
+/// Points that touch.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "ContactPoints", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct ContactPoints<S = f64> {
+    /// From the shape's centre, in its axes, m; at most 64.
+    pub positions_m: Vec<[S; 3]>,
+}
+
+/// The surface, and where it is on its body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "ContactSurface", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct ContactSurface<S = f64> {
+    /// The body, or `world`.
+    pub body: Name,
+    /// A point of the plane, or the centre of the shape, in the body's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [S; 3],
+    /// The shape's axes in the body's: roll, pitch, yaw, rad.
+    #[serde(default)]
+    pub orientation_rad: [S; 3],
+    /// What is touched.
+    pub shape: SurfaceShape<S>,
+}
+
+/// What a load touches.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SurfaceShape", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum SurfaceShape<S = f64> {
+    /// A plane without bounds: the seabed, a quay, a deck that nothing leaves.
+    Plane(ContactPlane<S>),
+    /// A box, with edges that a load may slip off: a deck, a platform, a guide.
+    Box(BoxShape<S>),
+    /// A ball: a bumper, a roller.
+    Sphere(SphereShape<S>),
+}
+
+/// A plane.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "ContactPlane", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct ContactPlane<S = f64> {
+    /// Out of the surface, in its axes, any length.
+    #[serde(default = "up::<S>")]
+    pub normal: Direction<S>,
+}
+
+impl<S: Leaf> Default for ContactPlane<S> {
+    fn default() -> Self {
+        Self { normal: up() }
+    }
+}
+
+/// The default of `normal`.
+fn up<S: Leaf>() -> Direction<S> {
+    Direction::literal([0.0, 0.0, 1.0])
+}
+
+/// The default of `restitution`.
+fn third<S: Leaf>() -> Fraction<S> {
+    Fraction::literal(0.3)
+}
+
+/// The default of `restitution_speed_m_s`.
+fn half<S: Leaf>() -> Positive<S> {
+    Positive::literal(0.5)
+}
+
+/// The default of `penetration_tolerance_m`.
+fn tolerance<S: Leaf>() -> Positive<S> {
+    Positive::literal(0.02)
+}
+
+impl<S> LoadShape<S> {
+    /// The name of its kind.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Box(_) => "box",
+            Self::Cylinder(_) => "cylinder",
+            Self::Sphere(_) => "sphere",
+            Self::Points(_) => "points",
+        }
+    }
+}
