@@ -48,7 +48,7 @@ const BOX: &str = "{box: {length_m: 4, width_m: 3, height_m: 2}}";
 
 #[test]
 fn a_box_displaces_what_archimedes_says_at_every_cut_and_rights_as_a_wall_sided_body() {
-    for height in [1.2, 0.7, 0.0, -0.4, -0.999, -1.3] {
+    for height in [1.2_f64, 0.7, 0.0, -0.4, -0.999, -1.3] {
         let exact = 12.0 * (1.0 - height).clamp(0.0, 2.0);
         let found = volume(&mut held(height, [0.0; 3], BOX));
         assert!((found - exact).abs() < 1e-9, "{height}: {found} {exact}");
@@ -111,13 +111,14 @@ fn hook(load: &mut Simulation) -> f64 {
 
 #[test]
 fn a_box_that_is_lowered_through_still_water_has_the_forces_by_hand() {
-    let rest = ", added_mass: {coefficients: [0, 0, 0.9]}, drag: {coefficients: [1, 1, 1.8], linear_N_s_m: [0, 0, 700]}";
-    let mut load = lowering(BOX, rest, "", 1.5, 0.05);
+    let rest =
+        ", added_mass: {coefficients: [0, 0, 0.9]}, drag: {coefficients: [1, 1, 1.8], linear_N_s_m: [0, 0, 700]}";
+    let mut load = lowering(BOX, rest, "", 1.45, 0.05);
     let weight = 20000.0 * GRAVITY;
     let added = DENSITY * 0.9 * 24.0;
     for _ in 0..14 {
         load.step(10).unwrap();
-        let depth = (SPEED * load.time_s() - 0.5).clamp(0.0, 2.0);
+        let depth = (SPEED * load.time_s() - 0.45).clamp(0.0, 2.0);
         let share = depth / 2.0;
         let drag = share * (0.5 * DENSITY * 1.8 * 12.0 * SPEED + 700.0) * SPEED;
         let slam = if share > 0.0 && share < 1.0 { added / 2.0 * SPEED * SPEED } else { 0.0 };
@@ -127,7 +128,7 @@ fn a_box_that_is_lowered_through_still_water_has_the_forces_by_hand() {
     }
     let events: Vec<(f64, &str)> = load.events().iter().map(|event| (event.time_s, event.what)).collect();
     assert_eq!(events.iter().map(|event| event.1).collect::<Vec<_>>(), ["meets the water", "is under water"]);
-    assert!((events[0].0 - 1.0).abs() < 1e-9 && (events[1].0 - 5.0).abs() < 1e-9, "{events:?}");
+    assert!((events[0].0 - 0.9).abs() < 1e-9 && (events[1].0 - 4.9).abs() < 1e-9, "{events:?}");
 }
 
 /// The integral of the force of slamming by the midpoint rule, whose error for a chord that begins as a root is of order
@@ -179,7 +180,9 @@ impl Wave {
 
     fn sea(&self) -> String {
         let (height, period, phase) = (2.0 * self.amplitude, 2.0 * PI / self.frequency, self.phase);
-        format!("waves: {{one: {{regular: {{height_m: {height}, period_s: {period}, phase_rad: {phase}}}}}}}, ramp_s: 0")
+        format!(
+            "waves: {{one: {{regular: {{height_m: {height}, period_s: {period}, phase_rad: {phase}}}}}}}, ramp_s: 0"
+        )
     }
 
     /// sin and cos of the phase at x = 0.
@@ -206,14 +209,14 @@ fn a_box_that_is_lowered_through_a_regular_wave_has_the_forces_by_hand() {
     let wave = Wave::new(1.4, 7.5, 0.8);
     let (ca, cd) = (0.9, [1.1, 1.4, 1.8]);
     let rest = format!(", added_mass: {{coefficients: [0.6, 0.5, {ca}]}}, drag: {{coefficients: {cd:?}}}");
-    let mut load = lowering(BOX, &rest, &wave.sea(), 1.9, 0.05);
+    let mut load = lowering(BOX, &rest, &wave.sea(), 2.6, 0.05);
     let mut phases = [0; 3];
-    for _ in 0..60 {
+    for _ in 0..75 {
         load.step(3).unwrap();
-        let (time, z) = (load.time_s(), 1.9 - SPEED * load.time_s());
+        let (time, z) = (load.time_s(), 2.6 - SPEED * load.time_s());
         let [elevation, slope, rate] = wave.surface(time);
         let [length, width, half] = [4.0, 3.0, 1.0];
-        // Wall-sided where neither bottom nop top is cut, which the slope decides.
+        // Wall-sided where neither bottom nor top is cut, which the slope decides.
         let (level, lean) = (elevation - z, slope.abs() * length / 2.0);
         let cut = level.abs() + lean < half;
         if !cut && level.abs() - lean < half {
@@ -404,12 +407,12 @@ fn energy_and_momentum_are_kept_by_work_and_heat() {
 #[test]
 fn the_water_only_takes_energy_from_what_bobs_in_it() {
     let text = lowered(
-        "axis: [0, 0, 1], position_m: [0, 0, 2.5]",
+        "axis: [0, 0, 1], position_m: [0, 0, -4]",
         "",
         &format!("shape: {BOX}, added_mass: {{coefficients: [0, 0, 0.9]}}"),
         "step_s: 0.01, duration_s: 30",
     )
-    .replace("20000", "9000");
+    .replace("20000", "4000");
     let mut load = simulation(&text);
     let mut before = f64::INFINITY;
     for _ in 0..1500 {
@@ -417,12 +420,12 @@ fn the_water_only_takes_energy_from_what_bobs_in_it() {
         let energy = values(&mut load, "kinetic_energy")[0] + values(&mut load, "potential_energy")[0];
         let (rate, added) = (load.state().v[0], values(&mut load, "submerged_added_mass")[2]);
         let whole = energy + 0.5 * added * rate * rate;
-        assert!(whole < before + 1e-5 * 9000.0, "{whole} after {before}");
+        assert!(whole < before + 1e-5 * 4000.0, "{whole} after {before}");
         assert!(rate < 0.0 || values(&mut load, "submerged_slamming")[2] == 0.0);
         before = whole;
     }
     let count = |what: &str| load.events().iter().filter(|event| event.what == what).count();
-    assert!(count("leaves the water") > 0 && count("meets the water") > 1, "{:?}", load.events());
+    assert!(count("leaves the water") > 0 && count("meets the water") > 0, "{:?}", load.events());
 }
 
 #[test]
@@ -465,12 +468,9 @@ fn the_order_of_the_scheme_is_kept_through_the_surface() {
 
 #[test]
 fn perforation_takes_from_the_added_mass_what_the_formula_says() {
-    for (perforation, left) in [
-        (0.0, 1.0),
-        (0.05, 1.0),
-        (0.2, 0.7 + 0.3 * (PI * 15.0 / 34.0).cos()),
-        (0.4, (-30.0_f64 / 28.0).exp()),
-    ] {
+    for (perforation, left) in
+        [(0.0, 1.0), (0.05, 1.0), (0.2, 0.7 + 0.3 * (PI * 15.0 / 34.0).cos()), (0.4, (-30.0_f64 / 28.0).exp())]
+    {
         let rest = format!(", added_mass: {{coefficients: [0, 0, 0.5], perforation: {perforation}}}");
         let mut load = lowering(BOX, &rest, "", -3.0, 0.05);
         let found = values(&mut load, "submerged_added_mass")[2];
@@ -491,14 +491,20 @@ fn a_frame_displaces_its_own_volume_and_the_wind_finds_what_is_dry() {
 }
 
 #[test]
-fn a_current_carries_a_body_along_and_heats_the_water_by_what_slips() {
-    let text = thrown("rk4", 0.02).replace("height_m: 1,", "enabled: false, height_m: 1,");
-    let text = text.replace("height_m: 0.6,", "enabled: false, height_m: 0.6,").replace("wind: {speed", "#").replace(
-        "      wind: {coefficients: [1, 1.1, 1]}\n",
-        "",
+fn a_current_carries_a_body_along_and_heats_what_slips() {
+    let text = lowered(
+        "axis: [1, 0, 0], position_m: [0, 0, -6]",
+        "current_m_s: [0.8, 0]",
+        &format!("shape: {BOX}, added_mass: {{coefficients: [0.6, 0, 0]}}, drag: {{linear_N_s_m: [900, 0, 0]}}"),
+        "step_s: 0.05, duration_s: 60",
     );
-    let mut load = simulation(&text.replace("mass_kg: 20000", "mass_kg: 15000").replace("duration_s: 6", "duration_s: 200"));
-    load.step(9000).unwrap();
-    let v = &load.state().v;
-    assert!((v[0] - 0.3).abs() < 1e-3 && (v[1] - 0.2).abs() < 1e-3, "{v:?}");
+    let mut load = simulation(&text);
+    load.step(600).unwrap();
+    // (m + A) v' = c (u - v) from rest.
+    let time = (20000.0 + DENSITY * 0.6 * 24.0) / 900.0;
+    let speed = 0.8 * (1.0 - (-30.0_f64 / time).exp());
+    assert!((load.state().v[0] - speed).abs() < 1e-8, "{} {speed}", load.state().v[0]);
+    // Heat is the integral of c (u - v)^2.
+    let heat = 900.0 * 0.64 * time / 2.0 * (1.0 - (-60.0_f64 / time).exp());
+    assert!((values(&mut load, "energy_dissipated")[0] / heat - 1.0).abs() < 1e-8);
 }

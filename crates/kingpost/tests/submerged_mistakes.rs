@@ -37,7 +37,11 @@ fn every_mistake_is_told_at_its_place() {
     for (from, to, expected) in [
         ("body: load", "body: lode", "body: found lode, allowed: one of load"),
         ("length_m: 4", "length_m: 0", "shape.box.length_m: found 0"),
-        ("displaced_volume_m3: 20", "displaced_volume_m3: 25", "displaced_volume_m3: found 25, allowed: at most the volume"),
+        (
+            "displaced_volume_m3: 20",
+            "displaced_volume_m3: 25",
+            "displaced_volume_m3: found 25, allowed: at most the volume",
+        ),
         ("coefficients: [0.4, 0.6, 0.9]", "coefficients: [0.4, -0.6, 0.9]", "added_mass.coefficients.1: found -0.6"),
         ("perforation: 0.1", "perforation: 0.6", "added_mass.perforation: found 0.6, allowed: a number from 0 to 0.5"),
         ("factors: [0, 0.6, 1]", "factors: [0, 0.6]", "added_mass.growth.factors: found 2 numbers, allowed: 3"),
