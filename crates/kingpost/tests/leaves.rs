@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 31] = [
+const STRUCTURE: [&str; 32] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -220,6 +220,7 @@ const STRUCTURE: [&str; 31] = [
     ".gusts.highest_Hz",
     ".table.depths_m.",
     ".growth.shares.",
+    "sea.depth_m",
 ];
 
 /// Gradients along leaves, those of a chunk in one run; a leaf without one is told by its name.
