@@ -188,7 +188,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
 }
 
 /// Fields that decide how a run is made up: no derivative follows them.
-const STRUCTURE: [&str; 30] = [
+const STRUCTURE: [&str; 32] = [
     "simulation.",
     ".pulse.",
     ".travel.start_s",
@@ -219,6 +219,8 @@ const STRUCTURE: [&str; 30] = [
     ".gusts.lowest_Hz",
     ".gusts.highest_Hz",
     ".table.depths_m.",
+    ".growth.shares.",
+    "sea.depth_m",
 ];
 
 /// Gradients along leaves, those of a chunk in one run; a leaf without one is told by its name.
@@ -312,6 +314,11 @@ fn every_number_of_every_element_is_each_runs_own_and_has_its_derivative() {
 #[test]
 fn so_it_is_in_other_winds_and_currents() {
     check(&["wind_and_current.yaml"], 3.0);
+}
+
+#[test]
+fn so_it_is_in_the_splash_zone() {
+    check(&["splash_zone.yaml"], 3.0);
 }
 
 #[test]

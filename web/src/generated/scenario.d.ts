@@ -1950,6 +1950,9 @@ export type Force =
       slack_tank: SlackTank;
     }
   | {
+      submerged: Submerged;
+    }
+  | {
       spring_line: SpringLine;
     }
   | {
@@ -2112,6 +2115,77 @@ export type Hydrodynamics = {
    * The same as `slow_motion_cutoff_rad_s`, in the unit of this name.
    */
   slow_motion_cutoff_deg_s?: number;
+};
+/**
+ * The water that moves with it.
+ */
+export type SubmergedAddedMass = {
+  /**
+   * C_A along x, y and z of the body (DNV-RP-N103, appendix A).
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  coefficients?: [number, number, number];
+  /**
+   * V_R that the coefficients refer to, m^3; without it, the volume of the solid.
+   */
+  reference_volume_m3?: number | null;
+  /**
+   * Added moments of inertia about x, y and z through the solid's centre, kg m^2.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  moments_kg_m2?: [number, number, number];
+  /**
+   * The same as `moments_kg_m2`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  moments_t_m2?: [number, number, number];
+  /**
+   * Open area over the whole of the plates, from 0 to 0.5: it reduces the coefficients.
+   */
+  perforation?: number;
+  /**
+   * How it grows with the share of the volume that is under water; without it, in proportion.
+   */
+  growth?: SubmergedGrowth | null;
+};
+/**
+ * Drag.
+ */
+export type SubmergedDrag = {
+  /**
+   * C_D along x, y and z of the body, in oscillating flow (DNV-RP-N103, appendix B).
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  coefficients?: [number, number, number];
+  /**
+   * A_p across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  areas_m2?: [number, number, number] | null;
+  /**
+   * c along x, y and z of the body, N s/m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  linear_N_s_m?: [number, number, number];
+  /**
+   * The same as `linear_N_s_m`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  linear_kN_s_m?: [number, number, number];
 };
 /**
  * A line without weight between two points on bodies, or on a body and in the world: a spring that pulls when it is
@@ -4161,6 +4235,86 @@ export interface SlackTank {
    * Density of the liquid, kg/m^3; without it, that of the sea.
    */
   density_kg_m3?: number | null;
+}
+/**
+ * The water on an object that is lowered through the surface of the sea, small beside the waves: buoyancy, drag, added
+ * mass that grows as it goes under, slamming. Several may stand on one body, for a long or a composed one.
+ */
+export interface Submerged {
+  /**
+   * Whether it acts.
+   */
+  enabled?: boolean;
+  /**
+   * The body.
+   */
+  body: string;
+  /**
+   * Centre of the solid in the body's drawing frame, m; without it, the centre of mass.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number] | null;
+  /**
+   * The solid that the surface of the sea cuts; its axes are the body's.
+   */
+  shape:
+    | {
+        box: BoxShape;
+      }
+    | {
+        cylinder: CylinderShape;
+      }
+    | {
+        sphere: SphereShape;
+      };
+  /**
+   * V: volume of water that the whole object displaces, m^3, where that is less than the solid's, as of a frame.
+   */
+  displaced_volume_m3?: number | null;
+  added_mass?: SubmergedAddedMass;
+  drag?: SubmergedDrag;
+  /**
+   * Drag of the wind on what is dry.
+   */
+  wind?: SubmergedWind | null;
+}
+/**
+ * Added mass over the share of the volume that is under water: a smooth curve through points.
+ */
+export interface SubmergedGrowth {
+  /**
+   * Shares of the volume, from 0 to 1, increasing.
+   */
+  shares: number[];
+  /**
+   * Share of the added mass at each, the first 0.
+   */
+  factors: number[];
+}
+/**
+ * Drag of the wind on the share of the volume that is dry.
+ */
+export interface SubmergedWind {
+  /**
+   * C_D along x, y and z of the body.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  coefficients: [number, number, number];
+  /**
+   * Areas across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  areas_m2?: [number, number, number] | null;
+  /**
+   * Height above the still water whose wind counts, m.
+   */
+  height_m?: number;
 }
 /**
  * One end: the fairlead, say.

@@ -31,6 +31,7 @@ mod rods;
 pub mod ropes;
 mod slack_tank;
 mod soft_hold;
+pub mod submerged;
 mod viscous_damping;
 mod watcher;
 
@@ -60,5 +61,6 @@ pub use rods::{Pendant, Rod};
 pub use ropes::{Rope, TuggerLine};
 pub use slack_tank::SlackTank;
 pub use soft_hold::SoftHold;
+pub use submerged::Submerged;
 pub use viscous_damping::ViscousDamping;
 pub use watcher::{AnyWatcher, Extreme, Warning, Watcher, significant};

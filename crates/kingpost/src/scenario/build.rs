@@ -22,6 +22,7 @@ mod ropes_at_start;
 mod sensors;
 mod soft_hold;
 mod station;
+mod submerged;
 mod tanks;
 mod watchers;
 mod water;
@@ -198,6 +199,7 @@ fn forces<S: Quantity>(
             ForceSchema::ViscousDamping(given) => forces.extend(damping::viscous(scenario, name, given, model)?),
             ForceSchema::QuadraticDamping(given) => forces.extend(damping::quadratic(scenario, name, given, model)?),
             ForceSchema::SlackTank(given) => forces.extend(tanks::slack(scenario, name, given, model)?),
+            ForceSchema::Submerged(given) => forces.extend(submerged::build(scenario, name, given, model, world)?),
             ForceSchema::SpringLine(given) => forces.extend(lines::spring(scenario, name, given, model)?),
             ForceSchema::CatenaryLine(given) => forces.extend(lines::catenary(scenario, name, given, model, world)?),
             ForceSchema::Rope(given) => forces.extend(ropes::build(scenario, name, given, model)?),

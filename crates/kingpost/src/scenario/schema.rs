@@ -29,6 +29,7 @@ mod sea;
 mod sensors;
 mod slack_tank;
 mod soft_hold;
+mod submerged;
 mod top;
 mod waves;
 
@@ -84,6 +85,7 @@ pub use sea::Sea;
 pub use sensors::{MotionReferenceUnit, Sensor, Wire};
 pub use slack_tank::SlackTank;
 pub use soft_hold::SoftHold;
+pub use submerged::{Submerged, SubmergedAddedMass, SubmergedDrag, SubmergedGrowth, SubmergedShape, SubmergedWind};
 pub(super) use top::is_top_field;
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,

@@ -3,6 +3,7 @@
 
 pub mod barge;
 pub mod closed_forms;
+pub mod splash;
 pub mod trees;
 
 use kingpost::analysis::Linearizer;

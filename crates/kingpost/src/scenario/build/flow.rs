@@ -86,7 +86,7 @@ fn table<S: Quantity>(field: &str, given: &schema::FlowCoefficients<S>) -> Resul
 const LEAST_NPD_M: f64 = 1.0;
 
 /// An error unless the wind has a speed at a height.
-fn check_height<S: Quantity>(wind: &schema::Wind<S>, height: S, field: &str) -> Result<(), FieldError> {
+pub(super) fn check_height<S: Quantity>(wind: &schema::Wind<S>, height: S, field: &str) -> Result<(), FieldError> {
     if wind.profile == schema::WindProfile::Npd && !height.all(|height| height >= LEAST_NPD_M) {
         return Err(FieldError::new(
             format!("{field}.height_m"),

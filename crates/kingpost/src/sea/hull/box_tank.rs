@@ -5,7 +5,7 @@
 //! and its first moment are those of a hull in the water of that plane (see [`super::WettedHull`]), here
 //! of a box whose sizes may carry derivatives.
 
-use super::wetted::{corner_shares, side};
+use super::solids::Below;
 use crate::scalar::{Dual, Scalar};
 use crate::spatial::{Matrix3, Vector3};
 
@@ -21,14 +21,6 @@ pub struct BoxTank<S = f64> {
     pub edges: Vector3<S>,
     /// Share of the volume that is liquid, from 0 to 1; at both ends there is no free surface.
     pub filling: S,
-}
-
-/// What of a box is below a plane.
-struct Below<S> {
-    volume: S,
-    first_moment: Vector3<S>,
-    /// Of the section with the plane, m^2.
-    area: S,
 }
 
 impl<S: Scalar> BoxTank<S> {
@@ -105,42 +97,8 @@ impl<S: Scalar> BoxTank<S> {
 
     /// What is below the plane n . r = l.
     fn below(&self, vertical: Vector3<S>, level: S) -> Below<S> {
-        let corners: [Vector3<S>; 8] = core::array::from_fn(|corner| self.corner(corner));
-        let heights = corners.map(|r| vertical.dot(r) - level);
-        let sides = heights.map(side);
-        let (mut volume, mut moment, mut area) = (S::ZERO, Vector3::zero(), S::ZERO);
-        for (axis, triangle) in triangles() {
-            let outward = if triangle[0] >> axis & 1 == 1 { 0.5 } else { -0.5 };
-            let size = self.edges[(axis + 1) % 3] * self.edges[(axis + 2) % 3] * S::constant(outward / 12.0);
-            let along_vertical = vertical[axis] * size;
-            let sides = triangle.map(|corner| sides[corner]);
-            let shares = corner_shares(sides, triangle, &heights, &heights);
-            for (corner, share) in triangle.into_iter().zip(shares) {
-                volume += along_vertical * share;
-                moment += corners[corner] * (along_vertical * share);
-            }
-            // The areas of all that closes sum to none: that of the plane is what the walls lack.
-            let wet = corner_shares(sides, triangle, &heights, &[S::ONE; 8]);
-            area -= along_vertical * (wet[0] + wet[1] + wet[2]);
-        }
-        let height_moment = (vertical.dot(moment) - level * volume) * S::constant(0.5);
-        Below { volume, first_moment: moment - vertical * height_moment, area }
+        Below::of_box(self.edges, vertical, level)
     }
-
-    /// Corner by its bits: x, y and z, set where it is ahead, to port, on top.
-    fn corner(&self, bits: usize) -> Vector3<S> {
-        Vector3(core::array::from_fn(|k| self.edges[k] * S::constant(if bits >> k & 1 == 1 { 0.5 } else { -0.5 })))
-    }
-}
-
-/// Two on each side of a box, as corners, with the axis that the side is across.
-fn triangles() -> impl Iterator<Item = (usize, [usize; 3])> {
-    (0..12).map(|i| {
-        let axis = i / 4;
-        let (one, other) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
-        let (first, middle) = ((i / 2 % 2) << axis, if i % 2 == 0 { one } else { other });
-        (axis, [first, first + middle, first + one + other])
-    })
 }
 
 impl BoxTank {

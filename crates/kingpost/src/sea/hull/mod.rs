@@ -1,5 +1,5 @@
 //! A ship's hull in the water: its mesh, its buoyancy as it stands, the linear form, stability; the free surfaces of its
-//! slack tanks.
+//! slack tanks; plain solids cut by a plane.
 //!
 //! All wrenches, moments and centres are in the hull's axes (x forward, y to port, z up) about the
 //! hull's origin. Weight is no part of this: hydrostatics know the hull and the water only.
@@ -11,6 +11,7 @@ mod afloat;
 mod box_tank;
 mod linear;
 mod mesh;
+mod solids;
 mod stability;
 mod waterplane;
 mod wave_pressure;
@@ -19,6 +20,7 @@ mod wetted;
 pub use box_tank::{BoxTank, HullTank};
 pub use linear::{LinearHydrostatics, Restoring};
 pub use mesh::{HullMesh, MeshError};
+pub use solids::{Below, Solid};
 pub use stability::{Equilibrium, Loading, RightingArm, StabilityError};
 pub use waterplane::Waterplane;
 pub use wave_pressure::LocalWater;

@@ -5,6 +5,7 @@
 //! such a sum does at a point of the water. Waves go to their direction, from the world's x
 //! counter-clockwise; the elevation is Re{a e^(i (k x cos b + k y sin b - w t + phase))}.
 
+mod at_body;
 mod at_points;
 mod components;
 mod dispersion;
@@ -19,6 +20,7 @@ mod spreading;
 mod surface;
 mod water;
 
+pub use at_body::{LocalSurface, WavesAtBody};
 pub use at_points::WavesAtPoints;
 pub use components::{MOST_COMPONENTS, WaveComponent, significant_height_of_components_m};
 pub use dispersion::{group_velocity_m_s, wave_number};

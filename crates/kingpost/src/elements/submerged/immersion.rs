@@ -1,0 +1,193 @@
+//! How a solid lies in the water, and what the water does there.
+
+use super::{ROUNDING_M, has_phases};
+use crate::elements::Moment;
+use crate::elements::hull::{HullFrame, HullMotion};
+use crate::scalar::Scalar;
+use crate::sea::hull::{Below, Solid};
+use crate::sea::waves::{LocalSurface, WavesAtBody};
+use crate::spatial::{Frame, Twist, Vector3};
+use crate::world::CurrentAt;
+
+/// Where a solid is, so that no step mixes two laws: events change it. Runs side by side that begin differently go by the
+/// level until the first event of one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Phase {
+    ByLevel = 0,
+    Dry = 1,
+    Cut = 2,
+    Wet = 3,
+}
+
+impl Phase {
+    /// By how far the lowest and the highest point are below the surface.
+    pub fn of<S: Scalar>(low: S, high: S) -> Self {
+        if low.all(|low| low < 0.0) {
+            Self::Dry
+        } else if high.all(|high| high >= 0.0) {
+            Self::Wet
+        } else if low.all(|low| low >= 0.0) && high.all(|high| high < 0.0) {
+            Self::Cut
+        } else {
+            Self::ByLevel
+        }
+    }
+
+    pub fn at<S>(at: &Moment<'_, S>) -> Self {
+        match at.modes.first().filter(|_| has_phases(at.situation)) {
+            Some(1) => Self::Dry,
+            Some(2) => Self::Cut,
+            Some(3) => Self::Wet,
+            _ => Self::ByLevel,
+        }
+    }
+}
+
+/// Memory for the waves at a solid.
+#[derive(Clone, Debug, Default)]
+pub struct Waters<S = f64> {
+    waves: Option<WavesAtBody<S>>,
+}
+
+/// A solid in the water at one moment. Vectors are in the body's axes.
+pub(super) struct Immersion<S> {
+    /// The solid's axes in the world, its centre their origin.
+    pub frame: Frame<S>,
+    /// Of the body about that centre.
+    pub twist: Twist<S>,
+    /// What is below the surface.
+    pub below: Below<S>,
+    /// b: the centre of that, m.
+    pub centre: Vector3<S>,
+    /// s, and its rate, 1/s.
+    pub share: S,
+    pub share_rate: S,
+    /// phi(s), and its rate, 1/s.
+    pub factor: S,
+    pub factor_rate: S,
+    /// u: velocity of the water, m/s.
+    pub stream: Vector3<S>,
+    /// a: its acceleration, m/s^2.
+    pub acceleration: Vector3<S>,
+    /// Whether there are waves.
+    pub in_waves: bool,
+}
+
+impl<S: Scalar> Immersion<S> {
+    /// Velocity of the body at b.
+    pub fn velocity_at_centre(&self) -> Vector3<S> {
+        self.twist.linear + self.twist.angular.cross(self.centre)
+    }
+}
+
+/// The surface as the solid sees it: N . r < L is below, with the normal N = (-slopes, 1) in the body's axes; both by the
+/// length of N.
+struct Plane<S> {
+    normal: Vector3<S>,
+    level: S,
+    /// Their rates, for points of the body, and 1 / |N|.
+    normal_rate: Vector3<S>,
+    level_rate: S,
+    scale: S,
+}
+
+impl<S: Scalar> Plane<S> {
+    fn of(surface: &LocalSurface<S>, motion: &HullMotion<S>) -> Self {
+        let (rotation, [vx, vy, vz]) = (&motion.frame.rotation, (motion.frame.rotation * motion.twist.linear).0);
+        let [x, y] = surface.slopes;
+        let [xx, xy, yy] = surface.curvatures;
+        let upward = rotation.transpose_times(Vector3::new(-x, -y, S::ONE));
+        let slope_rates = [surface.slope_rates[0] + xx * vx + xy * vy, surface.slope_rates[1] + xy * vx + yy * vy];
+        let turning = rotation.transpose_times(Vector3::new(-slope_rates[0], -slope_rates[1], S::ZERO));
+        let scale = S::ONE / (S::ONE + x * x + y * y).sqrt();
+        Self {
+            normal: upward * scale,
+            level: (surface.elevation - motion.frame.position[2]) * scale,
+            normal_rate: turning - motion.twist.angular.cross(upward),
+            level_rate: surface.rate + x * vx + y * vy - vz,
+            scale,
+        }
+    }
+
+    /// dV/dt: what the plane sweeps of the solid.
+    fn volume_rate(&self, below: &Below<S>) -> S {
+        (self.level_rate * below.area - self.normal_rate.dot(below.area_moment)) * self.scale
+    }
+}
+
+impl<S: Scalar> Waters<S> {
+    /// In these waves, if there are any.
+    pub fn new(world: &crate::world::World<S>) -> Self {
+        Self { waves: world.waves.as_ref().map(WavesAtBody::new) }
+    }
+
+    fn surface(&mut self, at: &Moment<'_, S>, [x, y, _]: [S; 3]) -> LocalSurface<S> {
+        match (&mut self.waves, &at.world.waves) {
+            (Some(waves), Some(field)) if at.situation.has_waves() => waves.surface(field, [x, y], at.clock.time_s),
+            _ => LocalSurface::still(),
+        }
+    }
+
+    /// How far the lowest and the highest point of a solid are below the surface, square to it, m.
+    pub(super) fn margins(&mut self, at: &Moment<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> [S; 2] {
+        let motion = place.motion(at);
+        let plane = Plane::of(&self.surface(at, motion.frame.position.0), &motion);
+        let reach = solid.reach(plane.normal);
+        [plane.level + reach, plane.level - reach]
+    }
+
+    /// How a solid lies in the water; phi is left out.
+    pub(super) fn immersion(&mut self, at: &Moment<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> Immersion<S> {
+        let motion = place.motion(at);
+        let surface = self.surface(at, motion.frame.position.0);
+        let plane = Plane::of(&surface, &motion);
+        let whole = solid.volume();
+        let none =
+            Below { volume: S::ZERO, first_moment: Vector3::zero(), area: S::ZERO, area_moment: Vector3::zero() };
+        let below = match Phase::at(at) {
+            Phase::Dry => none,
+            Phase::Wet => Below { volume: whole, ..none },
+            Phase::Cut => {
+                // Where it just touches, the section is there from the first.
+                let reach = solid.reach(plane.normal) - S::constant(1e-3 * ROUNDING_M);
+                solid.below(plane.normal, plane.level.clipped(-reach, reach))
+            }
+            Phase::ByLevel => solid.below(plane.normal, plane.level),
+        };
+        let share = below.volume / whole;
+        let divisor = share.select_below(1e-12, || whole, || below.volume);
+        let centre = Vector3(below.first_moment.0.map(|moment| moment / divisor));
+        let [stream, acceleration] = self.water(at, &motion, &surface, centre);
+        Immersion {
+            share,
+            share_rate: plane.volume_rate(&below) / whole,
+            factor: S::ZERO,
+            factor_rate: S::ZERO,
+            below,
+            centre,
+            stream,
+            acceleration,
+            in_waves: self.waves.is_some() && at.situation.has_waves(),
+            frame: motion.frame,
+            twist: motion.twist,
+        }
+    }
+
+    /// Velocity and acceleration of the water at the depth of a solid's wet part, in the body's axes.
+    fn water(
+        &self,
+        at: &Moment<'_, S>,
+        motion: &HullMotion<S>,
+        surface: &LocalSurface<S>,
+        centre: Vector3<S>,
+    ) -> [Vector3<S>; 2] {
+        let z = motion.frame.position[2] + (motion.frame.rotation * centre)[2];
+        let depth = z.select_below(0.0, || -z, || S::ZERO);
+        let current = at.world.current_at(&CurrentAt::Depth(depth));
+        let [velocity, acceleration] = match (&self.waves, &at.world.waves) {
+            (Some(waves), Some(field)) if at.situation.has_waves() => waves.motion(field, surface.elevation, z),
+            _ => [Vector3::zero(); 2],
+        };
+        [velocity + current, acceleration].map(|vector| motion.frame.rotation.transpose_times(vector))
+    }
+}

@@ -1,0 +1,234 @@
+//! The water on a lifted object: in the splash zone and below.
+
+mod growth;
+mod immersion;
+mod loads;
+
+pub use growth::{Growth, GrowthError};
+pub use immersion::Waters;
+pub use loads::{AddedMassOf, Drag, WindOnDry};
+
+use super::hull::HullFrame;
+use super::{Components, Crossing, Declaration, Element, Event, Frame, Moment, Output, Own, Situation};
+use crate::dynamics::Loads;
+use crate::scalar::Scalar;
+use crate::sea::hull::Solid;
+use crate::spatial::{Frame as Axes, Vector3, Wrench};
+use immersion::{Immersion, Phase};
+use loads::Parts;
+
+/// A plain solid on a body that is lowered through the surface of the sea, small beside the waves.
+///
+/// The sea's surface is a plane at the solid's centre, at its elevation and slope there. With V below it, the share
+/// s = V / V_0, the centre b of V, the water's velocity u and acceleration a at its depth, and the added mass A = phi(s) A_0
+/// about the solid's centre (DNV-RP-N103, *Modelling and analysis of marine operations*; Newman, *Marine Hydrodynamics*,
+/// 1977, sec. 4.14 on the last two; Faltinsen, *Sea Loads*, 1990, sec. 9.2 on slamming as dA/dt v)
+///
+/// ```text
+/// buoyancy and Froude-Krylov force   rho V (g + a), at b
+/// drag                               s (1/2 rho C_D A_p |u_r| + c) u_r by axis, u_r = u - v at b
+/// added mass                         -(A nu_r' + nu_r x* A nu_r) with the twist nu_r through the water
+/// slamming                           -A' nu_r while A grows
+/// ```
+///
+/// As the body comes out, the momentum A nu_r of the water that lets go stays with the water, and what is left has A nu_r:
+/// A falls without a force. (By d(A v)/dt it would push the body out and give it energy.) Both ways the water takes
+/// |A'| v^2 / 2 out of the motion.
+#[derive(Clone, Debug)]
+pub struct Submerged<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// The body, and the solid's centre; its axes are the body's.
+    pub place: HullFrame<S>,
+    /// What cuts the surface.
+    pub solid: Solid<S>,
+    /// Volume of the water that it displaces, of the solid's.
+    pub displaced: S,
+    /// A_0 of rho 1, and phi.
+    pub added_mass: AddedMassOf<S>,
+    /// Drag of the wet share.
+    pub drag: Drag<S>,
+    /// Drag of the wind on the dry share.
+    pub wind: Option<WindOnDry<S>>,
+    /// The sea at the solid.
+    pub waters: Waters<S>,
+}
+
+/// Events, in the order of [`Submerged::declare`].
+const EVENTS: [Event; 4] = [
+    Event { what: "meets the water", crossing: Crossing::Rising },
+    Event { what: "is under water", crossing: Crossing::Rising },
+    Event { what: "comes to the surface", crossing: Crossing::Falling },
+    Event { what: "leaves the water", crossing: Crossing::Falling },
+];
+const MEETS: usize = 0;
+const IS_UNDER: usize = 1;
+const COMES_UP: usize = 2;
+const LEAVES: usize = 3;
+/// How far a solid may be out of the phase that it is in, m: rounding.
+const ROUNDING_M: f64 = 1e-9;
+
+impl<S: Scalar> Element<S> for Submerged<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        Declaration {
+            modes: vec!["phase".to_owned()],
+            outputs: outputs(&self.name),
+            events: EVENTS.to_vec(),
+            ..Declaration::default()
+        }
+    }
+
+    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        let [low, high] = self.waters.margins(at, &self.place, &self.solid);
+        own.modes[0] = Phase::of(low, high) as i64;
+    }
+
+    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        self.begin(at, own);
+    }
+
+    /// Adds the loads, the added mass, and who does the work.
+    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+        let now = self.immersion(at);
+        let parts = self.parts(at, &now);
+        let (about_centre, twist) = (|wrench: &Wrench<S>| self.place.about_centre(wrench), &now.twist);
+        let still = self.still_buoyancy(at, &now);
+        let rest = parts.sum() - parts.drag - still;
+        loads.power.outside += rest.dot(twist) + parts.drag.force.dot(now.stream);
+        loads.power.dissipated += parts.drag.force.dot(now.stream - now.velocity_at_centre());
+        loads.wrenches.push((self.place.body, about_centre(&parts.sum())));
+        if !now.share.all(|share| share == 0.0) {
+            let added = self.added_mass.inertia(at.world.water_density, now.factor);
+            loads.added_inertia.push((self.place.body, added.to_parent(&Axes::translation(self.place.origin))));
+        }
+    }
+
+    /// What it took to push it into still water, J.
+    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+        let frame = self.place.frame(at.model, at.links);
+        let (vertical, level) = (frame.rotation.row(2), -frame.position[2]);
+        let below = self.solid.below(vertical, level);
+        let height_moment = vertical.dot(below.first_moment) - level * below.volume;
+        -(height_moment * at.world.specific_weight() * self.displaced)
+    }
+
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        let now = self.immersion(at);
+        let parts = self.parts(at, &now);
+        let world = |vector: Vector3<S>| now.frame.rotation * vector;
+        out.push(now.share);
+        let forces = [parts.buoyancy, parts.drag, parts.inertia, parts.slamming].map(|part| part.force);
+        forces.into_iter().for_each(|force| out.extend(world(force).0));
+        let sum = parts.sum();
+        out.extend(world(sum.force).0);
+        out.extend(world(sum.moment).0);
+        let factor = at.world.water_density * now.factor;
+        out.extend(self.added_mass.linear.0.map(|volume| volume * factor));
+    }
+
+    fn witness(&mut self, event: usize, at: &Moment<'_, S>) -> S {
+        let phase = Phase::at(at);
+        let is_watched = match event {
+            MEETS => matches!(phase, Phase::Dry | Phase::ByLevel),
+            LEAVES | IS_UNDER => matches!(phase, Phase::Cut | Phase::ByLevel),
+            _ => matches!(phase, Phase::Wet | Phase::ByLevel),
+        };
+        if !is_watched {
+            return if matches!(event, MEETS | IS_UNDER) { -S::ONE } else { S::ONE };
+        }
+        let [low, high] = self.waters.margins(at, &self.place, &self.solid);
+        match event {
+            MEETS => low,
+            IS_UNDER => high,
+            COMES_UP => high + S::constant(ROUNDING_M),
+            _ => low + S::constant(ROUNDING_M),
+        }
+    }
+
+    fn respond(&mut self, event: usize, _at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+        own.modes[0] = match event {
+            MEETS | COMES_UP => Phase::Cut,
+            IS_UNDER => Phase::Wet,
+            _ => Phase::Dry,
+        } as i64;
+    }
+
+    fn ties(&self) -> Vec<[Option<usize>; 2]> {
+        vec![[Some(self.place.body), None]]
+    }
+}
+
+impl<S: Scalar> Submerged<S> {
+    fn immersion(&mut self, at: &Moment<'_, S>) -> Immersion<S> {
+        let mut now = self.waters.immersion(at, &self.place, &self.solid);
+        [now.factor, now.factor_rate] = self.added_mass.growth.at(now.share, now.share_rate);
+        now
+    }
+
+    fn parts(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Parts<S> {
+        let density = at.world.water_density;
+        let (inertia, slamming) = self.added_mass.forces(density, now);
+        Parts {
+            buoyancy: self.buoyancy(at, now),
+            drag: self.drag.force(density, now),
+            inertia,
+            slamming,
+            wind: self.wind.as_ref().map_or(Wrench::zero(), |wind| wind.force(at, now)),
+        }
+    }
+
+    /// rho V (g + a), at the centre of V.
+    fn buoyancy(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Wrench<S> {
+        let vertical = now.frame.rotation.row(2);
+        let field = (vertical * at.world.gravity + now.acceleration) * (at.world.water_density * self.displaced);
+        Wrench { moment: now.below.first_moment.cross(field), force: field * now.below.volume }
+    }
+
+    /// That in still water, which has a potential.
+    fn still_buoyancy(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Wrench<S> {
+        let vertical = now.frame.rotation.row(2);
+        let below = if now.in_waves { self.solid.below(vertical, -now.frame.position[2]) } else { now.below };
+        let field = vertical * (at.world.specific_weight() * self.displaced);
+        Wrench { moment: below.first_moment.cross(field), force: field * below.volume }
+    }
+}
+
+/// What it shows, in the order of [`Submerged::outputs`](Element::outputs).
+fn outputs(name: &str) -> Vec<Output> {
+    let number = |variable, description, unit| Output::number(variable, description, "submerged", name, unit);
+    let vector = |variable, description, frame, unit| Output {
+        components: Components::Axis,
+        frame,
+        ..number(variable, description, unit)
+    };
+    let force = |variable, description| vector(variable, description, Frame::World, &["N"]);
+    vec![
+        number("submerged_share", "volume below the surface over the whole volume", &["1"]),
+        force("submerged_buoyancy", "buoyancy with the Froude-Krylov force of the waves"),
+        force("submerged_drag", "drag of the water on what is wet"),
+        force(
+            "submerged_inertia",
+            "force of the water's acceleration on the added mass, and of its velocity as the body turns; what the body's own \
+             acceleration takes is in its inertia",
+        ),
+        force("submerged_slamming", "force of the added mass that grows"),
+        Output::wrench(
+            "submerged_force",
+            "sum of the loads of water and wind, with the moment about the solid's centre; without what the body's own \
+             acceleration takes",
+            "submerged",
+            name,
+            Frame::World,
+        ),
+        vector("submerged_added_mass", "added mass along the body's axes", Frame::Body, &["kg"]),
+    ]
+}
+
+/// At rest there are no phases: a solid goes by its level.
+fn has_phases(situation: Situation) -> bool {
+    situation == Situation::Running
+}

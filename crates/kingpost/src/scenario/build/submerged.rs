@@ -1,0 +1,145 @@
+//! The water on lifted objects.
+
+use super::super::schema::{self, PrincipalAxis, Scenario, SubmergedShape};
+use super::damping::{from_centre, rigid};
+use super::{FieldError, flow, world as worlds};
+use crate::elements::submerged::{AddedMassOf, Drag, Growth, Waters, WindOnDry};
+use crate::elements::{AnyElement, Submerged, hull::HullFrame};
+use crate::model::Model;
+use crate::scenario::leaf::Quantity;
+use crate::sea::hull::Solid;
+use crate::spatial::Vector3;
+use crate::world::{CurrentProfile, World};
+
+/// The largest share of open area that the reduction of added mass was fitted to.
+const LARGEST_PERFORATION: f64 = 0.5;
+/// A volume that is the solid's, but for rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// One object, where it is on and its body there.
+pub fn build<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    given: &schema::Submerged<S>,
+    model: &Model<S>,
+    world: &World<S>,
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    let field = format!("forces.{name}.submerged");
+    rigid(scenario, format!("{field}.body"), &given.body)?;
+    let solid = solid(&given.shape);
+    let displaced = displaced(&field, given, &solid)?;
+    let added_mass = added_mass(&format!("{field}.added_mass"), &given.added_mass, &solid, world)?;
+    let areas = |given: &Option<[schema::Positive<S>; 3]>| {
+        given.map_or(solid.projected_areas(), |areas| areas.map(|area| area.get()))
+    };
+    let of = |coefficients: &[schema::NonNegative<S>; 3], areas: [S; 3]| {
+        Vector3(core::array::from_fn(|k| coefficients[k].get() * areas[k]))
+    };
+    let drag = Drag {
+        areas: of(&given.drag.coefficients, areas(&given.drag.areas_m2)),
+        linear: Vector3(given.drag.linear_n_s_m.map(|c| c.get())),
+    };
+    let wind = given.wind.as_ref().map(|wind| {
+        check_wind(scenario, &format!("{field}.wind"), wind)?;
+        let height = wind.height_m.get();
+        let gusts = world.wind.as_ref().and_then(|wind| wind.gusts_at_height(height));
+        Ok(WindOnDry { areas: of(&wind.coefficients, areas(&wind.areas_m2)), height, gusts })
+    });
+    let wind = wind.transpose()?;
+    check_world(scenario, &field, world)?;
+    let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
+    let origin = given.position_m.map_or(Vector3::zero(), |point| from_centre(scenario, &given.body, Vector3(point)));
+    let place = HullFrame { body, origin };
+    let (name, waters) = (name.to_owned(), Waters::new(world));
+    Ok(Some(Box::new(Submerged { name, place, solid, displaced, added_mass, drag, wind, waters })))
+}
+
+fn solid<S: Quantity>(shape: &SubmergedShape<S>) -> Solid<S> {
+    match shape {
+        SubmergedShape::Box(given) => {
+            Solid::Box { edges: Vector3([given.length_m, given.width_m, given.height_m].map(|edge| edge.get())) }
+        }
+        SubmergedShape::Cylinder(given) => Solid::Cylinder {
+            radius: given.radius_m.get(),
+            length: given.length_m.get(),
+            axis: match given.axis {
+                PrincipalAxis::X => 0,
+                PrincipalAxis::Y => 1,
+                PrincipalAxis::Z => 2,
+            },
+        },
+        SubmergedShape::Sphere(given) => Solid::Sphere { radius: given.radius_m.get() },
+    }
+}
+
+/// V over the solid's volume.
+fn displaced<S: Quantity>(field: &str, given: &schema::Submerged<S>, solid: &Solid<S>) -> Result<S, FieldError> {
+    let (Some(volume), whole) = (given.displaced_volume_m3, solid.volume()) else { return Ok(S::ONE) };
+    let share = volume.get() / whole;
+    if !share.all(|share| share <= 1.0 + ROUNDING) {
+        let allowed = format!("at most the volume of the solid, {whole:.6} m3");
+        return Err(FieldError::new(format!("{field}.displaced_volume_m3"), volume.get(), allowed));
+    }
+    Ok(share)
+}
+
+fn added_mass<S: Quantity>(
+    field: &str,
+    given: &schema::SubmergedAddedMass<S>,
+    solid: &Solid<S>,
+    world: &World<S>,
+) -> Result<AddedMassOf<S>, FieldError> {
+    let perforation = given.perforation.get();
+    if !perforation.all(|perforation| perforation <= LARGEST_PERFORATION) {
+        let allowed = format!("a number from 0 to {LARGEST_PERFORATION}");
+        return Err(FieldError::new(format!("{field}.perforation"), perforation, allowed));
+    }
+    let growth = given.growth.as_ref().map_or(Ok(Growth::in_proportion()), |growth| {
+        Growth::new(&growth.shares, &growth.factors).map_err(|error| {
+            let field = format!("{field}.growth.{}", error.column);
+            FieldError::new(error.row.map_or(field.clone(), |row| format!("{field}.{row}")), error.found, error.allowed)
+        })
+    })?;
+    let volume = given.reference_volume_m3.map_or(solid.volume(), |volume| volume.get());
+    let scale = volume * left_by_perforation(perforation);
+    Ok(AddedMassOf {
+        linear: Vector3(given.coefficients.map(|coefficient| coefficient.get() * scale)),
+        angular: Vector3(given.moments_kg_m2.map(|moment| moment.get() / world.water_density)),
+        growth,
+    })
+}
+
+/// What open area of p percent leaves of the added mass: 1 up to 5, 0.7 + 0.3 cos(pi (p - 5) / 34) to 34, exp((10 - p) / 28)
+/// from there to 50 (DNV-RP-N103, sec. 4.6, on the effect of perforation).
+fn left_by_perforation<S: Quantity>(perforation: S) -> S {
+    let percent = perforation * S::constant(100.0);
+    let wave = || {
+        let angle = (percent - S::constant(5.0)) * S::constant(core::f64::consts::PI / 34.0);
+        S::constant(0.7) + S::constant(0.3) * angle.sin_cos().1
+    };
+    let tail = || ((S::constant(10.0) - percent) / S::constant(28.0)).exp();
+    percent.select_below(5.0, || S::ONE, || percent.select_below(34.0, wave, tail))
+}
+
+fn check_wind<S: Quantity>(
+    scenario: &Scenario<S>,
+    field: &str,
+    given: &schema::SubmergedWind<S>,
+) -> Result<(), FieldError> {
+    let Some(wind) = &scenario.wind else {
+        return Err(FieldError::new(field, "the drag of a wind, and no wind", "a wind, at the top of the scenario"));
+    };
+    flow::check_height(wind, given.height_m.get(), field)
+}
+
+/// Water needs weight, and a current over infinite depth no power of it.
+fn check_world<S: Quantity>(scenario: &Scenario<S>, field: &str, world: &World<S>) -> Result<(), FieldError> {
+    if worlds::gravity(scenario).is_err() {
+        return Err(FieldError::new(field, "buoyancy, and no gravity", "gravity that is enabled"));
+    }
+    if matches!(world.current.profile, CurrentProfile::PowerLaw(_)) && world.depth.is_none() {
+        let found = "power_law, over infinite depth";
+        return Err(FieldError::new("sea.current_profile", found, "uniform, or a sea.depth_m"));
+    }
+    Ok(())
+}

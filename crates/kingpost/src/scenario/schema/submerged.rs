@@ -1,0 +1,158 @@
+//! The water on a lifted object.
+
+use serde::{Deserialize, Serialize};
+
+use super::{BoxShape, CylinderShape, Fraction, Name, NonNegative, Positive, SphereShape, yes};
+use crate::scenario::leaf::Leaf;
+
+/// The water on an object that is lowered through the surface of the sea, small beside the waves: buoyancy, drag, added
+/// mass that grows as it goes under, slamming. Several may stand on one body, for a long or a composed one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Submerged", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct Submerged<S = f64> {
+    /// Whether it acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The body.
+    pub body: Name,
+    /// Centre of the solid in the body's drawing frame, m; without it, the centre of mass.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position_m: Option<[S; 3]>,
+    /// The solid that the surface of the sea cuts; its axes are the body's.
+    pub shape: SubmergedShape<S>,
+    /// V: volume of water that the whole object displaces, m^3, where that is less than the solid's, as of a frame.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub displaced_volume_m3: Option<Positive<S>>,
+    /// The water that moves with it.
+    #[serde(default)]
+    pub added_mass: SubmergedAddedMass<S>,
+    /// Drag.
+    #[serde(default)]
+    pub drag: SubmergedDrag<S>,
+    /// Drag of the wind on what is dry.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wind: Option<SubmergedWind<S>>,
+}
+
+/// A plain solid.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SubmergedShape", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(rename_all = "snake_case", bound(deserialize = "S: Leaf"))]
+pub enum SubmergedShape<S = f64> {
+    /// A box.
+    Box(BoxShape<S>),
+    /// A circular cylinder.
+    Cylinder(CylinderShape<S>),
+    /// A sphere.
+    Sphere(SphereShape<S>),
+}
+
+/// Added mass rho C_A V_R of the whole object under water, by axis; of a part of it, by how it grows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SubmergedAddedMass", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct SubmergedAddedMass<S = f64> {
+    /// C_A along x, y and z of the body (DNV-RP-N103, appendix A).
+    pub coefficients: [NonNegative<S>; 3],
+    /// V_R that the coefficients refer to, m^3; without it, the volume of the solid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reference_volume_m3: Option<Positive<S>>,
+    /// Added moments of inertia about x, y and z through the solid's centre, kg m^2.
+    pub moments_kg_m2: [NonNegative<S>; 3],
+    /// Open area over the whole of the plates, from 0 to 0.5: it reduces the coefficients.
+    pub perforation: Fraction<S>,
+    /// How it grows with the share of the volume that is under water; without it, in proportion.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub growth: Option<SubmergedGrowth<S>>,
+}
+
+impl<S: Leaf> Default for SubmergedAddedMass<S> {
+    fn default() -> Self {
+        let none = [NonNegative::literal(0.0); 3];
+        Self {
+            coefficients: none,
+            reference_volume_m3: None,
+            moments_kg_m2: none,
+            perforation: Fraction::literal(0.0),
+            growth: None,
+        }
+    }
+}
+
+/// Added mass over the share of the volume that is under water: a smooth curve through points.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SubmergedGrowth", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct SubmergedGrowth<S = f64> {
+    /// Shares of the volume, from 0 to 1, increasing.
+    pub shares: Vec<f64>,
+    /// Share of the added mass at each, the first 0.
+    pub factors: Vec<S>,
+}
+
+/// Drag s (1/2 rho C_D A_p |u_r| + c) u_r by axis, with the share s of the volume that is under water and the velocity u_r of
+/// the water past the centre of that.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SubmergedDrag", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, default, bound(deserialize = "S: Leaf"))]
+pub struct SubmergedDrag<S = f64> {
+    /// C_D along x, y and z of the body, in oscillating flow (DNV-RP-N103, appendix B).
+    pub coefficients: [NonNegative<S>; 3],
+    /// A_p across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub areas_m2: Option<[Positive<S>; 3]>,
+    /// c along x, y and z of the body, N s/m.
+    #[serde(rename = "linear_N_s_m")]
+    pub linear_n_s_m: [NonNegative<S>; 3],
+}
+
+impl<S: Leaf> Default for SubmergedDrag<S> {
+    fn default() -> Self {
+        let none = [NonNegative::literal(0.0); 3];
+        Self { coefficients: none, areas_m2: None, linear_n_s_m: none }
+    }
+}
+
+/// Drag of the wind on the share of the volume that is dry.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "SubmergedWind", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct SubmergedWind<S = f64> {
+    /// C_D along x, y and z of the body.
+    pub coefficients: [NonNegative<S>; 3],
+    /// Areas across x, y and z that the coefficients refer to, m^2; without it, the solid's shadow.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub areas_m2: Option<[Positive<S>; 3]>,
+    /// Height above the still water whose wind counts, m.
+    #[serde(default = "ten_metres::<S>")]
+    pub height_m: Positive<S>,
+}
+
+fn ten_metres<S: Leaf>() -> Positive<S> {
+    Positive::literal(10.0)
+}
