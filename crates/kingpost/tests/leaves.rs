@@ -322,6 +322,11 @@ fn so_it_is_in_the_splash_zone() {
 }
 
 #[test]
+fn so_it_is_in_contact() {
+    check(&["contact.yaml"], 3.0);
+}
+
+#[test]
 fn so_it_is_with_closed_loops() {
     check(&["closed_loop.yaml", "dual_draglink_crane.yaml", "knuckle_boom_crane.yaml"], 3.0);
 }

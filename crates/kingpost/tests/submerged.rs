@@ -101,7 +101,7 @@ fn a_box_that_is_lowered_through_still_water_has_the_forces_by_hand() {
         let found = hook(&mut load);
         assert!((found - by_hand).abs() < 1e-8 * weight, "{depth}: {found} {by_hand}");
     }
-    let events: Vec<(f64, &str)> = load.events().iter().map(|event| (event.time_s, event.what)).collect();
+    let events: Vec<(f64, &str)> = load.events().iter().map(|event| (event.time_s, event.what.as_ref())).collect();
     assert_eq!(events.iter().map(|event| event.1).collect::<Vec<_>>(), ["meets the water", "is under water"]);
     assert!((events[0].0 - 0.9).abs() < 1e-9 && (events[1].0 - 4.9).abs() < 1e-9, "{events:?}");
 }

@@ -1,8 +1,10 @@
-"""A crate that slides and spins to rest on a floor, by MuJoCo: ``python sliding_crate.py > sliding_crate.json``.
+"""A crate that slides and spins to rest on three feet, by MuJoCo.
 
-Its path and its turn depend on each other, by the friction of three feet whose loads change as it slows. There is no closed
-form. Contacts are stiff, cones elliptic, and steps short, so that what is left is Coulomb's law on a rigid body; with three feet
-their loads follow from statics.
+    python python/tests/peers/sliding_crate.py > python/tests/peers/sliding_crate.json
+
+gives `sliding_crate.json` again, in seconds. Path and turn depend on each other, by the friction of feet
+whose loads change as the crate slows. Contacts are stiff, cones elliptic, and steps short, so that what is
+left is Coulomb's law on a rigid body; with three feet their loads follow from statics.
 """
 
 from __future__ import annotations
@@ -16,10 +18,11 @@ import numpy as np
 STEP_S = 2e-5
 MODEL = """
 <mujoco>
-  <option timestep="{step}" gravity="0 0 -9.80665" cone="elliptic" impratio="{impratio}" integrator="implicitfast"
-    iterations="200" tolerance="1e-14"/>
+  <option timestep="{step}" gravity="0 0 -9.80665" cone="elliptic" impratio="{impratio}"
+    integrator="implicitfast" iterations="200" tolerance="1e-14"/>
   <worldbody>
-    <geom type="plane" size="50 50 1" friction="0.3 0 0" condim="3" solref="{solref} 1" solimp="0.99 0.99 0.001"/>
+    <geom type="plane" size="50 50 1" friction="0.3 0 0" condim="3" solref="{solref} 1"
+      solimp="0.99 0.99 0.001"/>
     <body name="crate" pos="0 0 0.5">
       <freejoint/>
       <inertial pos="0 0 0" mass="2000" diaginertia="541.6666666666666 833.3333333333334 1041.6666666666667"/>
@@ -28,15 +31,15 @@ MODEL = """
   </worldbody>
 </mujoco>
 """
-FOOT = """<geom type="sphere" size="0.001" pos="{x} {y} -0.499" friction="0.3 0 0" condim="3" solref="{solref} 1"
-  solimp="0.99 0.99 0.001"/>"""
+FOOT = """<geom type="sphere" size="0.001" pos="{x} {y} -0.499" friction="0.3 0 0" condim="3"
+  solref="{solref} 1" solimp="0.99 0.99 0.001"/>"""
 FEET = [(1.0, 0.75), (1.0, -0.75), (-1.0, 0.0)]
 VELOCITY_M_S = [3.0, 0.0, 0.0]
 YAW_RATE_RAD_S = 2.5
 REST_S = 1.0
 
 
-def run(solref_s: float, impratio: float) -> dict[str, list[list[float]]]:
+def run(solref_s: float, impratio: float) -> list[list[float]]:
     """Time, x, y and yaw every 0.1 s, after the crate has come to rest on its contacts."""
     feet = "".join(FOOT.format(x=x, y=y, solref=solref_s) for x, y in FEET)
     text = MODEL.format(step=STEP_S, solref=solref_s, impratio=impratio, feet=feet)

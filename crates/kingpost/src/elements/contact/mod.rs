@@ -168,7 +168,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         let (mut sum, mut heat) = (sides.nothing(), S::ZERO);
         for i in 0..self.spots.len() {
             let Some((met, pressed, drag)) = self.acting(i, &sides, at) else { continue };
-            let force = met.to_world(met.normal * pressed.normal - drag.force);
+            let force = met.in_world(met.normal * pressed.normal - drag.force);
             sum.push(force, &met);
             heat += pressed.heat + drag.heat;
         }
@@ -208,7 +208,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
             let depth = self.met(i, &sides).depth;
             deepest = deepest.select_less(depth, || depth, || deepest);
             let Some((met, pressed, drag)) = self.acting(i, &sides, at) else { continue };
-            force += met.on_load(met.to_world(met.normal * pressed.normal - drag.force));
+            force += met.on_load(met.in_world(met.normal * pressed.normal - drag.force));
             normal += pressed.normal;
             friction += length(drag.force);
             count += met.depth.select_below(-ROUNDING_M, || S::ZERO, || S::ONE);

@@ -111,7 +111,7 @@ impl<S: Scalar> Met<S> {
     }
 
     /// A vector in the solid's axes, in the world's.
-    pub(super) fn to_world(&self, vector: Vector3<S>) -> Vector3<S> {
+    pub(super) fn in_world(&self, vector: Vector3<S>) -> Vector3<S> {
         self.rotation * vector
     }
 
