@@ -92,7 +92,9 @@ def limits(results: xarray.Dataset) -> list[str]:
     rows: list[tuple[str, ...]] = [("limit", "held", "worst", "unit", "at, s", "allowed", "column")]
     for limit in found:
         held = {True: "yes", False: "NO", None: "no row"}[limit["held"]]
-        worst, time = ("-" if limit[key] is None else f"{limit[key]:.4g}" for key in ("worst", "worst_time_s"))
+        worst, time = (
+            "-" if limit[key] is None else f"{limit[key]:.4g}" for key in ("worst", "worst_time_s")
+        )
         rows.append((limit["name"], held, worst, limit["unit"], time, _allowed(limit), limit["column"]))
     return table(rows, align="<<><><<")
 

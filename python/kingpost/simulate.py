@@ -211,8 +211,8 @@ class Simulation:
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
         """Run from here to the scenario's duration and return what was recorded.
 
-        The attributes ``events``, ``warnings`` and ``limits`` say what happened, what one should know of it, and
-        how the scenario's limits held, as JSON.
+        The attributes ``events``, ``warnings`` and ``limits`` say what happened, what one should know of it,
+        and how the scenario's limits held, as JSON.
 
         `progress` is called now and then with the time in seconds.
 
