@@ -136,3 +136,40 @@ fn the_path_over_sheaves_is_as_long_as_a_belt() {
         assert!((found - exact).abs() < 1e-12, "{second}: {found} {exact}");
     }
 }
+
+#[test]
+fn an_event_moves_nothing_that_it_has_nothing_to_do_with() {
+    // A load falls until its rope comes taut, 0.04 s before the cart of a pendulum ceases to speed up: when that is has no
+    // influence on the pendulum, whose acceleration is another from there on.
+    let text = "version: 1
+title: A load that falls and a pendulum that does not know of it
+simulation: {step_s: 0.1, duration_s: 1, record_every_s: 1}
+bodies:
+  load:
+    mass_kg: 10
+    shape: {sphere: {radius_m: 0.2}}
+    joint: {floating: {initial: {position_m: [0, 0, -3.9624]}}}
+  cart:
+    mass_kg: 5
+    shape: {point: {}}
+    joint: {prismatic: {name: slide, axis: [1, 0, 0], mode: {prescribed: {speed_m_s: 2, history: pulse, pulse: {rise_s: 0.5, hold_s: 9}}}}}
+  pendulum:
+    parent: cart
+    mass_kg: 1
+    shape: {sphere: {radius_m: 0.1}}
+    joint: {revolute: {name: swing, axis: [0, 1, 0], child_position_m: [0, 0, 1]}}
+forces:
+  gravity: {gravity: {}}
+  rope: {rope: {path: [{point: {body: world}}, {point: {body: load}}], unstretched_length_m: 5, axial_stiffness_N: 5000}}
+";
+    let scenario = kingpost::scenario::read(text, "falls.yaml", &[]).expect("it reads");
+    let moving = simulation(text);
+    let found = kingpost::analysis::gradient(&scenario, &["bodies.load.joint.floating.initial.position_m.2"], |_| true);
+    let found = found.expect("a number");
+    let offset = |name: &str| moving.channels().iter().find(|one| one.variable == name).expect("a channel").offset;
+    let last = found.derivatives[0].len() - found.columns;
+    // Coordinates: the slide, then the swing.
+    let of_swing = |name: &str| found.derivatives[0][last + offset(name) + 1];
+    assert_eq!([of_swing("joint_position"), of_swing("joint_velocity")], [0.0; 2]);
+    assert!(found.derivatives[0][last + offset("position") + 2].abs() > 0.1, "the load's own");
+}

@@ -210,7 +210,8 @@ impl<S: Scalar> Simulation<S> {
             let delay = self.delay(interval, time_s, i);
             self.drift(interval, time_s, delay);
             self.plant.respond(watched, time_s, &mut self.state);
-            let after = Interval { start_s: time_s, end_s: time_s + self.settings.step_s };
+            let end_s = time_s + self.settings.step_s;
+            let after = Interval { start_s: time_s, end_s: self.next_edge_s(time_s, end_s).min(end_s) };
             self.drift(after, time_s, -delay);
             let happened = Happened { time_s, element, what: Cow::Borrowed(watched.what) };
             self.watch.note(self.state.steps, happened);
