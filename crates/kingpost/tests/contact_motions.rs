@@ -159,18 +159,24 @@ fn a_crate_is_landed_on_a_deck_in_waves() {
 fn a_crate_on_the_deck_counts_in_the_centre_of_gravity_where_it_stands() {
     let settings = "integrator: rk4, step_s: 0.01, duration_s: 100, begin_at_equilibrium: true";
     let mast: Vec<(String, Value)> = vec![("bodies.mast.joint.prismatic.position_m".to_owned(), json!([0, 0, 7]))];
-    let text = text(settings, [0.0, 0.0, 4.0], "");
-    let scenario = read_with(&text, "barge.yaml", &mast, &files()).unwrap_or_else(|error| panic!("{error}"));
-    let report = scenario.hydrostatic_report().expect("it floats");
-    assert_eq!(report.warnings, Vec::<String>::new());
-    let hull = &report.hulls[0];
-    let weights = [(380e3, 2.0), (20e3, 7.0), (MASS, 6.0)];
-    let mass: f64 = weights.iter().map(|(mass, _)| mass).sum();
-    let height = weights.iter().map(|(mass, height)| mass * height).sum::<f64>() / mass;
-    assert!((hull.mass_kg - mass).abs() < 1e-6, "{}", hull.mass_kg);
-    // It stands 5 mm deep in the deck.
-    let sunk = MASS * G / 4e7 * MASS / mass;
-    assert!((hull.keel_to_gravity_m - height + sunk).abs() < 1e-6, "{} {height}", hull.keel_to_gravity_m);
+    let standing = text(settings, [0.0, 0.0, 4.0], "");
+    // A slack rope changes nothing.
+    let path = "[{point: {body: mast, position_m: [0, 0, 9]}}, {point: {body: box}}]";
+    let slack =
+        format!("forces:\n  whip: {{rope: {{path: {path}, unstretched_length_m: 40, axial_stiffness_N: 1e6}}}}\n");
+    for text in [standing.clone(), standing.replacen("forces:\n", &slack, 1)] {
+        let scenario = read_with(&text, "barge.yaml", &mast, &files()).unwrap_or_else(|error| panic!("{error}"));
+        let report = scenario.hydrostatic_report().expect("it floats");
+        assert_eq!(report.warnings, Vec::<String>::new());
+        let hull = &report.hulls[0];
+        let weights = [(380e3, 2.0), (20e3, 7.0), (MASS, 6.0)];
+        let mass: f64 = weights.iter().map(|(mass, _)| mass).sum();
+        let height = weights.iter().map(|(mass, height)| mass * height).sum::<f64>() / mass;
+        assert!((hull.mass_kg - mass).abs() < 1e-6, "{}", hull.mass_kg);
+        // It stands 5 mm deep in the deck.
+        let sunk = MASS * G / 4e7 * MASS / mass;
+        assert!((hull.keel_to_gravity_m - height + sunk).abs() < 1e-6, "{} {height}", hull.keel_to_gravity_m);
+    }
 }
 
 /// A crate of 20 t on 40 MN/m bounces with 7 Hz: implicit schemes land it at 10 ms, RK4 below 2.8 / omega = 60 ms. The deck's impulse is

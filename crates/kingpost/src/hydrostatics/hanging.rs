@@ -16,7 +16,8 @@ use serde::Serialize;
 /// spring line is tied to what it carries, and it has no hull of its own.
 ///
 /// Spring lines and ropes count where they end in one point of the ship, or are near legs of one rope, and carry a body that
-/// floats by its joint, and nothing else holds that: no water, loop, cylinder or other line. Legs of one rope count where
+/// floats by its joint, and nothing else holds that: no water, loop, cylinder, contact or other line. Slack ropes carry nothing.
+/// Legs of one rope count where
 /// their ends are near each other; where one runs over a sheave, its end is the sheave's centre.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -64,7 +65,7 @@ impl Restraints {
         let loops = setup.model.loops.iter().map(|closed| [&closed.first, &closed.second]);
         let cylinders = of_kind(elements).map(|cylinder: &Cylinder| [&cylinder.first, &cylinder.second]);
         let lines = of_kind(elements).map(|line: &SpringLine| (line.name.clone(), [line.first, line.second]));
-        let legs = of_kind(elements).flat_map(|rope: &Rope| {
+        let legs = taut(setup).into_iter().flat_map(|rope: &Rope| {
             rope.path.stations().windows(2).map(|ends| (rope.name.clone(), [ends[0].centre, ends[1].centre]))
         });
         let lines: Vec<(String, [Attachment; 2])> = lines.chain(legs).collect();
@@ -122,7 +123,10 @@ pub(super) fn on_lines(model: &Model, at: &Kinematics, hull: usize, restraints: 
         .filter_map(|root| {
             let bodies = model.carried(root);
             let has = |end: &Attachment| end.body.is_some_and(|body| bodies.contains(&body));
-            if bodies.iter().any(|body| restraints.tied.contains(body) || restraints.wet.contains(body)) {
+            let stands = |body: &usize| restraints.touching.iter().flatten().any(|end| end.as_ref() == Some(body));
+            let is_held =
+                |body: &usize| restraints.tied.contains(body) || restraints.wet.contains(body) || stands(body);
+            if bodies.iter().any(is_held) {
                 return None;
             }
             let outside =
@@ -232,12 +236,25 @@ fn on_deck(model: &Model, hull: usize, restraints: &Restraints) -> Vec<usize> {
 
 /// The bodies of the contacts that touch where the setup is.
 fn touching(setup: &Setup) -> Vec<[Option<usize>; 2]> {
-    let Setup { model, world, elements, q, v, .. } = setup;
+    at_rest(setup, |at| {
+        let contacts = of_kind(&setup.elements).filter(|contact: &&Contact| contact.depth(at) > 0.0);
+        contacts.map(|contact| contact.sides.each_ref().map(|side| side.body)).collect()
+    })
+}
+
+/// The ropes that pull where the setup is: a slack one carries nothing.
+fn taut(setup: &Setup) -> Vec<&Rope> {
+    at_rest(setup, |at| {
+        let pulls = |rope: &&Rope| (*rope).clone().tension_here(at) > 0.0;
+        of_kind(&setup.elements).filter(pulls).collect()
+    })
+}
+
+fn at_rest<R>(setup: &Setup, see: impl FnOnce(&Moment<'_>) -> R) -> R {
+    let Setup { model, world, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
-    let at = Moment::at_rest(world, model, &links, (q, v));
-    let contacts = of_kind(elements).filter(|contact: &&Contact| contact.depth(&at) > 0.0);
-    contacts.map(|contact| contact.sides.each_ref().map(|side| side.body)).collect()
+    see(&Moment::at_rest(world, model, &links, (q, v)))
 }
 
 /// Shares below are rounding.
