@@ -7,12 +7,13 @@ import { byId, make } from "./dom";
 /** The controls of the scenario's parameters: switches together, then choices, then numbers. */
 export class Controls {
   private readonly form = byId<HTMLFormElement>("parameters");
+  private readonly levers = make("div", { id: "levers" });
   private items: Item[] = [];
 
   constructor(private readonly session: Session) {
     this.form.addEventListener("submit", (event) => event.preventDefault());
     session.listen({
-      opened: (run, _frame, isAnother) => isAnother && this.build(run.model.parameters),
+      opened: (run, _frame, isAnother) => (isAnother ? this.build(run.model.parameters) : this.showLevers()),
       valuesChanged: () => this.show(),
     });
   }
@@ -20,19 +21,28 @@ export class Controls {
   private build(parameters: ParameterInfo[]): void {
     const made = parameters.map((parameter) => ({ kind: parameter.kind, item: this.item(parameter) }));
     this.items = made.map(({ item }) => item);
-    const inputs = (this.session.run?.inputs ?? []).map((input) => this.lever(input.name));
     const of = (kind: ParameterInfo["kind"]) => made.filter((one) => one.kind === kind).map((one) => one.item.element);
     const groups = [
       group("Switches", "group-switches", of("boolean")),
       group("Choices", "group-choices", of("choice")),
       group("Numbers", "group-numbers", of("number")),
-      group("Levers", "group-numbers", inputs),
     ];
-    this.form.replaceChildren(...groups.filter((one) => one !== null));
-    if (this.items.length + inputs.length === 0) {
+    this.form.replaceChildren(...groups.filter((one) => one !== null), this.levers);
+    this.showLevers();
+    if (this.items.length + this.levers.childElementCount === 0) {
       this.form.append(make("p", { class: "muted" }, "This scenario has no parameters."));
     }
     this.show();
+  }
+
+  /** A lever for each input that a hand sets, and what sets the others. */
+  private showLevers(): void {
+    const inputs = this.session.run?.inputs ?? [];
+    const free = group("Levers", "group-numbers", inputs.filter((input) => !input.signal).map((input) => this.lever(input.name)));
+    const taken = inputs.filter((input) => input.signal);
+    const words = taken.map((input) => `${input.name.replaceAll("_", " ")} by ${input.signal}`).join(", ");
+    const note = taken.length > 0 ? make("p", { class: "muted" }, `Set by the scenario: ${words}.`) : null;
+    this.levers.replaceChildren(...[free, note].filter((one) => one !== null));
   }
 
   private item(parameter: ParameterInfo): Item {
