@@ -276,6 +276,14 @@ class Simulation:
     def operation(self) -> dict[str, Any]:
         """What was set by hand as the ``operation`` of a scenario: a run with it gives the same bits.
 
+        It has what `set_input` has set in this simulation since its start or its last `reset`; what came
+        before a `restore` of another's snapshot is not in it.
+
+        Raises
+        ------
+        KingpostError
+            When the scenario has an operation that is enabled: the two would be one beside the other.
+
         >>> by_hand = Simulation("lowering_by_winch")
         >>> by_hand.step(20)
         >>> by_hand.set_input("hoist", -10.0)
@@ -285,6 +293,8 @@ class Simulation:
         >>> bool((replayed.state.q == by_hand.state.q).all())
         True
         """
+        if (self.scenario.resolved.get("operation") or {}).get("enabled"):
+            raise KingpostError("operation: found one in the scenario, allowed: operation.enabled: false")
         moves = [{"input": move.input, "to": move.value, "at_s": move.time_s} for move in self.lever_moves]
         return {"steps": [{"name": "by hand", "set": moves}]}
 

@@ -229,3 +229,35 @@ forces:
         }
     }
 }
+
+/// A deck that becomes slippery during a run lets go of what stood on it: from there x = g (sin - mu cos) t^2 / 2.
+#[test]
+fn a_block_that_held_slides_when_its_friction_is_made_less_during_a_run() {
+    let settings = "integrator: rk4, step_s: 0.001, duration_s: 60, begin_at_equilibrium: true";
+    let knob =
+        "parameters:\n  - {name: mu, live: true, default: 0.4, writes: [forces.deck.contact.friction_coefficient]}\n";
+    let text = slope(settings, "0.4", "").replacen("simulation:", &format!("{knob}simulation:"), 1);
+    let mut scenario = kingpost::scenario::read(&text, "deck.yaml", &[]).expect("it reads");
+    let mut moving = scenario.simulation().expect("it stands");
+    moving.step(200).expect("it stands");
+    let start = down(&moving);
+    scenario.set_parameter(&mut moving, "mu", &serde_json::json!(0.1)).expect("it is live");
+    moving.step(2000).expect("it slides");
+    let (sin, cos) = 20.0_f64.to_radians().sin_cos();
+    let exact = 0.5 * G * (sin - 0.1 * cos) * 4.0;
+    let slid = down(&moving) - start;
+    assert!((slid / exact - 1.0).abs() < 1e-3, "{slid} {exact}");
+}
+
+/// The equilibrium is the same over dual numbers: rows of a gradient are those of the run.
+#[test]
+fn a_gradient_from_an_equilibrium_on_friction_has_the_rows_of_the_run() {
+    let settings = "integrator: rk4, step_s: 0.001, duration_s: 0.2, record_every_s: 0.1, begin_at_equilibrium: true";
+    let text = slope(settings, "0.4", "");
+    let scenario = kingpost::scenario::read(&text, "deck.yaml", &[]).expect("it reads");
+    let found = kingpost::analysis::gradient(&scenario, &["bodies.crate.mass_kg"], |_| true).expect("a number");
+    let run = simulation(&text).run(|_| true);
+    let worst = found.rows.iter().zip(&run.rows).map(|(one, other)| (one - other).abs() / (1.0 + other.abs()));
+    let worst = worst.fold(0.0, f64::max);
+    assert!(worst < 1e-6, "{worst:e}");
+}

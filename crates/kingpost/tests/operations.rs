@@ -267,6 +267,14 @@ fn a_mistake_in_an_operation_is_refused_at_its_place() {
         refused(&slide(0.01, &format!("operation: {{steps: [{step}]}}\n")), expected);
     }
     refused(&slide(0.01, "operation: {steps: []}\n"), "operation.steps: found none, allowed: at least one step");
+    refused(
+        &slide(0.01, "operation: {steps: [{name: hold}, {name: push, set: [{input: push, to: 1}]}]}\n"),
+        "operation.steps.0: found neither set nor until, allowed: set, or until",
+    );
+    refused(
+        &slide(0.01, "operation: {steps: [{name: hold, time_out_s: 30}]}\n"),
+        "operation.steps.0.time_out_s: found a time-out without until, allowed: until",
+    );
 }
 
 #[test]
@@ -284,6 +292,12 @@ fn a_mistake_in_a_limit_is_refused_at_its_place() {
     for (limit, expected) in cases {
         refused(&slide(0.01, &format!("limits: {{a: {limit}}}\n")), expected);
     }
+}
+
+#[test]
+fn a_column_that_is_misspelt_is_found_among_many() {
+    let text = slide(0.01, "limits: {a: {column: cage.velocty.x, at_most: 1}}\n");
+    refused(&text, "; did you mean cage.velocity.x?");
 }
 
 fn refused(text: &str, expected: &str) {

@@ -66,6 +66,16 @@ fn the_leg_between_crane_and_load_leads_off_as_the_load_lies() {
 }
 
 #[test]
+fn about_an_upright_axis_a_rope_has_no_offlead_and_its_angle_to_the_level_for_sidelead() {
+    let path = "        - point: {body: load}\n";
+    let text = crane(0.0, [3.0, 0.0, 4.0], path)
+        .replace("radius_m: 0.0001, axis: [0, 1, 0]", "radius_m: 0.0001, axis: [0, 0, 1]");
+    let mut found = simulation(&text);
+    assert_eq!(values(&mut found, "rope_offlead")[0], 0.0);
+    assert!((values(&mut found, "rope_sidelead")[0] + (4.0_f64 / 5.0).asin()).abs() < 1e-4);
+}
+
+#[test]
 fn a_rope_without_a_sheave_on_its_crane_has_no_leads() {
     let text = crane(0.0, [0.0, 0.0, 5.0], SINGLE);
     let sling = "  sling: {rope: {path: [{point: {body: boom}}, {point: {body: load}}], axial_stiffness_N: 1e6}}\n";

@@ -77,6 +77,13 @@ fn a_hand_may_release_a_load_and_it_stays_lost() {
     assert!((values(&mut found, "rope_tension")[0] - 2000.0 * GRAVITY).abs() < 1e-3);
 }
 
+#[test]
+fn a_rope_that_can_be_released_has_a_name_of_its_own() {
+    let drive = "drives: {hook: {linear_motor: {joint: spring, force_N: 1, history: lever}}}\n";
+    let error = read(&hoist(drive), "hoist.yaml", &[]).expect_err("two inputs of one name").to_string();
+    assert!(error.contains("forces.hook.rope.can_be_released: found true, with an input hook"), "{error}");
+}
+
 /// A cart of 500 kg on a slide along x that a tugger line pulls over a sheave, from a winch below it.
 fn cart(efficiency: f64, rate: f64) -> String {
     format!(

@@ -213,9 +213,9 @@ fn run_group(group: &[usize], built: &impl Built, go_on: &dyn Fn() -> bool) -> O
     let alone: Vec<Simulation> = group.iter().map(|&run| built.simulation(run)).collect();
     let Setup { settings, model, elements, .. } = built.setup(group[0]);
     // The loops' projection takes as many iterations as each run needs: not the same in all lanes.
-    // An operation goes on in each run when its condition comes.
-    let steers = elements.iter().any(|element| !element.declare().steers.is_empty());
-    let fits = !steers && model.loops.is_empty() && settings.form == Form::Recursive && steps_lanes(settings.scheme);
+    let alone_only = elements.iter().any(|element| element.declare().goes_alone);
+    let fits =
+        !alone_only && model.loops.is_empty() && settings.form == Form::Recursive && steps_lanes(settings.scheme);
     if group.len() > 1
         && fits
         && let Some(setup) = built.side_by_side(group)

@@ -28,7 +28,7 @@ use crate::model::Model;
 use crate::scenario::{Scenario, ScenarioError, schema};
 use crate::sea::database::Database;
 use crate::sea::hull::StabilityError;
-use crate::simulation::Simulation;
+use crate::simulation::{Setup, Simulation};
 use floating::Floating;
 use hanging::Restraints;
 use serde::Serialize;
@@ -136,10 +136,11 @@ impl Scenario {
         if hulls.is_empty() {
             return Ok(report);
         }
-        let (model, restraints, world) = (setup.model.clone(), Restraints::of(&setup), &setup.world);
+        let (model, world) = (setup.model.clone(), &setup.world);
         let slack_tanks: Vec<&SlackTank> = of_kind(&setup.elements).collect();
-        let (slack_tanks, restraints) = (&slack_tanks, &restraints);
-        let now = kinematics(&model, &simulation.state().q);
+        let slack_tanks = &slack_tanks;
+        let restraints_at = |q: &[f64]| Restraints::of(&Setup { q: q.to_vec(), ..setup.clone() });
+        let (now, restraints) = (kinematics(&model, &simulation.state().q), &restraints_at(&simulation.state().q));
         let mut sunk: Vec<&str> = Vec::new();
         for &(hull, database) in &hulls {
             let floating = Floating { hull, database, model: &model, at: &now, world, slack_tanks, restraints };
@@ -166,6 +167,7 @@ impl Scenario {
             }
         }
         let at_rest = kinematics(&model, &simulation.state().q);
+        let restraints = &restraints_at(&simulation.state().q);
         for (hull, database) in hulls.into_iter().filter(|(hull, _)| !sunk.contains(&hull.name.as_str())) {
             let floating = Floating { hull, database, model: &model, at: &at_rest, world, slack_tanks, restraints };
             let (afloat, mut warnings) = floating.describe();

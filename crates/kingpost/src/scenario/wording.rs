@@ -120,7 +120,7 @@ pub(super) fn names_in_backquotes(message: &str) -> Vec<&str> {
 }
 
 /// The name nearest to `written`, with its unit or an alias of it, if one is near enough to be meant.
-fn nearest(names: &[&str], written: &str) -> Option<String> {
+pub(super) fn nearest(names: &[&str], written: &str) -> Option<String> {
     let limit = written.chars().count() / 3;
     let aliases = names.iter().flat_map(|name| units::aliases_of(name));
     let near = names.iter().map(|name| (*name).to_owned()).chain(aliases).map(|name| (edits(&name, written), name));

@@ -56,8 +56,11 @@ struct Held {
 }
 
 impl Limit {
-    /// How far a value is within the bounds; negative beyond one.
+    /// How far a value is within the bounds; negative beyond one, and for what is no number.
     fn margin(&self, value: f64) -> f64 {
+        if value.is_nan() {
+            return f64::NEG_INFINITY;
+        }
         let [least, most] = self.bounds;
         let below = most.map_or(f64::INFINITY, |most| most - value);
         below.min(least.map_or(f64::INFINITY, |least| value - least))

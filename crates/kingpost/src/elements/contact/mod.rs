@@ -118,6 +118,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
                 number("contact_gap", "least clearance of a contact; negative: penetration", &["m"]),
                 number("contact_points", "points of a contact in touch", &["1"]),
             ],
+            goes_alone: true,
             events: (0..self.spots.len()).flat_map(|_| &EVENTS[..self.events_of_a_spot()]).copied().collect(),
             ..Declaration::default()
         }
@@ -154,10 +155,16 @@ impl<S: Scalar> Element<S> for Contact<S> {
     fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
         let sides = self.sides_at(at);
         for i in 0..self.spots.len() {
-            let touches = self.met(i, &sides).depth.all(|depth| depth >= 0.0);
-            match (own.modes[i], touches) {
-                (OPEN, true) => own.modes[i] = HOLDS,
-                (HOLDS | SLIDES, false) => self.let_go(i, own),
+            let met = self.met(i, &sides);
+            let touches = met.depth.all(|depth| depth >= 0.0);
+            match (own.modes[i], touches, self.friction) {
+                (OPEN, true, Some(friction)) => self.touch(i, &friction, &met, own),
+                (OPEN, true, None) => own.modes[i] = HOLDS,
+                (HOLDS, true, Some(friction)) => {
+                    let bristle = Vector3::from_slice(&own.states[3 * i..]);
+                    self.hold_or_slide(i, &friction, &met, bristle, own);
+                }
+                (HOLDS | SLIDES, false, _) => self.let_go(i, own),
                 _ => {}
             }
         }

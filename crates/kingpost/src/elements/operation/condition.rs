@@ -69,9 +69,10 @@ impl ColumnRange {
     }
 
     fn missing(&self, columns: &[f64]) -> String {
-        let (unit, found) = (&self.unit.0, significant(self.value(columns), 4));
+        let unit = if self.unit.0 == "1" { String::new() } else { format!(" {}", self.unit.0) };
+        let found = significant(self.value(columns), 4);
         let bounds = [("above", self.above), ("below", self.below)];
-        let bounds = bounds.into_iter().filter_map(|(side, bound)| Some(format!("{side} {} {unit}", bound?)));
-        format!("found {} {found} {unit}, allowed: {}", self.column, bounds.collect::<Vec<_>>().join(" and "))
+        let bounds = bounds.into_iter().filter_map(|(side, bound)| Some(format!("{side} {}{unit}", bound?)));
+        format!("found {} {found}{unit}, allowed: {}", self.column, bounds.collect::<Vec<_>>().join(" and "))
     }
 }

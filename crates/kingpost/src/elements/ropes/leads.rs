@@ -46,9 +46,11 @@ impl<S: Scalar> Path<S> {
         let level = axis.cross(Vector3([S::ZERO, S::ZERO, S::ONE]));
         let outward =
             across.checked_sub(1).map_or(S::ONE, |before| level.dot(self.centre(across) - self.centre(before)));
-        let size = level.norm();
+        // About an upright axis no direction is outward: the offlead is then 0.
+        let size = (level.norm_squared() + S::constant(f64::MIN_POSITIVE)).sqrt();
         let level = level * (S::ONE / outward.select_below(0.0, || -size, || size));
         let (out, aside, down) = (down_the_leg.dot(level), down_the_leg.dot(axis), -down_the_leg[2]);
-        Some([out.atan2(down), aside.atan2((out * out + down * down).sqrt())])
+        let in_plane = down_the_leg - axis * aside;
+        Some([out.atan2(down), aside.atan2(in_plane.norm())])
     }
 }

@@ -5,7 +5,7 @@ use crate::elements::Layout;
 use crate::results::Channels;
 use crate::scenario::leaf::Quantity;
 use crate::scenario::units;
-use crate::scenario::wording::{one_of, one_of_with_hint};
+use crate::scenario::wording::{nearest, one_of};
 use crate::simulation::Setup;
 
 /// A column of the results.
@@ -17,7 +17,7 @@ pub struct Column {
     pub unit: &'static str,
 }
 
-/// Names that an error lists; of more it lists the nearest.
+/// Names that an error lists: those that are most alike.
 const MOST_LISTED: usize = 12;
 
 /// Every column of a run.
@@ -34,13 +34,16 @@ pub fn find<'a>(columns: &'a [Column], field: &str, name: &str) -> Result<&'a Co
     if let Some(column) = columns.iter().find(|column| column.name == name) {
         return Ok(column);
     }
-    // Those that share a part of the name: of the same body, say, or the same variable of another.
-    let alike = |column: &&Column| column.name.split('.').any(|part| name.split('.').any(|other| other == part));
-    let names: Vec<&str> = columns.iter().filter(alike).map(|column| column.name.as_str()).collect();
-    let allowed = match names.len() {
-        0 => "a column of the results, as the head of a table of a run has it".to_owned(),
-        1..=MOST_LISTED => one_of_with_hint(&names, name),
-        _ => format!("{}, or another column of the results", one_of_with_hint(&names[..MOST_LISTED], name)),
+    let all: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
+    // Those that share most parts of the name: of the same body, say, or the same variable of another.
+    let shared = |column: &str| column.split('.').filter(|part| name.split('.').any(|other| other == *part)).count();
+    let mut alike: Vec<&str> = all.iter().copied().filter(|column| shared(column) > 0).collect();
+    alike.sort_by_key(|column| core::cmp::Reverse(shared(column)));
+    alike.truncate(MOST_LISTED);
+    let meant = nearest(&all, name).map_or_else(String::new, |name| format!("; did you mean {name}?"));
+    let allowed = match alike.as_slice() {
+        [] => format!("a column of the results, as the head of a table of a run has it{meant}"),
+        alike => format!("{}, or another column of the results{meant}", one_of(alike)),
     };
     Err(FieldError::new(field, name, allowed))
 }

@@ -83,11 +83,12 @@ fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), F
         FieldError::new(FIELD, "true, where nothing keeps the model in its place", "false, for a derivative")
     })?;
     let mut plant = Plant::new(setup.model.clone(), setup.world.clone(), setup.elements.clone());
-    plant.set_situation(Situation::Settling);
     let still = vec![S::ZERO; setup.v.len()];
     let inputs: Vec<S> = plant.layout().inputs.iter().map(|input| S::constant(input.value)).collect();
     let mut state = State { q: setup.q.clone(), v: still.clone(), ..State::default() };
+    // As a run begins there: a search that began anew would take the place of rest for where friction is nothing.
     plant.begin(0.0, &inputs, &mut state);
+    plant.set_situation(Situation::Settling);
     let State { s, d, m, .. } = state;
     let (mut v_dot, mut s_dot) = (still.clone(), vec![S::ZERO; s.len()]);
     let interval = Interval { start_s: 0.0, end_s: plain.settings.step_s };

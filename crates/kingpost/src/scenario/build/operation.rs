@@ -22,11 +22,27 @@ pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<
     let mut layout = Layout::new(&setup.elements, 0);
     layout.connect(&setup.wires);
     let mut reader = Reader { layout: &layout, known: columns::of(setup), inputs: Vec::new(), columns: Vec::new() };
+    check_ends(&given.steps)?;
     let steps = given.steps.iter().enumerate().map(|(i, step)| reader.step(&format!("operation.steps.{i}"), step));
     let steps = steps.collect::<Result<_, _>>()?;
     let Reader { inputs, columns, .. } = reader;
     let step_s = setup.settings.step_s;
     setup.elements.push(Box::new(Operation { name: NAME.to_owned(), steps, inputs, columns, step_s }));
+    Ok(())
+}
+
+/// A step that moves nothing lasts until something; only the last needs no end.
+fn check_ends<S>(steps: &[schema::OperationStep<S>]) -> Result<(), FieldError> {
+    for (i, step) in steps.iter().enumerate().filter(|(_, step)| step.until.is_none()) {
+        let field = format!("operation.steps.{i}");
+        let wait = "until, as until: {after_s: 30} to wait";
+        if step.time_out_s.is_some() {
+            return Err(FieldError::new(format!("{field}.time_out_s"), "a time-out without until", wait));
+        }
+        if step.set.is_empty() && i + 1 < steps.len() {
+            return Err(FieldError::new(field, "neither set nor until", format!("set, or {wait}")));
+        }
+    }
     Ok(())
 }
 
@@ -74,7 +90,8 @@ impl Reader<'_> {
         let names = || self.layout.inputs.iter().map(|input| input.name.as_str()).collect::<Vec<_>>();
         let Some(place) = self.layout.inputs.iter().position(|input| *input.name == *given.input) else {
             let names = names();
-            let none = || "none: no drive of the scenario has an input".to_owned();
+            let none =
+                || "an input; a drive or a rope has one where it is enabled, a motor with history: lever".to_owned();
             let allowed = if names.is_empty() { none() } else { one_of_with_hint(&names, &given.input) };
             return Err(FieldError::new(format!("{field}.input"), &given.input, allowed));
         };

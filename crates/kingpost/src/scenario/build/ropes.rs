@@ -19,6 +19,11 @@ pub fn build<S: Quantity>(
     given: &schema::Rope<S>,
     model: &Model<S>,
 ) -> Result<Option<AnyElement<S>>, FieldError> {
+    if given.can_be_released && scenario.drives.contains_key(name) {
+        let found = format!("true, with an input {name} beside that of drives.{name}");
+        let allowed = "a name for the rope that no drive has";
+        return Err(FieldError::new(format!("forces.{name}.rope.can_be_released"), found, allowed));
+    }
     let Laid { stations, drum } = lay(scenario, &format!("forces.{name}.rope"), &given.path, model)?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
     Ok(Some(Box::new(Rope {
