@@ -233,7 +233,7 @@ forces:
 /// A deck that becomes slippery during a run lets go of what stood on it: from there x = g (sin - mu cos) t^2 / 2.
 #[test]
 fn a_block_that_held_slides_when_its_friction_is_made_less_during_a_run() {
-    let settings = "integrator: rk4, step_s: 0.001, duration_s: 60, begin_at_equilibrium: true";
+    let settings = "integrator: rk4, step_s: 0.001, duration_s: 60";
     let knob =
         "parameters:\n  - {name: mu, live: true, default: 0.4, writes: [forces.deck.contact.friction_coefficient]}\n";
     let text = slope(settings, "0.4", "").replacen("simulation:", &format!("{knob}simulation:"), 1);
