@@ -161,7 +161,7 @@ def test_poses_are_the_recorded_positions_and_orientations(moving):
 
 
 def test_a_parameter_that_is_not_live_is_refused_during_a_run():
-    """Source: the contract; crates/kingpost/tests/live_parameters.rs has what live ones do."""
+    """Source: the contract; crates/kingpost/tests/schemes/live_parameters.rs has what live ones do."""
     simulation = Simulation("paper")
     simulation.step(5)
     with pytest.raises(kingpost.KingpostError, match=r"crane_x_m: takes effect where a run begins.*none"):

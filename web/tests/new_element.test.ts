@@ -7,7 +7,7 @@ import type { Channel } from "../src/engine/engine";
 import { kindsOf } from "../src/plots/quantities";
 import { FakeEngine } from "./fake";
 
-/** The table that the engine gives for an element that only a test of it has: crates/kingpost/tests/new_element.rs holds the file to the engine. */
+/** The table that the engine gives for an element that only a test of it has: crates/kingpost/tests/mechanics/new_element.rs holds the file to the engine. */
 const file = fileURLToPath(new URL("../../crates/kingpost/tests/golden/new_element.channels.json", import.meta.url));
 const channels = JSON.parse(readFileSync(file, "utf8")) as Channel[];
 

@@ -31,9 +31,10 @@ impl Gradient {
 
 /// Runs a scenario from start to end with the derivative of every result along every parameter (or
 /// path of a number) in `names`, exact for the scheme and step: they are the derivatives of the
-/// numbers that a run gives, not of the motion that it approximates. `progress` hears the time and
-/// may stop the run by returning false: what is left are the rows until then, and the names that
-/// were reached.
+/// numbers that a run gives, not of the motion that it approximates. Only the time of an event moves
+/// with the motion's rates, and differs from the run's by the error of a step. `progress` hears the
+/// time and may stop the run by returning false: what is left are the rows until then, and the names
+/// that were reached.
 ///
 /// # Errors
 /// A name that no derivative follows: see [`Scenario::setup_along`]. Equations without D.

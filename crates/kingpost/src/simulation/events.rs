@@ -230,7 +230,8 @@ impl<S: Scalar> Simulation<S> {
             return S::ZERO;
         }
         let by_s = RATE_STEP * self.settings.step_s;
-        let g = self.watch.now[witness];
+        // What the others show now is asked of them after this one: they keep it.
+        let now = self.watch.now.clone();
         self.watch.start.copy_from(&self.state);
         let mut at = |by_s: f64| {
             self.drift(interval, time_s, S::constant(by_s));
@@ -239,7 +240,8 @@ impl<S: Scalar> Simulation<S> {
             self.watch.now[witness].value()
         };
         let rate = (at(by_s) - at(-by_s)) / (2.0 * by_s);
-        self.watch.now[witness] = g;
+        let g = now[witness];
+        self.watch.now = now;
         (S::constant(g.value()) - g) / S::constant(rate)
     }
 

@@ -1,5 +1,4 @@
 //! Hull meshes whose hydrostatics are closed forms, and one that has no symmetry.
-#![allow(dead_code)] // each test binary uses its own part
 
 use kingpost::scalar::{Dual, Scalar};
 use kingpost::sea::hull::HullMesh;

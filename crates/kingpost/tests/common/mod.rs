@@ -3,6 +3,10 @@
 
 pub mod barge;
 pub mod closed_forms;
+pub mod gallery_files;
+pub mod hoist_part;
+pub mod hulls;
+pub mod paper_text;
 pub mod splash;
 pub mod trees;
 

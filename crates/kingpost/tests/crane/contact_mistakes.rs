@@ -1,0 +1,119 @@
+//! What a person may get wrong with a contact: each has an answer at its place.
+
+use crate::common;
+
+use common::{simulation, values};
+use kingpost::scenario::read;
+
+const TEXT: &str = "version: 1
+title: A crate on a deck
+simulation: {step_s: 0.002, duration_s: 60}
+bodies:
+  platform:
+    mass_t: 50
+    shape: {box: {length_m: 10, width_m: 10, height_m: 1}}
+    joint: {prismatic: {name: heave, axis: [0, 0, 1], spring: {stiffness_N_per_m: 1e9}}}
+  crate:
+    mass_kg: 500
+    shape: {box: {length_m: 2, width_m: 1, height_m: 1}}
+    joint: {floating: {initial: {position_m: [0, 0, 1.01]}}}
+forces:
+  gravity: {gravity: {}}
+  deck:
+    contact:
+      load: {body: crate, shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}
+      surface: {body: platform, shape: {box: {length_m: 10, width_m: 10, height_m: 1}}}
+      stiffness_N_per_m: 1e6
+      friction_coefficient: 0.4
+";
+
+fn refused(from: &str, to: &str) -> String {
+    assert!(TEXT.contains(from), "{from}");
+    let text = TEXT.replacen(from, to, 1);
+    let error = read(&text, "deck.yaml", &[]).and_then(|scenario| scenario.setup()).expect_err("a mistake");
+    error.to_string()
+}
+
+#[test]
+fn a_contact_that_cannot_be_is_refused_at_its_place() {
+    let cases = [
+        (
+            "load: {body: crate",
+            "load: {body: crat",
+            "forces.deck.contact.load.body: found crat, allowed: one of platform, crate",
+        ),
+        (
+            "surface: {body: platform",
+            "surface: {body: deck",
+            "forces.deck.contact.surface.body: found deck, allowed: one of platform, crate, world",
+        ),
+        (
+            "surface: {body: platform",
+            "surface: {body: crate",
+            "forces.deck.contact.surface.body: found crate, allowed: another body than load.body, crate",
+        ),
+        ("load: {body: crate", "load: {body: world", "forces.deck.contact.load.body: found world"),
+        (
+            "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
+            "shape: {cylinder: {radius_m: 0.5, length_m: 1}}}\n      surface",
+            "forces.deck.contact.load.shape: found cylinder, allowed: box, sphere or points, on a box",
+        ),
+        (
+            "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
+            "shape: {points: {positions_m: []}}}\n      surface",
+            "forces.deck.contact.load.shape.points.positions_m: found 0 points, allowed: 1 to 64 points",
+        ),
+        (
+            "friction_coefficient: 0.4",
+            "friction_coefficient: 0.4\n      restitution: 0.05",
+            "forces.deck.contact.restitution: found 0.05, allowed: a number from 0.1 to 1",
+        ),
+        ("friction_coefficient: 0.4", "friction_coefficient: -1", "forces.deck.contact.friction_coefficient: found -1"),
+        (
+            "stiffness_N_per_m: 1e6\n      fr",
+            "stiffness_N_per_m: 0\n      fr",
+            "forces.deck.contact.stiffness_N_per_m: found 0",
+        ),
+        (
+            "position_m: [0, 0, 1.01]",
+            "position_m: [0, 0, 0.9]",
+            "forces.deck.contact.load: found a load 0.1000 m inside of its surface, allowed: at most its penetration_tolerance_m, \
+             0.02 m, where the run begins",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        let error = refused(from, to);
+        assert!(error.contains(expected), "{error}");
+        assert!(error.starts_with("deck.yaml:"), "{error}");
+    }
+}
+
+/// 500 kg on four points of 20 kN/m would rest 61 mm deep.
+#[test]
+fn a_deck_that_is_too_soft_for_its_load_is_refused() {
+    let text = TEXT.replace("stiffness_N_per_m: 1e6\n      fr", "stiffness_N_per_m: 2e4\n      fr");
+    let text = text.replace("duration_s: 60", "duration_s: 60, begin_at_equilibrium: true");
+    let error = read(&text, "deck.yaml", &[]).and_then(|scenario| scenario.setup()).expect_err("too soft").to_string();
+    assert!(error.contains("forces.deck.contact.load: found a load 0.0613 m inside"), "{error}");
+    assert!(error.contains("where it rests: make it stiffer"), "{error}");
+}
+
+/// Falling 0.51 m on it, 500 kg go some 10 mm into 4 MN/m: v sqrt(m / 4 k) = 35 mm without its damping.
+#[test]
+fn a_run_warns_of_a_load_that_is_pressed_in_too_deep() {
+    let text = TEXT.replace("1.01]", "1.52]").replace("duration_s: 60", "duration_s: 2");
+    let text = text.replace("coefficient: 0.4\n", "coefficient: 0.4\n      penetration_tolerance_m: 0.004\n");
+    let run = simulation(&text).run(|_| true);
+    let warning = run.warnings.iter().find(|warning| warning.name == "deck").expect("a warning");
+    assert!(warning.text.contains("more than its penetration_tolerance_m of 0.004 m"), "{warning:?}");
+}
+
+/// A switch takes the contact away: nothing touches, and the load falls through.
+#[test]
+fn a_contact_that_is_off_is_not_there() {
+    let off = TEXT.replace("contact:\n", "contact:\n      enabled: false\n");
+    let mut falling = simulation(&off);
+    falling.step(500).expect("it falls");
+    assert!(falling.channels().iter().all(|channel| channel.variable != "contact_force"));
+    assert!(values(&mut falling, "kinetic_energy")[0] > 1e4);
+}

@@ -1,0 +1,21 @@
+//! The work of a crane: ropes, drives, contact, splash zone, operations.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod contact_friction;
+mod contact_mistakes;
+mod contact_motions;
+mod contacts;
+mod controlled_drives;
+mod cylinders;
+mod operations;
+mod rope_leads;
+mod rope_mistakes;
+mod rope_motions;
+mod rope_release_and_tuggers;
+mod ropes;
+mod sensors;
+mod submerged;
+mod submerged_mistakes;
+mod submerged_motions;

@@ -1,0 +1,162 @@
+//! Ropes that are released, and lines of constant tension.
+
+use crate::common;
+
+use common::{simulation, values};
+use kingpost::scenario::read;
+
+/// Free fall, m/s^2.
+const GRAVITY: f64 = 9.80665;
+
+/// A load of 2 t that hangs at rest on a rope of 400 kN/m from a bar of 6 t, which a spring carries.
+fn hoist(rest: &str) -> String {
+    format!(
+        "version: 1
+title: A load on a hook
+simulation: {{step_s: 0.001, duration_s: 1, begin_at_equilibrium: true}}
+bodies:
+  bar:
+    mass_kg: 6000
+    shape: {{point: {{}}}}
+    joint: {{prismatic: {{name: spring, axis: [0, 0, 1], spring: {{stiffness_N_per_m: 2e6}}}}}}
+  load:
+    mass_kg: 2000
+    shape: {{sphere: {{radius_m: 0.5}}}}
+    joint: {{floating: {{initial: {{position_m: [0, 0, -10]}}}}}}
+forces:
+  gravity: {{gravity: {{acceleration_m_s2: {GRAVITY}}}}}
+  hook:
+    rope:
+      path: [{{point: {{body: bar}}}}, {{point: {{body: load}}}}]
+      unstretched_length_m: 10
+      axial_stiffness_N: 4e6
+      can_be_released: true
+{rest}"
+    )
+}
+
+const RELEASED: &str = "operation:
+  steps:
+    - {name: hold, until: {after_s: 0.25}}
+    - {name: release, set: [{input: hook, to: 1}]}
+";
+
+#[test]
+fn a_load_that_is_released_falls_and_what_carried_it_swings_up_by_its_weight() {
+    let mut found = simulation(&hoist(RELEASED));
+    assert!((values(&mut found, "rope_tension")[0] - 2000.0 * GRAVITY).abs() < 1e-4);
+    let height = |found: &mut kingpost::Simulation| values(found, "position")[5];
+    let start = height(&mut found);
+    found.step(1000).expect("it falls");
+    let fallen = 0.75_f64;
+    assert!((start - height(&mut found) - 0.5 * GRAVITY * fallen * fallen).abs() < 1e-6);
+    assert_eq!(values(&mut found, "rope_tension"), [0.0]);
+    // x'' = -w^2 (x - x0) with x0 above the start by m g / k.
+    let (stiffness, omega) = (2e6, (2e6 / 6000.0_f64).sqrt());
+    let up = 2000.0 * GRAVITY / stiffness * (1.0 - (omega * fallen).cos());
+    let at_rest = -8000.0 * GRAVITY / stiffness;
+    assert!((values(&mut found, "joint_position")[0] - at_rest - up).abs() < 1e-6);
+    // The strain energy of the rope, T^2 / (2 k), became heat.
+    let strain = (2000.0 * GRAVITY).powi(2) / (2.0 * 4e5);
+    assert!((values(&mut found, "energy_dissipated")[0] / strain - 1.0).abs() < 1e-6);
+    assert!(values(&mut found, "energy_error")[0].abs() < 1e-6 * strain);
+}
+
+#[test]
+fn a_hand_may_release_a_load_and_it_stays_lost() {
+    let mut found = simulation(&hoist(""));
+    found.step(100).expect("it hangs");
+    found.set_input("hook", 1.0).expect("it is a lever");
+    found.step(100).expect("it falls");
+    found.set_input("hook", 0.0).expect("it is a lever");
+    found.step(100).expect("it falls");
+    assert_eq!(values(&mut found, "rope_tension"), [0.0]);
+    // After a reset it hangs again.
+    found.reset();
+    found.step(300).expect("it hangs");
+    assert!((values(&mut found, "rope_tension")[0] - 2000.0 * GRAVITY).abs() < 1e-3);
+}
+
+#[test]
+fn a_rope_that_can_be_released_has_a_name_of_its_own() {
+    let drive = "drives: {hook: {linear_motor: {joint: spring, force_N: 1, history: lever}}}\n";
+    let error = read(&hoist(drive), "hoist.yaml", &[]).expect_err("two inputs of one name").to_string();
+    assert!(error.contains("forces.hook.rope.can_be_released: found true, with an input hook"), "{error}");
+}
+
+/// A cart of 500 kg on a slide along x that a tugger line pulls over a sheave, from a winch below it.
+fn cart(efficiency: f64, rate: f64) -> String {
+    format!(
+        "version: 1
+title: A tugger line
+simulation: {{step_s: 0.001, duration_s: 2}}
+bodies:
+  cart:
+    mass_kg: 500
+    shape: {{point: {{}}}}
+    joint: {{prismatic: {{name: slide, axis: [1, 0, 0], initial_extension_m: -20, initial_speed_m_s: {rate}}}}}
+forces:
+  tugger:
+    tugger_line:
+      path:
+        - point: {{body: world, position_m: [0.3, 0, -5]}}
+        - sheave: {{body: world, position_m: [0, 0, -0.3], radius_m: 0.3, axis: [0, -1, 0],
+            efficiency_hoisting: {efficiency}, efficiency_lowering: {efficiency}}}
+        - point: {{body: cart}}
+      tension_kN: 3
+"
+    )
+}
+
+#[test]
+fn a_tugger_line_pulls_with_its_tension_however_fast_the_load_moves() {
+    for rate in [0.0, 3.0, -3.0] {
+        let mut found = simulation(&cart(1.0, rate));
+        assert_eq!(values(&mut found, "winch_tension"), [3000.0]);
+        found.step(1000).expect("it moves");
+        // The line runs level: x'' = T / m.
+        let exact = [-20.0 + rate + 0.5 * 6.0, rate + 6.0];
+        let [place, speed] = [found.state().q[0], found.state().v[0]];
+        assert!((place - exact[0]).abs() < 1e-9 && (speed - exact[1]).abs() < 1e-9, "{place} {speed}");
+        assert!((values(&mut found, "tugger_pay_out_rate")[0] + speed).abs() < 1e-9);
+        assert!(values(&mut found, "energy_error")[0].abs() < 1e-6);
+    }
+}
+
+#[test]
+fn friction_of_its_sheaves_is_the_winchs_to_carry_and_becomes_heat() {
+    let mut found = simulation(&cart(0.95, 2.0));
+    found.step(1000).expect("it moves");
+    let way = found.state().q[0] + 20.0;
+    // The winch hauls: it pulls by 1 / 0.95 more than the load feels.
+    assert!((values(&mut found, "winch_tension")[0] / (3000.0 / 0.95) - 1.0).abs() < 1e-5);
+    let heat = (3000.0 / 0.95 - 3000.0) * way;
+    let dissipated = values(&mut found, "energy_dissipated")[0];
+    assert!((dissipated / heat - 1.0).abs() < 1e-4, "{dissipated} {heat}");
+    assert!(values(&mut found, "energy_error")[0].abs() < 1e-6);
+}
+
+#[test]
+fn a_mistake_in_a_tugger_line_is_refused_at_its_place() {
+    let cases = [
+        (
+            "- point: {body: world, position_m: [0.3, 0, -5]}",
+            "- drum: {joint: slide, radius_m: 0.3}",
+            "path.0: found a drum",
+        ),
+        ("axis: [0, -1, 0]", "axis: [0, 1, 0]", "path.1.sheave.axis: found a rope that turns by"),
+        (
+            "position_m: [0.3, 0, -5]",
+            "position_m: [0, 0, -0.3]",
+            "path.1: found a place 0.0000 m from the one before it",
+        ),
+        ("tension_kN: 3", "tension_kN: -3", "tension_kN: found -3"),
+    ];
+    for (from, to, expected) in cases {
+        let text = cart(1.0, 0.0);
+        assert!(text.contains(from), "{from}");
+        let error = read(&text.replacen(from, to, 1), "cart.yaml", &[]).and_then(|scenario| scenario.setup());
+        let error = error.expect_err("a mistake").to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+}

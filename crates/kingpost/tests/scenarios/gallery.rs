@@ -1,0 +1,43 @@
+//! Every scenario of the gallery reads, runs to its end and accounts for its energy and momentum.
+
+use crate::common::gallery_files;
+
+use kingpost::Simulation;
+use kingpost::scenario::Scenario;
+
+fn gallery() -> Vec<(String, Scenario)> {
+    let read = |name: String| (name.clone(), gallery_files::scenario(&name, &[]));
+    gallery_files::names("").into_iter().map(read).collect()
+}
+
+#[test]
+fn every_scenario_says_what_it_is() {
+    for (name, scenario) in gallery() {
+        assert!(!scenario.title.is_empty() && scenario.title.len() <= 60, "{name}: a title of one short line");
+        assert!(scenario.description.len() >= 80, "{name}: a description that says what to look at");
+        for parameter in &scenario.parameters {
+            assert!(!parameter.label.is_empty(), "{name}: a label for {}", parameter.name);
+        }
+    }
+}
+
+#[test]
+fn every_scenario_runs_to_its_end_and_its_ledger_closes() {
+    // What the gallery asks of its own steps: errors below 1e-4 of what is in play. Momentum is put beside
+    // energy over the fastest rate: in a closed system its sum may be 0 while all its parts are large.
+    for (name, scenario) in gallery() {
+        let mut simulation = Simulation::new(scenario.setup().unwrap());
+        let run = simulation.run(|_| true);
+        assert_eq!(run.status, Ok(()), "{name}");
+        let largest = |variable: &str| {
+            let channel = simulation.channels().iter().find(|channel| channel.variable == variable).unwrap();
+            let values = run.rows.chunks(run.columns).flat_map(|row| &row[channel.offset..][..channel.len]);
+            values.fold(0.0_f64, |most, value| most.max(value.abs()))
+        };
+        let (energy, momentum) = (largest("energy_error"), largest("momentum_error"));
+        let in_play = largest("kinetic_energy");
+        assert!(energy < 1e-4 * in_play, "{name}: {energy:e} J of {in_play:e} J");
+        let turning = in_play / largest("angular_velocity");
+        assert!(momentum < 1e-4 * turning, "{name}: {momentum:e} N m s of {turning:e} N m s");
+    }
+}

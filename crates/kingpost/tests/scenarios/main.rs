@@ -1,0 +1,16 @@
+//! Scenario files: the gallery, parts, schema, errors, every number.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod gallery;
+mod golden;
+mod leaves;
+mod parts;
+mod parts_mistakes;
+mod parts_page;
+mod parts_schema;
+mod scenario_errors;
+mod scenario_parameters;
+mod scenario_properties;
+mod scenario_schema;

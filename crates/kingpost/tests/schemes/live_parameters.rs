@@ -1,0 +1,172 @@
+//! Parameters that change while a run goes on.
+
+use crate::common;
+
+use common::values;
+use kingpost::Simulation;
+use kingpost::scenario::{ParameterError, Scenario, read};
+use kingpost::state::SnapshotError;
+use serde_json::{Value, json};
+
+/// A pendulum under a boat that the wind drives.
+const BOAT: &str = "
+version: 1
+title: A boat in the wind
+parameters:
+  - {name: wind_m_s, unit: m/s, default: 8, range: [0, 30], live: true, writes: [wind.speed_m_s]}
+  - {name: bob_t, label: Bob, unit: t, default: 0.1, live: true, writes: [bodies.bob.mass_t]}
+  - {name: push, unit: N m, default: 200, live: true, writes: [drives.push.motor.torque_N_m]}
+  - {name: pushes, default: true, live: true, writes: [drives.push.motor.enabled]}
+  - {name: step_s, default: 0.01, live: true, writes: [simulation.step_s]}
+  - {name: air, default: 1.2, writes: [wind.air_density_kg_m3]}
+simulation: {duration_s: 4, record_every_s: 0.1}
+wind: {speed_m_s: 8, direction_deg: 30}
+bodies:
+  boat:
+    mass_kg: 2000
+    shape: {box: {length_m: 6, width_m: 2, height_m: 1}}
+    joint: {planar: {normal: [0, 0, 1], x_axis: [1, 0, 0]}}
+  bob:
+    parent: boat
+    mass_kg: 100
+    shape: {box: {length_m: 0.5, width_m: 0.5, height_m: 0.5}}
+    joint: {revolute: {position_m: [0, 0, 9], child_position_m: [0, 0, 3], axis: [0, 1, 0], initial_angle_rad: 0.4}}
+forces:
+  gravity: {gravity: {}}
+  windage:
+    wind_load:
+      body: boat
+      coefficients: {directions_deg: [0, 90, 180], symmetric: true, surge: [1, 0, -1], sway: [0, 1, 0], yaw: [0, 0, 0],
+        frontal_area_m2: 4, lateral_area_m2: 9, length_m: 6}
+drives:
+  push: {motor: {joint: bob, torque_N_m: 200}}
+";
+
+fn boat(changes: &[(&str, Value)]) -> (Scenario, Simulation) {
+    let changes: Vec<(String, Value)> =
+        changes.iter().map(|(path, value)| ((*path).to_owned(), value.clone())).collect();
+    let scenario = read(BOAT, "boat.yaml", &changes).unwrap_or_else(|error| panic!("{error}"));
+    let simulation = scenario.simulation().expect("it builds");
+    (scenario, simulation)
+}
+
+const INTEGRATORS: [&str; 5] = ["rk4", "dormand_prince", "generalized_alpha", "implicit_midpoint", "midpoint_euler"];
+
+#[test]
+fn a_run_goes_on_as_one_of_the_other_scenario_that_begins_from_here() {
+    for integrator in INTEGRATORS {
+        let scheme = ("simulation.integrator", json!(integrator));
+        let (mut scenario, mut live) = boat(std::slice::from_ref(&scheme));
+        live.step(100).unwrap();
+        scenario.set_parameter(&mut live, "wind_m_s", &json!(20)).unwrap();
+        scenario.set_parameter(&mut live, "push", &json!(-150)).unwrap();
+        let (_, mut other) = boat(&[scheme, ("wind_m_s", json!(20)), ("push", json!(-150))]);
+        other.step(100).unwrap();
+        let here = live.state().clone();
+        other.set_state(&here.q, &here.v, Some(&here.s)).unwrap();
+        live.step(100).unwrap();
+        other.step(100).unwrap();
+        assert_eq!(live.state(), other.state(), "{integrator}");
+        assert!((live.time_s() - 2.0).abs() < 1e-12);
+        // The wind and the motor did change: without it the boat is elsewhere.
+        let (_, mut without) = boat(&[("simulation.integrator", json!(integrator))]);
+        without.step(200).unwrap();
+        assert!((without.state().q[0] - live.state().q[0]).abs() > 0.01, "{integrator}");
+    }
+}
+
+#[test]
+fn a_mass_that_changes_books_its_energy_and_momentum_in_the_ledger() {
+    let (mut scenario, mut simulation) = boat(&[("simulation.step_s", json!(0.002))]);
+    simulation.step(400).unwrap();
+    let energy = |simulation: &mut Simulation| {
+        values(simulation, "kinetic_energy")[0] + values(simulation, "potential_energy")[0]
+    };
+    let outside = |simulation: &mut Simulation| values(simulation, "work_by_outside")[0];
+    let (before, work) = (energy(&mut simulation), outside(&mut simulation));
+    scenario.set_parameter(&mut simulation, "bob_t", &json!(0.25)).unwrap();
+    let (after, booked) = (energy(&mut simulation), outside(&mut simulation) - work);
+    // The bob hangs 6 m above the origin: 150 kg more are some 9 kJ, by the outside.
+    assert!(after - before > 8000.0 && (booked - (after - before)).abs() < 1e-9 * after, "{booked} J of {after} J");
+    simulation.step(400).unwrap();
+    // RK4 at 2 ms: what is left is rounding of 1e4 J and h^4 of a swing of 3 s.
+    for variable in ["energy_error", "linear_momentum_error", "momentum_error"] {
+        let worst = values(&mut simulation, variable).iter().fold(0.0_f64, |worst, error| worst.max(error.abs()));
+        assert!(worst < 1e-6, "{variable}: {worst}");
+    }
+}
+
+#[test]
+fn a_live_parameter_that_changes_the_structure_is_refused_by_its_name() {
+    let (mut scenario, mut simulation) = boat(&[]);
+    simulation.step(10).unwrap();
+    let before = simulation.state().clone();
+    let mut refused = |name: &str, value: Value| {
+        let error = scenario.set_parameter(&mut simulation, name, &value).expect_err("refused");
+        (error.to_string(), error)
+    };
+    let (text, error) = refused("pushes", json!(false));
+    assert_eq!(
+        text,
+        "parameter pushes: found false, which changes the structure of the run; allowed: a restart with it"
+    );
+    assert!(matches!(error, ParameterError::Restart { .. }));
+    assert!(matches!(refused("step_s", json!(0.005)).1, ParameterError::Restart { name, .. } if name == "step_s"));
+    let (text, _) = refused("air", json!(1.0));
+    assert_eq!(
+        text,
+        "parameter air: takes effect where a run begins, allowed during a run: wind_m_s, bob_t, push, pushes, step_s"
+    );
+    let (text, _) = refused("winds", json!(1.0));
+    assert!(text.starts_with("parameter winds: no such parameter, allowed: wind_m_s, "), "{text}");
+    let (text, _) = refused("wind_m_s", json!(31));
+    assert!(text.contains("found 31, allowed: a number from 0 to 30"), "{text}");
+    let (text, _) = refused("bob_t", json!(-1));
+    assert!(text.contains("mass") && text.contains("-1"), "{text}");
+    assert_eq!(*simulation.state(), before);
+}
+
+#[test]
+fn a_snapshot_belongs_to_the_values_that_it_was_taken_with() {
+    let (mut scenario, mut simulation) = boat(&[]);
+    simulation.step(50).unwrap();
+    let snapshot = simulation.snapshot();
+    simulation.step(50).unwrap();
+    let expected = simulation.state().clone();
+    scenario.set_parameter(&mut simulation, "wind_m_s", &json!(12)).unwrap();
+    assert!(matches!(simulation.restore(&snapshot), Err(SnapshotError::Setup { .. })));
+    let of_the_other = simulation.snapshot();
+    scenario.set_parameter(&mut simulation, "wind_m_s", &json!(8)).unwrap();
+    simulation.restore(&snapshot).unwrap();
+    simulation.step(50).unwrap();
+    assert_eq!(*simulation.state(), expected);
+    let (_, mut other) = boat(&[("wind_m_s", json!(12))]);
+    other.restore(&of_the_other).unwrap();
+    assert_eq!(other.time_s(), 1.0);
+}
+
+#[test]
+fn a_reset_leads_to_the_start_with_the_value_that_was_set() {
+    let (mut scenario, mut simulation) = boat(&[]);
+    simulation.step(50).unwrap();
+    scenario.set_parameter(&mut simulation, "wind_m_s", &json!(15)).unwrap();
+    let what: Vec<_> =
+        simulation.events().iter().map(|event| (event.time_s, event.element.as_str(), event.what.as_ref())).collect();
+    assert_eq!(what, [(0.5, "wind_m_s", "was set")]);
+    simulation.reset();
+    assert_eq!(simulation.time_s(), 0.0);
+    simulation.step(50).unwrap();
+    let (_, mut other) = boat(&[("wind_m_s", json!(15))]);
+    other.step(50).unwrap();
+    assert_eq!(simulation.state(), other.state());
+}
+
+#[test]
+fn the_described_model_says_which_parameters_are_live() {
+    let (mut scenario, mut simulation) = boat(&[]);
+    scenario.set_parameter(&mut simulation, "wind_m_s", &json!(9)).unwrap();
+    let described = scenario.describe().expect("it builds").parameters;
+    let live: Vec<&str> = described.iter().filter(|one| one.live).map(|one| one.name.as_str()).collect();
+    assert_eq!(live, ["wind_m_s", "bob_t", "push", "pushes", "step_s"]);
+    assert_eq!(described[0].value, json!(9.0));
+}
