@@ -51,7 +51,7 @@ pub fn gradient(
     let mut gradient: Option<Gradient> = None;
     let mut stopped = false;
     for chunk in names.chunks(DIRECTIONS) {
-        let mut simulation = Simulation::recursive(scenario.setup_along_with::<DIRECTIONS>(&plain, chunk)?);
+        let mut simulation = Simulation::recursive(scenario.setup_along_with(&plain, chunk)?);
         let run = simulation.run(|time_s| {
             stopped = !progress(time_s);
             !stopped

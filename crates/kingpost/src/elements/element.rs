@@ -84,9 +84,9 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         Ok(Vec::new())
     }
 
-    /// The function whose change of sign is the event of this number.
-    fn witness(&mut self, _event: usize, _at: &Moment<'_, S>) -> S {
-        S::ONE
+    /// Writes, for each event in the order of the declaration, the function whose change of sign it is.
+    fn witnesses(&mut self, _at: &Moment<'_, S>, values: &mut [S]) {
+        values.fill(S::ONE);
     }
 
     /// Answers an event where it was located: may change its states, numbers and modes, and the velocities `v` of the

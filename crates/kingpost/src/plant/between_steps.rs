@@ -133,8 +133,11 @@ impl<S: Scalar> Plant<S> {
         self.links.update(&self.model, at.q, at.v);
         let Self { model, world, links, layout, situation, elements, .. } = self;
         let mut scene = Scene::new(layout, world, model, links, *situation, at);
-        for (watched, value) in layout.watched.iter().zip(values) {
-            *value = elements[watched.element].witness(watched.event, scene.of(watched.element));
+        let mut rest = values;
+        for of_one in layout.watched.chunk_by(|one, next| one.element == next.element) {
+            let (own, others) = rest.split_at_mut(of_one.len());
+            elements[of_one[0].element].witnesses(scene.of(of_one[0].element), own);
+            rest = others;
         }
     }
 

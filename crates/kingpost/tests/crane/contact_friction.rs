@@ -268,7 +268,10 @@ fn a_gradient_from_an_equilibrium_on_friction_has_the_rows_of_the_run() {
 fn a_block_that_lands_on_its_corners_has_derivatives() {
     let settings = "integrator: rk4, step_s: 0.0005, duration_s: 0.08, record_every_s: 0.02";
     let text = slope(settings, "0.4", ", velocity_m_s: [0.3, 0.1, -1]");
-    let lifted = text.replace("orientation_deg: [0, 20, 0], position_m: [", "orientation_deg: [0.02, 20.01, 0], position_m: [0.01, 0, 0.03] # [");
+    let lifted = text.replace(
+        "orientation_deg: [0, 20, 0], position_m: [",
+        "orientation_deg: [0.02, 20.01, 0], position_m: [0.01, 0, 0.03] # [",
+    );
     let read = |mass: f64| {
         let given = [("bodies.crate.mass_kg".to_owned(), mass.into())];
         kingpost::scenario::read(&lifted, "deck.yaml", &given).expect("it reads")

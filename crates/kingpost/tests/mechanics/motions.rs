@@ -165,7 +165,7 @@ fn ways_and_shares_have_derivatives_and_times_have_none() {
         "bodies.table.joint.revolute.mode.travel.angle_rad",
         "bodies.hook.joint.prismatic.mode.prescribed.list.share.1",
     ];
-    let mut simulation = Simulation::recursive(scenario.setup_along::<2>(&names).expect("they have derivatives"));
+    let mut simulation = Simulation::recursive(scenario.setup_along(&names).expect("they have derivatives"));
     simulation.step(150).expect("it moves");
     let expected = [[1.0, 0.0], [0.0, 0.5 * 3.0]];
     for (found, expected) in simulation.state().q.iter().zip(expected) {
@@ -175,7 +175,7 @@ fn ways_and_shares_have_derivatives_and_times_have_none() {
         "bodies.table.joint.revolute.mode.travel.duration_s",
         "bodies.hook.joint.prismatic.mode.prescribed.list.time_s.1",
     ] {
-        let error = scenario.setup_along::<1>(&[name]).map(drop).expect_err("a time is structure").to_string();
+        let error = scenario.setup_along(&[name]).map(drop).expect_err("a time is structure").to_string();
         assert!(error.contains(name), "{error}");
     }
 }

@@ -83,8 +83,8 @@ impl<S: Scalar> Element<S> for Governor<S> {
         own.numbers[0] = now.select_less(own.numbers[0], || own.numbers[0], || now);
     }
 
-    fn witness(&mut self, _: usize, at: &Moment<'_, S>) -> S {
-        at.states[0] - self.limit
+    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+        values[0] = at.states[0] - self.limit;
     }
 
     fn respond(&mut self, _: usize, _: &Moment<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {

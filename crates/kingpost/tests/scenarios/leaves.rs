@@ -5,8 +5,8 @@ use kingpost::analysis::gradient;
 use kingpost::batch;
 use kingpost::elements::{DynamicPositioning, FlowLoad, of_kind};
 use kingpost::plant::DIRECTIONS;
+use kingpost::plant::Number;
 use kingpost::results::Channel;
-use kingpost::scalar::Dual;
 use kingpost::scenario::{Files, Host, Scenario, read_with};
 use kingpost::simulation::{Run, Simulation};
 use serde_json::{Value, json};
@@ -375,16 +375,16 @@ fn what_is_not_in_proportion_to_a_number_has_its_derivative_too() {
         "forces.dp.dynamic_positioning.gains.natural_periods.surge.period_s",
         "forces.wind_on_ship.wind_load.height_m",
     ];
-    let setup = scenario.setup_along::<3>(&names).expect("it builds");
+    let setup = scenario.setup_along(&names).expect("it builds");
     let tower = setup.model.coordinate("tower").expect("the tower turns");
     assert_eq!(setup.model.rotor_inertia[tower].derivative[0], 2.0 * 20.0 * 5.0);
-    let gains = of_kind::<_, DynamicPositioning<Dual<3>>>(&setup.elements).next().expect("it is there").gains;
+    let gains = of_kind::<_, DynamicPositioning<Number>>(&setup.elements).next().expect("it is there").gains;
     let stiffness = gains.stiffness[0];
     assert!((stiffness.derivative[1] / (-2.0 * stiffness.value / 200.0) - 1.0).abs() < 1e-14, "{stiffness:?}");
     let damping = gains.damping[0];
     assert!((damping.derivative[1] / (-damping.value / 200.0) - 1.0).abs() < 1e-14, "{damping:?}");
     // U ln(z / z0) / ln(10 / z0) along z.
-    let wind = of_kind::<_, FlowLoad<Dual<3>>>(&setup.elements).next().expect("a wind");
+    let wind = of_kind::<_, FlowLoad<Number>>(&setup.elements).next().expect("a wind");
     let flow = wind.flow.in_world(&setup.world).0[0];
     let expected = flow.value / (14.0 * libm::log(14.0 / 0.003));
     assert!((flow.derivative[2] / expected - 1.0).abs() < 1e-13, "{flow:?}");

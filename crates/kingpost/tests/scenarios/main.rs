@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod derivatives;
 mod gallery;
 mod golden;
 mod leaves;

@@ -11,7 +11,8 @@ use kingpost::integrate::Tolerances;
 use kingpost::model::joint::{Prismatic, Revolute};
 use kingpost::model::{BodyDescription, Joint, JointKind, Mode, Model};
 use kingpost::plant::Form;
-use kingpost::scalar::{Dual, Scalar};
+use kingpost::plant::Number;
+use kingpost::scalar::Scalar;
 use kingpost::simulation::{RunError, SchemeName, Settings, Setup, Simulation};
 use kingpost::spatial::{Frame, SpatialInertia, Symmetric3, Vector3};
 use kingpost::state::State;
@@ -77,8 +78,8 @@ impl<S: Scalar> Element<S> for Floor<S> {
         Declaration { events, ..Declaration::default() }
     }
 
-    fn witness(&mut self, _: usize, at: &Moment<'_, S>) -> S {
-        at.q[0]
+    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+        values[0] = at.q[0];
     }
 
     fn respond(&mut self, _: usize, at: &Moment<'_, S>, _: &mut Own<'_, S>, v: &mut [S]) {
@@ -131,7 +132,7 @@ fn the_ledger_closes_over_impacts() {
 #[test]
 fn derivatives_follow_through_an_event() {
     let (height, restitution, end) = (1.3, 0.7, 0.8);
-    let dual = |value: f64, direction: usize| Dual::<2> {
+    let dual = |value: f64, direction: usize| Number {
         value,
         derivative: core::array::from_fn(|k| f64::from(u8::from(k == direction))),
     };
@@ -179,8 +180,8 @@ impl<S: Scalar> Element<S> for Catch {
         loads.power.dissipated += moment * at.v[0];
     }
 
-    fn witness(&mut self, _: usize, at: &Moment<'_, S>) -> S {
-        at.q[0] - S::constant(self.angle)
+    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+        values[0] = at.q[0] - S::constant(self.angle);
     }
 
     fn respond(&mut self, _: usize, _: &Moment<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {
@@ -340,9 +341,9 @@ fn what_answers_itself_without_end_stops_the_run() {
         }
 
         /// Falls through zero 1e-6 s after each answer.
-        fn witness(&mut self, _: usize, at: &Moment<'_, S>) -> S {
+        fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
             let next = 0.001 + 1e-6 * at.modes[0] as f64;
-            S::constant(next - at.clock.time_s)
+            values[0] = S::constant(next - at.clock.time_s);
         }
 
         fn respond(&mut self, _: usize, _: &Moment<'_, S>, own: &mut Own<'_, S>, _: &mut [S]) {

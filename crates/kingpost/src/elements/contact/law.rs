@@ -4,9 +4,10 @@ use super::friction::{Drag, Rubbing};
 use super::sides::{Met, Sides};
 use super::solid::length;
 use super::{
-    BEGINS_TO_SLIDE, BY_DEPTH, Contact, DIRECTION_M, EVENTS, Friction, HOLDS, JUST_HOLDS, OPEN, SLIDES, Solid,
+    BEGINS_TO_SLIDE, BY_DEPTH, Contact, DIRECTION_M, EVENTS, Friction, HOLDS, JUST_HOLDS, LEAVES, OPEN, ROUNDING_M,
+    SLIDES, Solid, TOUCHES,
 };
-use crate::elements::{Moment, Own, Situation, hunt_crossley};
+use crate::elements::{Crossing, Moment, Own, Situation, hunt_crossley};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -79,6 +80,33 @@ impl<S: Scalar> Contact<S> {
             }
         });
         Some((met, pressed, drag))
+    }
+
+    /// The function whose change of sign is an event of a spot.
+    pub(super) fn witness(&self, event: usize, i: usize, met: &Met<S>, at: &Moment<'_, S>) -> S {
+        let mode = condition(i, at);
+        let never = if EVENTS[event].crossing == Crossing::Rising { -S::ONE } else { S::ONE };
+        let is_watched = match event {
+            TOUCHES => matches!(mode, OPEN | BY_DEPTH),
+            LEAVES => mode != OPEN,
+            BEGINS_TO_SLIDE => matches!(mode, HOLDS | BY_DEPTH),
+            _ => mode == SLIDES,
+        };
+        if !is_watched {
+            return never;
+        }
+        match (event, self.friction) {
+            (LEAVES, _) if mode != BY_DEPTH => met.depth + S::constant(ROUNDING_M),
+            (TOUCHES | LEAVES, _) | (_, None) => met.depth,
+            (BEGINS_TO_SLIDE, Some(friction)) => {
+                let rubbing = self.rubbing(&friction, met, self.pressed(mode, met).normal, self.bristle(i, met, at));
+                length(friction.holding(&rubbing).force) - rubbing.limit
+            }
+            _ => {
+                let along = met.along(self.bristle(i, met, at));
+                along.dot(met.slip()) / length(along)
+            }
+        }
     }
 
     pub(super) fn pressed(&self, mode: i64, met: &Met<S>) -> Pressed<S> {

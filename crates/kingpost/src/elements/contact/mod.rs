@@ -226,31 +226,11 @@ impl<S: Scalar> Element<S> for Contact<S> {
         out.extend([normal, friction, impulse, penetration, -deepest, count]);
     }
 
-    fn witness(&mut self, event: usize, at: &Moment<'_, S>) -> S {
-        let (i, event) = (event / self.events_of_a_spot(), event % self.events_of_a_spot());
-        let mode = condition(i, at);
-        let never = if EVENTS[event].crossing == Crossing::Rising { -S::ONE } else { S::ONE };
-        let is_watched = match event {
-            TOUCHES => matches!(mode, OPEN | BY_DEPTH),
-            LEAVES => mode != OPEN,
-            BEGINS_TO_SLIDE => matches!(mode, HOLDS | BY_DEPTH),
-            _ => mode == SLIDES,
-        };
-        if !is_watched {
-            return never;
-        }
-        let met = self.met(i, &self.sides_at(at));
-        match (event, self.friction) {
-            (LEAVES, _) if mode != BY_DEPTH => met.depth + S::constant(ROUNDING_M),
-            (TOUCHES | LEAVES, _) | (_, None) => met.depth,
-            (BEGINS_TO_SLIDE, Some(friction)) => {
-                let rubbing = self.rubbing(&friction, &met, self.pressed(mode, &met).normal, self.bristle(i, &met, at));
-                length(friction.holding(&rubbing).force) - rubbing.limit
-            }
-            _ => {
-                let along = met.along(self.bristle(i, &met, at));
-                along.dot(met.slip()) / length(along)
-            }
+    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+        let sides = self.sides_at(at);
+        for (i, of_spot) in values.chunks_mut(self.events_of_a_spot()).enumerate() {
+            let met = self.met(i, &sides);
+            of_spot.iter_mut().enumerate().for_each(|(event, value)| *value = self.witness(event, i, &met, at));
         }
     }
 

@@ -24,7 +24,11 @@ struct Side<S> {
 
 /// Both: the load, the surface.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sides<S>([Side<S>; 2]);
+pub(super) struct Sides<S> {
+    sides: [Side<S>; 2],
+    /// The shape of each as the other sees it.
+    seen: [Frame<S>; 2],
+}
 
 /// A spot and the solid that it meets.
 #[derive(Clone, Copy, Debug)]
@@ -54,26 +58,28 @@ pub(super) struct Sum<S> {
 
 impl<S: Scalar> Sides<S> {
     pub(super) fn new(sides: &[Attachment<S>; 2], at: &Moment<'_, S>) -> Self {
-        Self(sides.each_ref().map(|side| {
+        let sides = sides.each_ref().map(|side| {
             let still = (Frame::identity(), Vector3::zero(), Vector3::zero());
             let (body, velocity, angular_velocity) = side.body.map_or(still, |body| {
                 let (frame, twist) = (at.links.body_frame(at.model, body), at.links.body_twist(at.model, body));
                 (frame, frame.rotation * twist.linear, frame.rotation * twist.angular)
             });
             Side { frame: body.times(&side.in_body), body, velocity, angular_velocity }
-        }))
+        });
+        let seen = [0, 1].map(|k: usize| sides[1 - k].frame.inverse().times(&sides[k].frame));
+        Self { sides, seen }
     }
 
     pub(super) fn met(&self, facing: Facing, spot: &Spot<S>, solid: &Solid<S>) -> Met<S> {
-        let [own, other] = [self.0[facing as usize], self.0[1 - facing as usize]];
-        let Nearness { point, normal, depth, middle } = spot.nearness(solid, &other.frame.inverse().times(&own.frame));
+        let [own, other] = [&self.sides[facing as usize], &self.sides[1 - facing as usize]];
+        let Nearness { point, normal, depth, middle } = spot.nearness(solid, &self.seen[facing as usize]);
         let point = other.frame.point(point);
         let velocity = other.frame.rotation.transpose_times(own.velocity_at(point) - other.velocity_at(point));
         Met { facing, rotation: other.frame.rotation, point, velocity, normal, depth, middle }
     }
 
     pub(super) fn nothing(&self) -> Sum<S> {
-        let origins = self.0.each_ref().map(|side| side.body.position);
+        let origins = self.sides.each_ref().map(|side| side.body.position);
         Sum { origins, force: Vector3::zero(), moments: [Vector3::zero(); 2] }
     }
 
@@ -81,7 +87,7 @@ impl<S: Scalar> Sides<S> {
     pub(super) fn hand_over(&self, sum: &Sum<S>, sides: &[Attachment<S>; 2], loads: &mut Loads<S>) {
         for (k, force) in [sum.force, -sum.force].into_iter().enumerate() {
             let Some(body) = sides[k].body else { continue };
-            let rotation = &self.0[k].body.rotation;
+            let rotation = &self.sides[k].body.rotation;
             let (moment, force) = (rotation.transpose_times(sum.moments[k]), rotation.transpose_times(force));
             loads.wrenches.push((body, Wrench { moment, force }));
         }

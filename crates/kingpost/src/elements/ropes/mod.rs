@@ -206,10 +206,10 @@ impl<S: Scalar> Element<S> for Rope<S> {
         out.extend(self.path.leads().into_iter().flatten());
     }
 
-    fn witness(&mut self, event: usize, at: &Moment<'_, S>) -> S {
+    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
         let now = self.stretched(at);
         let (mode, pull) = (condition(at), now.pull_length(self.damping_time));
-        match (event, self.breaking_load) {
+        let of_event = |event| match (event, self.breaking_load) {
             (GOES_SLACK, _) if mode == TAUT => pull + S::constant(ROUNDING_M),
             (GOES_SLACK | COMES_TAUT, _) if mode == BY_STRETCH => pull,
             (GOES_SLACK, _) => S::ONE,
@@ -218,7 +218,8 @@ impl<S: Scalar> Element<S> for Rope<S> {
             (LEAVES_RANGE, _) => now.range_left,
             (PARTS, Some(load)) if mode != PARTED => self.largest(&now) - load,
             _ => -S::ONE,
-        }
+        };
+        values.iter_mut().enumerate().for_each(|(event, value)| *value = of_event(event));
     }
 
     fn respond(&mut self, event: usize, at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {

@@ -62,8 +62,8 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
         out.extend([at_winch, extent.length, extent.rate]);
     }
 
-    fn witness(&mut self, _event: usize, at: &Moment<'_, S>) -> S {
-        self.path.extent(at).range_left
+    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+        values.fill(self.path.extent(at).range_left);
     }
 
     fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {

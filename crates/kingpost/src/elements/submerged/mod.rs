@@ -130,22 +130,23 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         out.extend(self.added_mass.linear.0.map(|volume| volume * factor));
     }
 
-    fn witness(&mut self, event: usize, at: &Moment<'_, S>) -> S {
+    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
         let phase = Phase::at(at);
-        let is_watched = match event {
-            MEETS => matches!(phase, Phase::Dry | Phase::ByLevel),
-            LEAVES | IS_UNDER => matches!(phase, Phase::Cut | Phase::ByLevel),
-            _ => matches!(phase, Phase::Wet | Phase::ByLevel),
-        };
-        if !is_watched {
-            return if matches!(event, MEETS | IS_UNDER) { -S::ONE } else { S::ONE };
-        }
         let [low, high] = self.waters.margins(at, &self.place, &self.solid);
-        match event {
-            MEETS => low,
-            IS_UNDER => high,
-            COMES_UP => high + S::constant(ROUNDING_M),
-            _ => low + S::constant(ROUNDING_M),
+        for (event, value) in values.iter_mut().enumerate() {
+            let is_watched = match event {
+                MEETS => matches!(phase, Phase::Dry | Phase::ByLevel),
+                LEAVES | IS_UNDER => matches!(phase, Phase::Cut | Phase::ByLevel),
+                _ => matches!(phase, Phase::Wet | Phase::ByLevel),
+            };
+            *value = match event {
+                MEETS | IS_UNDER if !is_watched => -S::ONE,
+                _ if !is_watched => S::ONE,
+                MEETS => low,
+                IS_UNDER => high,
+                COMES_UP => high + S::constant(ROUNDING_M),
+                _ => low + S::constant(ROUNDING_M),
+            };
         }
     }
 
