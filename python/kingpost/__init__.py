@@ -12,9 +12,10 @@ from .batch import Batch
 from .errors import KingpostError, RunError, ScenarioError
 from .gradients import gradient
 from .linear import Equilibrium, Linearization
+from .records import Input, State
 from .response import rao
 from .scenario import Scenario, load
-from .simulate import Input, Simulation, State, run
+from .simulate import Simulation, run
 from .stable_step import stable_step
 from .vibration import equilibrium, modes
 

@@ -12,8 +12,9 @@ from . import results
 from .eigenmodes import FREE, Mode, eigenmodes
 from .errors import KingpostError
 from .linear import Equilibrium
+from .records import State
 from .scenario import Overrides, Scenario, as_scenario
-from .simulate import Simulation, State
+from .simulate import Simulation
 from .tracking import tracks
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from kingpost import report, results
 from samples import read_csv
 
 CHANNELS = Path(__file__).resolve().parents[2] / "crates/kingpost/tests/golden/new_element.channels.json"
-"""The engine's table with it: `crates/kingpost/tests/mechanics/new_element.rs` holds the file to the engine."""
+"""The engine's table with it; `crates/kingpost/tests/mechanics/new_element.rs` holds the file to it."""
 MOMENT = [f"governor.governor_moment.{axis}" for axis in "xyz"]
 
 
