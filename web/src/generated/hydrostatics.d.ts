@@ -129,7 +129,8 @@ export interface HullAfloat {
  * spring line is tied to what it carries, and it has no hull of its own.
  *
  * Spring lines and ropes count where they end in one point of the ship, or are near legs of one rope, and carry a body that
- * floats by its joint, and nothing else holds that: no water, loop, cylinder or other line. Legs of one rope count where
+ * floats by its joint, and nothing else holds that: no water, loop, cylinder, contact or other line. Slack ropes carry nothing.
+ * Legs of one rope count where
  * their ends are near each other; where one runs over a sheave, its end is the sheave's centre.
  */
 export interface HangingLoad {
