@@ -2,21 +2,9 @@
 
 use crate::common;
 
+use super::contacts::{G, energy_error, times};
 use common::{simulation, values};
 use kingpost::simulation::Simulation;
-
-/// Free fall, m/s^2.
-const G: f64 = 9.80665;
-
-/// Times of what happened.
-fn times(run: &Simulation, what: &str) -> Vec<f64> {
-    run.events().iter().filter(|event| event.what == what).map(|event| event.time_s).collect()
-}
-
-/// The ledger's error over an energy.
-fn energy_error(run: &mut Simulation, scale: f64) -> f64 {
-    values(run, "energy_error")[0].abs() / scale
-}
 
 /// A crate of 2 t on feet 0.5 m below its centre, on a plane at 20 degrees; gravity at rest is g.
 fn slope(settings: &str, friction: &str, motion: &str) -> String {

@@ -6,7 +6,7 @@ use common::{simulation, values};
 use kingpost::simulation::Simulation;
 
 /// Free fall, m/s^2.
-const G: f64 = 9.80665;
+pub(super) const G: f64 = 9.80665;
 
 /// A ball of 1 t and 0.5 m over the ground, at the integrator's own settings.
 fn ball(settings: &str, motion: &str, contact: &str) -> String {
@@ -34,12 +34,12 @@ fn lines(contact: &[&str]) -> String {
 }
 
 /// Times of what happened.
-fn times(run: &Simulation, what: &str) -> Vec<f64> {
+pub(super) fn times(run: &Simulation, what: &str) -> Vec<f64> {
     run.events().iter().filter(|event| event.what == what).map(|event| event.time_s).collect()
 }
 
 /// The ledger's error over an energy.
-fn energy_error(run: &mut Simulation, scale: f64) -> f64 {
+pub(super) fn energy_error(run: &mut Simulation, scale: f64) -> f64 {
     values(run, "energy_error")[0].abs() / scale
 }
 

@@ -1,21 +1,15 @@
 //! Scenarios over dual numbers: what a name derives, and what has no derivative.
 
-use crate::common::paper_text::PAPER;
-
-use kingpost::scenario::{Scenario, read};
-
-fn paper() -> Scenario {
-    read(PAPER, "paper.yaml", &[]).expect("the gallery reads")
-}
+use crate::common::paper_text::set;
 
 fn refusal(name: &str) -> String {
-    paper().setup_along(&[name]).map(drop).expect_err("no derivative").to_string()
+    set(&[]).setup_along(&[name]).map(drop).expect_err("no derivative").to_string()
 }
 
 #[test]
 fn a_unit_in_a_path_is_a_factor_of_the_derivative() {
     let names = ["bodies.arm.mass_t", "bodies.ship.joint.floating.initial.orientation_deg.2", "crane_x_m"];
-    let setup = paper().setup_along(&names).expect("the numbers are there");
+    let setup = set(&[]).setup_along(&names).expect("the numbers are there");
     let arm = setup.model.body("arm").expect("the arm is there");
     assert_eq!(setup.model.bodies[arm].mass.derivative[0], 1000.0);
     // The quaternion of a small turn is half the angle.
