@@ -230,7 +230,7 @@ impl<S: Scalar> Simulation<S> {
             return S::ZERO;
         }
         let by_s = RATE_STEP * self.settings.step_s;
-        // What the others show now is asked of them after this one: they keep it.
+        // The caller goes through all witnesses: looking at neighbouring instants must not change the others.
         let now = self.watch.now.clone();
         self.watch.start.copy_from(&self.state);
         let mut at = |by_s: f64| {

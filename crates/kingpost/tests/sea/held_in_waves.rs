@@ -2,10 +2,11 @@
 
 use crate::common;
 
+use super::vessel;
 use common::values;
 use core::f64::consts::{FRAC_PI_4, PI, TAU};
 use kingpost::elements::{SoftHold, of_kind};
-use kingpost::scenario::{Files, Scenario, ScenarioError, read_with};
+use kingpost::scenario::{Scenario, ScenarioError};
 use kingpost::sea::database::Database;
 use kingpost::simulation::{Run, Simulation, Warning};
 use serde_json::{Value, json};
@@ -26,19 +27,8 @@ forces:
   water: {hydrodynamics: {body: hull, database: vessel.hydro.json, origin_m: [0, 0, 5.5]}}
 ";
 
-const VESSEL: &str = include_str!("../../../../scenarios/hydro/offshore_vessel.hydro.json");
-
 fn read(more: &[(&str, Value)]) -> Result<Scenario, ScenarioError> {
-    let database = Database::read(VESSEL).expect("it reads");
-    let along = database.hull.centre_of_buoyancy_m[0];
-    let mut overrides = vec![
-        ("bodies.hull.mass_kg".to_owned(), json!(1025.0 * database.hull.volume_m3)),
-        ("bodies.hull.centre_of_mass_m".to_owned(), json!([along, 0.0, 7.0])),
-        ("bodies.hull.joint.floating.initial.position_m".to_owned(), json!([along, 0.0, 1.5])),
-    ];
-    overrides.extend(more.iter().map(|(name, value)| ((*name).to_owned(), value.clone())));
-    let files = Files::new([("vessel.hydro.json".to_owned(), VESSEL.to_owned())]);
-    read_with(TEXT, "vessel.yaml", &overrides, &files)
+    vessel::read(TEXT, more)
 }
 
 fn simulation(more: &[(&str, Value)]) -> Simulation {
@@ -77,7 +67,7 @@ fn a_ship_in_a_mean_drift_is_off_its_place_by_the_drift_over_the_stiffness() {
         mean.iter_mut().zip(values(&mut ship, "hold_deviation")).for_each(|(sum, x)| *sum += hann(k, steps) * x);
         ship.step(1).expect("it runs");
     }
-    let database = Database::read(VESSEL).expect("it reads");
+    let database = Database::read(vessel::DATABASE).expect("it reads");
     let astern = libm::round(PI / database.wave_directions_rad[1]) as usize;
     let drift = database.mean_drift(TAU / 8.0)[astern][0];
     assert!(drift < -1000.0 && (mean[0] * stiffness[0] / drift - 1.0).abs() < 0.05, "{mean:?} {drift}");

@@ -24,6 +24,7 @@ mod slack_tanks;
 mod slow_motion;
 mod soft_hold;
 mod thrust_allocation;
+mod vessel;
 mod water;
 mod wave_field;
 mod wave_loads;

@@ -2,10 +2,11 @@
 
 use crate::common;
 
+use super::vessel;
 use common::values;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 use kingpost::elements::hull::Radiation;
-use kingpost::scenario::{Files, Scenario, ScenarioError, read_with};
+use kingpost::scenario::{Scenario, ScenarioError};
 use kingpost::sea::database::Database;
 use kingpost::simulation::Simulation;
 use serde_json::{Value, json};
@@ -26,23 +27,11 @@ forces:
   water: {hydrodynamics: {body: hull, database: vessel.hydro.json, origin_m: [0, 0, 5.5]}}
 ";
 
-const VESSEL: &str = include_str!("../../../../scenarios/hydro/offshore_vessel.hydro.json");
 const CURRENT: &str = "sea.current_m_s";
 const VELOCITY: &str = "bodies.hull.joint.floating.initial.velocity_m_s";
 
 fn read(more: &[(&str, Value)]) -> Result<Scenario, ScenarioError> {
-    let database: Value = serde_json::from_str(VESSEL).expect("it is JSON");
-    // Buoyancy carries exactly this, at even keel.
-    let volume = database["hull"]["volume_m3"].as_f64().expect("a number");
-    let along = database["hull"]["centre_of_buoyancy_m"][0].as_f64().expect("a number");
-    let mut overrides = vec![
-        ("bodies.hull.mass_kg".to_owned(), json!(1025.0 * volume)),
-        ("bodies.hull.centre_of_mass_m".to_owned(), json!([along, 0.0, 7.0])),
-        ("bodies.hull.joint.floating.initial.position_m".to_owned(), json!([along, 0.0, 1.5])),
-    ];
-    overrides.extend(more.iter().map(|(name, value)| ((*name).to_owned(), value.clone())));
-    let files = Files::new([("vessel.hydro.json".to_owned(), VESSEL.to_owned())]);
-    read_with(TEXT, "vessel.yaml", &overrides, &files)
+    vessel::read(TEXT, more)
 }
 
 fn simulation(more: &[(&str, Value)]) -> Simulation {
@@ -116,7 +105,7 @@ fn a_run_that_begins_at_equilibrium_in_a_current_stays_there() {
 #[test]
 fn munks_moment_comes_once_and_by_the_added_mass_at_frequency_zero() {
     let obliquely = (VELOCITY, json!([0.8, 0.5, 0.0]));
-    let database = Database::read(VESSEL).expect("it reads");
+    let database = Database::read(vessel::DATABASE).expect("it reads");
     let remembered = Radiation::new(database.radiation.as_ref().expect("it has a memory")).added_mass();
     let a = |k: usize| database.added_mass_infinite[k][k] + remembered[k][k];
     let table = json!({
@@ -136,7 +125,7 @@ fn munks_moment_comes_once_and_by_the_added_mass_at_frequency_zero() {
 /// three lowest ends there. The fit may miss A by its own error, 2 % of the peak.
 #[test]
 fn the_memory_takes_up_the_added_mass_of_slow_motions() {
-    let database = Database::read(VESSEL).expect("it reads");
+    let database = Database::read(vessel::DATABASE).expect("it reads");
     let remembered = Radiation::new(database.radiation.as_ref().expect("it has a memory")).added_mass();
     for k in [0, 1, 5] {
         let at = |i: usize| (database.frequencies_rad_s[i].powi(2), database.added_mass[i][k][k]);
@@ -152,7 +141,7 @@ fn the_memory_takes_up_the_added_mass_of_slow_motions() {
 
 /// X2's amplitude per metre and D of surge, sway and yaw at a direction of the database's grid.
 fn data(period_s: f64, direction_rad: f64) -> (f64, [f64; 3]) {
-    let database = Database::read(VESSEL).expect("it reads");
+    let database = Database::read(vessel::DATABASE).expect("it reads");
     let at = libm::round(direction_rad / database.wave_directions_rad[1]) as usize;
     let omega = TAU / period_s;
     let x = database.excitation(omega, true)[at];
@@ -223,7 +212,7 @@ fn hann(k: usize, steps: usize) -> f64 {
 /// Mean loads in waves are of second order, and all of them are in D: without it a free ship neither creeps nor turns.
 #[test]
 fn without_drift_a_free_ship_in_regular_waves_stays() {
-    let database = Database::read(VESSEL).expect("it reads");
+    let database = Database::read(vessel::DATABASE).expect("it reads");
     let mass = 1025.0 * database.hull.volume_m3;
     for (period_s, direction_rad) in [(8.0, FRAC_PI_4), (10.0, FRAC_PI_4), (8.0, PI)] {
         let [x, y, yaw] = drifting(period_s, direction_rad, false);
@@ -278,7 +267,7 @@ fn a_load_that_swings_over_the_side_does_not_turn_a_ship_out_of_a_head_sea() {
 /// D accelerates it, its added mass at low frequency with it; it runs ahead of the waves by a Doppler shift of some per cent.
 #[test]
 fn with_drift_a_free_ship_in_a_head_sea_is_driven_astern_by_it() {
-    let database = Database::read(VESSEL).expect("it reads");
+    let database = Database::read(vessel::DATABASE).expect("it reads");
     let mass = 1025.0 * database.hull.volume_m3 + database.added_mass[0][0][0];
     let (_, drift) = data(8.0, PI);
     let [x, ..] = drifting(8.0, PI, true);
