@@ -70,20 +70,19 @@ impl<S: Scalar> Entries<'_, S> {
     /// moves one of its coordinates, the rotor included, in N or N m.
     pub fn rates(&self, joint: impl Fn(usize) -> JointLoad<S>, along: impl Fn(usize, usize) -> S, s_dot: &mut [S]) {
         let (mut force, mut moment) = (Vector3::zero(), Vector3::zero());
-        let mut add = |frame: &Frame<S>, wrench: &Wrench<S>| {
-            let f = frame.rotation * wrench.force;
+        let mut add = |at: Vector3<S>, f: Vector3<S>, m: Vector3<S>| {
             force += f;
-            moment += frame.rotation * wrench.moment + (frame.position - self.centre).cross(f);
+            moment += m + (at - self.centre).cross(f);
         };
         // What acts on a body that is fixed to the world goes into the world, not into momentum.
         let moves = |body: usize| self.model.bodies[body].link.is_some();
         for (body, wrench) in self.loads.wrenches.iter().filter(|(body, _)| moves(*body)) {
-            add(&self.links.body_frame(self.model, *body), wrench);
+            let Frame { rotation, position } = self.links.body_frame(self.model, *body);
+            add(position, rotation * wrench.force, rotation * wrench.moment);
         }
         for (i, body) in self.model.bodies.iter().enumerate().filter(|(i, _)| moves(*i)) {
             if let Some(weight) = self.loads.weight(body.mass) {
-                let centre = self.links.body_frame(self.model, i).position;
-                add(&Frame::translation(centre), &Wrench { moment: Vector3::zero(), force: weight });
+                add(self.links.body_frame(self.model, i).position, weight, Vector3::zero());
             }
         }
         let mut prescribed_power = S::ZERO;
@@ -91,7 +90,9 @@ impl<S: Scalar> Entries<'_, S> {
             let on_the_world = node.parent.is_none_or(|p| self.has_fixed && !moves(p));
             if on_the_world && (!self.has_fixed || moves(i)) {
                 let carried = joint(i);
-                add(&carried.frame, &self.reaction_of_the_world(node, &carried));
+                let Wrench { force, moment } = self.reaction_of_the_world(node, &carried);
+                let Frame { rotation, position } = carried.frame;
+                add(position, rotation * force, rotation * moment);
             }
             for at in (node.velocities..).take(node.kind.velocity_count()) {
                 if self.model.modes[at] == Mode::Prescribed {

@@ -4,9 +4,11 @@
 
 mod channels;
 mod loops;
+mod readings;
 
 pub use channels::{Channel, Channels};
 use channels::{column_by, common, short_name};
+pub use readings::Readings;
 
 use crate::elements::{Components, Frame as ComponentFrame, WRENCH};
 use crate::ledger;
@@ -36,6 +38,8 @@ struct Entry<S> {
     unit: Unit,
     frame: ComponentFrame,
     dims: &'static [Dimension],
+    /// Whether positions and velocities are all that it is computed from.
+    of_motion: bool,
     write: fn(&Sample<'_, S>, &mut Vec<S>),
 }
 
@@ -82,55 +86,55 @@ struct Table<S>(PhantomData<S>);
 impl<S: Scalar> Table<S> {
     /// Every channel of the model: the single source of names, units and frames.
     const OF_MODEL: &[Entry<S>] = &[
-        Entry { variable: "time", description: "time", unit: Plain("s"), frame: Number, dims: &[], write: |x, out| out.push(S::constant(x.time_s)) },
-        Entry { variable: "position", description: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis],
+        Entry { variable: "time", description: "time", unit: Plain("s"), frame: Number, dims: &[], of_motion: true, write: |x, out| out.push(S::constant(x.time_s)) },
+        Entry { variable: "position", description: "position of the centre of mass", unit: Plain("m"), frame: World, dims: &[Body, Axis], of_motion: true,
             write: |x, out| each_frame(x, out, |frame, out| out.extend(frame.position.0)) },
-        Entry { variable: "orientation", description: "unit quaternion from body to world axes", unit: Plain("1"), frame: World, dims: &[Body, QuaternionDim],
+        Entry { variable: "orientation", description: "unit quaternion from body to world axes", unit: Plain("1"), frame: World, dims: &[Body, QuaternionDim], of_motion: true,
             write: |x, out| each_frame(x, out, |frame, out| out.extend(Quaternion::from_matrix(&frame.rotation).0)) },
-        Entry { variable: "roll", description: "roll angle, positive port side up", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 0) },
-        Entry { variable: "pitch", description: "pitch angle, positive bow down", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 1) },
-        Entry { variable: "yaw", description: "yaw angle, positive bow to port", unit: Plain("rad"), frame: World, dims: &[Body], write: |x, out| angle(x, out, 2) },
-        Entry { variable: "velocity", description: "velocity of the centre of mass", unit: Plain("m/s"), frame: World, dims: &[Body, Axis], write: velocity },
-        Entry { variable: "angular_velocity", description: "angular velocity: roll, pitch and yaw rate", unit: Plain("rad/s"), frame: InBody, dims: &[Body, Axis],
+        Entry { variable: "roll", description: "roll angle, positive port side up", unit: Plain("rad"), frame: World, dims: &[Body], of_motion: true, write: |x, out| angle(x, out, 0) },
+        Entry { variable: "pitch", description: "pitch angle, positive bow down", unit: Plain("rad"), frame: World, dims: &[Body], of_motion: true, write: |x, out| angle(x, out, 1) },
+        Entry { variable: "yaw", description: "yaw angle, positive bow to port", unit: Plain("rad"), frame: World, dims: &[Body], of_motion: true, write: |x, out| angle(x, out, 2) },
+        Entry { variable: "velocity", description: "velocity of the centre of mass", unit: Plain("m/s"), frame: World, dims: &[Body, Axis], of_motion: true, write: velocity },
+        Entry { variable: "angular_velocity", description: "angular velocity: roll, pitch and yaw rate", unit: Plain("rad/s"), frame: InBody, dims: &[Body, Axis], of_motion: true,
             write: |x, out| out.extend(x.observed.bodies.twist.iter().flat_map(|twist| twist.angular.0)) },
-        Entry { variable: "acceleration", description: "acceleration of the centre of mass", unit: Plain("m/s^2"), frame: World, dims: &[Body, Axis], write: acceleration },
-        Entry { variable: "joint_position", description: "joint angle or extension; the rotation vector of a spherical joint", unit: By(["rad", "m"]), frame: Number, dims: &[Coordinate],
+        Entry { variable: "acceleration", description: "acceleration of the centre of mass", unit: Plain("m/s^2"), frame: World, dims: &[Body, Axis], of_motion: false, write: acceleration },
+        Entry { variable: "joint_position", description: "joint angle or extension; the rotation vector of a spherical joint", unit: By(["rad", "m"]), frame: Number, dims: &[Coordinate], of_motion: true,
             write: |x, out| each_coordinate(x, out, joint_position) },
-        Entry { variable: "joint_velocity", description: "joint rate; the angular velocity of a spherical joint in child axes", unit: By(["rad/s", "m/s"]), frame: Number, dims: &[Coordinate],
+        Entry { variable: "joint_velocity", description: "joint rate; the angular velocity of a spherical joint in child axes", unit: By(["rad/s", "m/s"]), frame: Number, dims: &[Coordinate], of_motion: true,
             write: |x, out| each_coordinate(x, out, |x, c| x.v[c.index]) },
         Entry { variable: "joint_force", description: "force or moment that the joint carries along its coordinate: drive, friction, hold", unit: By(["N m", "N"]), frame: Number,
-            dims: &[Coordinate], write: |x, out| each_coordinate(x, out, |x, c| x.observed.inverse.joint_wrench[c.body].dot(&x.observed.bodies.columns[c.index])) },
+            dims: &[Coordinate], of_motion: false, write: |x, out| each_coordinate(x, out, |x, c| x.observed.inverse.joint_wrench[c.body].dot(&x.observed.bodies.columns[c.index])) },
         Entry { variable: "joint_reaction", description: "wrench of the joint on the child, at the joint, in the child's axes, drive included", unit: ForceAndMoment, frame: InJoint,
-            dims: &[Joint, Component], write: joint_reaction },
+            dims: &[Joint, Component], of_motion: false, write: joint_reaction },
         Entry { variable: "loop_reaction", description: "wrench of the loop on its second body, at the second attachment, in the axes of the first", unit: ForceAndMoment, frame: InLoop,
-            dims: &[Loop, Component], write: loops::reaction },
-        Entry { variable: "loop_error", description: "what is left open along a constraint; of an angle, its sine", unit: ByConstraint(["rad", "m"]), frame: Number, dims: &[Constraint],
+            dims: &[Loop, Component], of_motion: false, write: loops::reaction },
+        Entry { variable: "loop_error", description: "what is left open along a constraint; of an angle, its sine", unit: ByConstraint(["rad", "m"]), frame: Number, dims: &[Constraint], of_motion: false,
             write: loops::error },
-        Entry { variable: "point_position", description: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis],
+        Entry { variable: "point_position", description: "position of a named point", unit: Plain("m"), frame: World, dims: &[Point, Axis], of_motion: true,
             write: |x, out| each_point(x, out, |frame, _, p| frame.point(p)) },
-        Entry { variable: "point_velocity", description: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis],
+        Entry { variable: "point_velocity", description: "velocity of a named point", unit: Plain("m/s"), frame: World, dims: &[Point, Axis], of_motion: true,
             write: |x, out| each_point(x, out, |frame, twist, p| frame.rotation * (twist.linear + twist.angular.cross(p))) },
     ];
 
     /// Energy and momentum, and what they should be.
     const OF_LEDGER: &[Entry<S>] = &[
-        Entry { variable: "kinetic_energy", description: "kinetic energy, the water's part included", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.kinetic_energy) },
-        Entry { variable: "potential_energy", description: "potential energy", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.observed.totals.potential_energy) },
-        Entry { variable: "work_done", description: "work done by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(work_done(x)) },
-        Entry { variable: "work_by_drives", description: "work by drives", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
-        Entry { variable: "work_by_outside", description: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
-        Entry { variable: "energy_dissipated", description: "energy turned into heat", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
-        Entry { variable: "linear_momentum", description: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], write: |x, out| out.extend(x.observed.totals.linear_momentum.0) },
-        Entry { variable: "angular_momentum", description: "angular momentum about the world's origin, or the held centre", unit: Plain("N m s"), frame: World, dims: &[Axis],
+        Entry { variable: "kinetic_energy", description: "kinetic energy, the water's part included", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.observed.totals.kinetic_energy) },
+        Entry { variable: "potential_energy", description: "potential energy", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.observed.totals.potential_energy) },
+        Entry { variable: "work_done", description: "work done by drives and by everything outside", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(work_done(x)) },
+        Entry { variable: "work_by_drives", description: "work by drives", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.s[ledger::WORK_BY_DRIVES]) },
+        Entry { variable: "work_by_outside", description: "work by everything outside, potential energy apart", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.s[ledger::WORK_BY_OUTSIDE]) },
+        Entry { variable: "energy_dissipated", description: "energy turned into heat", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.s[ledger::ENERGY_DISSIPATED]) },
+        Entry { variable: "linear_momentum", description: "linear momentum", unit: Plain("kg m/s"), frame: World, dims: &[Axis], of_motion: false, write: |x, out| out.extend(x.observed.totals.linear_momentum.0) },
+        Entry { variable: "angular_momentum", description: "angular momentum about the world's origin, or the held centre", unit: Plain("N m s"), frame: World, dims: &[Axis], of_motion: false,
             write: |x, out| out.extend(x.observed.totals.angular_momentum.0) },
-        Entry { variable: "energy_error", description: "energy less what work and heat leave of it", unit: Plain("J"), frame: Number, dims: &[], write: |x, out| out.push(energy_error(x)) },
-        Entry { variable: "momentum_error", description: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Number, dims: &[], write: |x, out| out.push(momentum_error(x)) },
-        Entry { variable: "linear_momentum_error", description: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Number, dims: &[],
+        Entry { variable: "energy_error", description: "energy less what work and heat leave of it", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(energy_error(x)) },
+        Entry { variable: "momentum_error", description: "length of the angular momentum less its balance", unit: Plain("N m s"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(momentum_error(x)) },
+        Entry { variable: "linear_momentum_error", description: "length of the linear momentum less its balance", unit: Plain("kg m/s"), frame: Number, dims: &[], of_motion: false,
             write: |x, out| out.push((x.observed.totals.linear_momentum - Vector3::from_slice(&x.s[ledger::LINEAR_MOMENTUM..])).norm()) },
         Entry { variable: "energy_scale", description: "energy in play, beside whose largest value so far the energy error counts: the root of the squares of kinetic energy and work done", unit: Plain("J"), frame: Number,
-            dims: &[], write: |x, out| out.push(energy_scale(x)) },
+            dims: &[], of_motion: false, write: |x, out| out.push(energy_scale(x)) },
         Entry { variable: "momentum_scale", description: "angular momentum in play, beside whose largest value so far the momentum error counts: the root of the squares of that of all and of each body's about its own centre",
-            unit: Plain("N m s"), frame: Number, dims: &[], write: |x, out| out.push(momentum_scale(x)) },
+            unit: Plain("N m s"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(momentum_scale(x)) },
     ];
 }
 

@@ -8,6 +8,7 @@ use super::moving_link::MovingLink;
 use crate::model::{Carrier, LinkInertia, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Twist, Vector3};
+use core::cell::OnceCell;
 
 /// Where the links are and how they move. "Root" is the link at the foot of a link's branch; its
 /// frame is at its centre of mass.
@@ -19,6 +20,8 @@ pub struct LinkKinematics<S = f64> {
     root_in_world: Vec<Frame<S>>,
     /// The inertias that are no rigid body's, by link, about the root's origin in its axes.
     full: Vec<(usize, SpatialInertia<S>)>,
+    /// World frames of the bodies, each from when it was asked for first: ropes, hulls and the ledger ask for the same few.
+    body_frames: Vec<OnceCell<Frame<S>>>,
 }
 
 impl<S: Scalar> LinkKinematics<S> {
@@ -29,12 +32,14 @@ impl<S: Scalar> LinkKinematics<S> {
             links: model.plan.iter().map(MovingLink::still).collect(),
             root_in_world: vec![Frame::identity(); n],
             full: Vec::with_capacity(n),
+            body_frames: vec![OnceCell::new(); model.bodies.len()],
         }
     }
 
     /// Computes everything from q and v.
     pub fn update(&mut self, model: &Model<S>, q: &[S], v: &[S]) {
         self.full.clear();
+        self.body_frames.fill_with(OnceCell::new);
         for (i, plan) in model.plan.iter().enumerate() {
             let (before, rest) = self.links.split_at_mut(i);
             let link = &mut rest[0];
@@ -91,10 +96,19 @@ impl<S: Scalar> LinkKinematics<S> {
 
     /// World frame of a body.
     pub fn body_frame(&self, model: &Model<S>, body: usize) -> Frame<S> {
+        *self.body_frames[body].get_or_init(|| self.body_in_world(model, body))
+    }
+
+    fn body_in_world(&self, model: &Model<S>, body: usize) -> Frame<S> {
         let body = &model.bodies[body];
-        body.link.map_or(body.in_link, |link| {
-            self.root_in_world[model.roots[link]].times(self.in_root(link)).times(&body.in_link)
-        })
+        let Some(link) = body.link else { return body.in_link };
+        let root = model.roots[link];
+        // A root stands in its own frame.
+        if root == link {
+            self.root_in_world[root].times(&body.in_link)
+        } else {
+            self.root_in_world[root].times(self.in_root(link)).times(&body.in_link)
+        }
     }
 
     /// Twist of a body in its own axes about its centre of mass.

@@ -119,6 +119,24 @@ pub struct Layout {
 }
 
 impl Layout {
+    /// The element that writes an output, and which of its numbers that is.
+    pub fn writer(&self, output: usize) -> Option<(usize, usize)> {
+        let mut first = 0;
+        for (element, _) in self.names.iter().enumerate() {
+            let written = self.written_by(element);
+            if output < first + written {
+                return Some((element, output - first));
+            }
+            first += written;
+        }
+        None
+    }
+
+    /// How many numbers an element writes.
+    pub fn written_by(&self, element: usize) -> usize {
+        self.outputs.iter().filter(|(writer, _)| *writer == element).map(|(_, output)| output.len()).sum()
+    }
+
     /// Of these elements, behind so many entries of the ledger.
     pub fn new<S: Scalar>(elements: &[AnyElement<S>], ledger: usize) -> Self {
         let declared: Vec<Declaration> = elements.iter().map(|element| element.declare()).collect();

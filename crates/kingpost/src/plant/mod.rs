@@ -6,7 +6,7 @@ mod scene;
 mod settling;
 mod tangent;
 
-pub use observation::{Observation, Totals};
+pub use observation::{Extent, Observation, Totals};
 use scene::Scene;
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
@@ -166,20 +166,34 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Every quantity of the bodies at a state, for the results.
-    pub fn observe(&mut self, at: Stage<'_, S>, v_dot: &mut [S]) -> Observation<'_, S> {
+    /// What there is to see at a state, for the results.
+    pub fn observe(&mut self, at: Stage<'_, S>, extent: &Extent, v_dot: &mut [S]) -> Observation<'_, S> {
+        let totals = match extent {
+            Extent::Everything => self.observe_forces(at, v_dot),
+            Extent::MotionAnd(_) => {
+                self.links.update(&self.model, at.q, at.v);
+                self.bodies.update(&self.model.tree, at.q, at.v);
+                Totals::default()
+            }
+        };
+        let Self { model, world, links, bodies, inverse, loops, elements, layout, situation, outputs, .. } = self;
+        let mut scene = Scene::new(layout, world, model, links, *situation, at);
+        outputs.clear();
+        let mut show = |i: usize| elements[i].outputs(scene.of(i), outputs);
+        match extent {
+            Extent::Everything => (0..layout.names.len()).for_each(show),
+            Extent::MotionAnd(some) => some.iter().for_each(|&i| show(i)),
+        }
+        Observation { model, bodies, inverse, loops, outputs, totals }
+    }
+
+    /// Accelerations and what the joints carry.
+    fn observe_forces(&mut self, at: Stage<'_, S>, v_dot: &mut [S]) -> Totals<S> {
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
         self.bodies.update(&self.model.tree, at.q, at.v);
         self.inverse.update(&self.model, &self.bodies, at.v, v_dot, &self.loads);
-        let totals = self.totals_here(at);
-        let Self { model, world, links, bodies, inverse, loops, elements, layout, situation, outputs, .. } = self;
-        let mut scene = Scene::new(layout, world, model, links, *situation, at);
-        outputs.clear();
-        for (i, element) in elements.iter_mut().enumerate() {
-            element.outputs(scene.of(i), outputs);
-        }
-        Observation { model, bodies, inverse, loops, outputs, totals }
+        self.totals_here(at)
     }
 
     /// Appends the points of the elements' lines at a stage, x, y and z (m, world) of each.

@@ -6,7 +6,17 @@ use crate::dynamics::loops::LoopSolver;
 use crate::model::Model;
 use crate::spatial::Vector3;
 
-/// Borrowed results of [`Plant::observe`](super::Plant::observe).
+/// How much of a plant is observed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Extent {
+    /// Positions and velocities of the bodies, and what these elements show.
+    MotionAnd(Vec<usize>),
+    /// Everything.
+    #[default]
+    Everything,
+}
+
+/// Borrowed results of [`Plant::observe`](super::Plant::observe). What its [`Extent`] leaves out is of another state.
 pub struct Observation<'a, S = f64> {
     /// The model.
     pub model: &'a Model<S>,
@@ -16,14 +26,14 @@ pub struct Observation<'a, S = f64> {
     pub inverse: &'a InverseDynamics<S>,
     /// Constraints of the closed loops, and what they carry.
     pub loops: &'a LoopSolver<S>,
-    /// What the elements show, one after another.
+    /// What the elements of the extent show, one after another.
     pub outputs: &'a [S],
     /// Energy and momentum.
     pub totals: Totals<S>,
 }
 
 /// Energy and momentum of all bodies.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Totals<S = f64> {
     /// With that of the water that moves with hulls, J.
     pub kinetic_energy: S,

@@ -48,6 +48,13 @@ pub struct Channels {
     places: Vec<usize>,
 }
 
+impl Channel {
+    /// Whether one of its entries stands at a place in a row.
+    pub(super) fn holds(&self, place: usize) -> bool {
+        (self.offset..self.offset + self.len).contains(&place)
+    }
+}
+
 impl Channels {
     /// Of a model and what its elements show: the model's channels, those of the elements, the ledger's.
     pub fn new<S: Scalar>(model: &Model<S>, layout: &Layout) -> Self {
@@ -61,6 +68,16 @@ impl Channels {
     /// Entries in a row.
     pub fn columns(&self) -> usize {
         self.list.last().map_or(0, |channel| channel.offset + channel.len)
+    }
+
+    /// The place in a row of the column of a name.
+    pub fn place(&self, column: &str) -> Option<usize> {
+        self.list.iter().flat_map(|channel| &channel.columns).position(|name| name == column)
+    }
+
+    /// Which of the numbers that the elements write stands at a place in a row; `None` where none of them does.
+    pub(super) fn output_at(&self, place: usize) -> Option<usize> {
+        self.places.iter().position(|&of_output| of_output == place)
     }
 
     fn push(&mut self, channel: Channel) {

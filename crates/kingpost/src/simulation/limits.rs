@@ -70,11 +70,7 @@ impl Limit {
 impl Limits {
     /// Those whose columns are there: the scenario has checked them.
     pub(super) fn new(limits: Vec<Limit>, channels: &Channels) -> Self {
-        let columns: Vec<&String> = channels.list.iter().flat_map(|channel| &channel.columns).collect();
-        let placed = |limit: Limit| {
-            let place = columns.iter().position(|column| **column == limit.column)?;
-            Some(Held { limit, place, worst: None })
-        };
+        let placed = |limit: Limit| Some(Held { place: channels.place(&limit.column)?, limit, worst: None });
         Self { held: limits.into_iter().filter_map(placed).collect() }
     }
 

@@ -23,8 +23,8 @@ pub use steering::LeverMove;
 use crate::elements::Layout;
 use crate::integrate::{Interval, Scheme, Stage, System};
 use crate::model::Model;
-use crate::plant::Plant;
-use crate::results::{Channel, Channels, Sample};
+use crate::plant::{Extent, Plant};
+use crate::results::{Channel, Channels, Readings, Sample};
 use crate::scalar::Scalar;
 use crate::state::State;
 use events::Watch;
@@ -338,10 +338,23 @@ impl<S: Scalar> Simulation<S> {
         self.channels.columns()
     }
 
+    /// What reads these columns alone, without the rest of a row; one that is not there is left out.
+    pub fn readings(&self, columns: &[String]) -> Readings<S> {
+        Readings::new(columns, &self.channels, self.plant.layout())
+    }
+
+    /// Writes the columns of readings now, in their order.
+    pub fn read(&mut self, readings: &mut Readings<S>, out: &mut Vec<S>) {
+        let at = stage(self.interval(), &self.state);
+        let observed = self.plant.observe(at, readings.extent(), &mut self.v_dot);
+        let Stage { time_s, q, v, s, .. } = at;
+        readings.read(&Sample { time_s, q, v, s, observed }, &self.channels, out);
+    }
+
     /// Appends the values of all channels now.
     pub fn write_row(&mut self, out: &mut Vec<S>) {
         let at = stage(self.interval(), &self.state);
-        let observed = self.plant.observe(at, &mut self.v_dot);
+        let observed = self.plant.observe(at, &Extent::Everything, &mut self.v_dot);
         let Stage { time_s, q, v, s, .. } = at;
         let first = out.len();
         self.channels.write_row(&Sample { time_s, q, v, s, observed }, out);

@@ -2,7 +2,7 @@
 
 use super::{Happened, RunError, Simulation, stage};
 use crate::elements::Layout;
-use crate::results::{Channels, Sample};
+use crate::results::{Channels, Readings, Sample};
 use crate::scalar::Scalar;
 use serde::Serialize;
 
@@ -20,9 +20,8 @@ pub struct LeverMove {
 /// Working memory to steer, and the moves of levers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steering<S> {
-    /// By steering element: the places in a row of the columns that it reads.
-    places: Vec<Vec<usize>>,
-    row: Vec<S>,
+    /// By steering element: the columns that it reads.
+    readings: Vec<Readings<S>>,
     read: Vec<S>,
     inputs: Vec<S>,
     /// After so many steps, an input in d, its value.
@@ -32,10 +31,8 @@ pub(super) struct Steering<S> {
 impl<S: Scalar> Steering<S> {
     /// A column that is not there is left out: the scenario has checked them.
     pub(super) fn new(layout: &Layout, channels: &Channels) -> Self {
-        let columns: Vec<&String> = channels.list.iter().flat_map(|channel| &channel.columns).collect();
-        let place = |name: &String| columns.iter().position(|column| *column == name);
-        let places = layout.steers.iter().map(|steer| steer.reads.iter().filter_map(place).collect()).collect();
-        Self { places, ..Self::default() }
+        let readings = layout.steers.iter().map(|steer| Readings::new(&steer.reads, channels, layout)).collect();
+        Self { readings, ..Self::default() }
     }
 
     /// A hand set an input. Of several moves between two steps the last counts.
@@ -56,16 +53,13 @@ impl<S: Scalar> Simulation<S> {
         let time_s = self.time_s();
         let interval = self.interval();
         let Self { plant, channels, state, steering, v_dot, watch, .. } = self;
-        let Steering { places, row, read, inputs, .. } = steering;
-        if places.iter().any(|places| !places.is_empty()) {
-            row.clear();
-            let at = stage(interval, state);
-            let observed = plant.observe(at, v_dot);
-            channels.write_row(&Sample { time_s, q: at.q, v: at.v, s: at.s, observed }, row);
-        }
-        for (steer, places) in places.iter().enumerate() {
-            read.clear();
-            read.extend(places.iter().map(|&place| row[place]));
+        let Steering { readings, read, inputs, .. } = steering;
+        for (steer, readings) in readings.iter_mut().enumerate() {
+            if !readings.is_empty() {
+                let at = stage(interval, state);
+                let observed = plant.observe(at, readings.extent(), v_dot);
+                readings.read(&Sample { time_s, q: at.q, v: at.v, s: at.s, observed }, channels, read);
+            }
             let steered = plant.steer(steer, read, inputs, time_s, state);
             let element = || plant.layout().names[plant.layout().steers[steer].element].clone();
             let steered = steered.map_err(|why| RunError::Steering { time_s, element: element(), why })?;

@@ -16,10 +16,8 @@ pub(super) struct Watching {
 impl Watching {
     /// Those whose columns are all among the channels.
     pub(super) fn new(watchers: Vec<AnyWatcher>, channels: &Channels) -> Self {
-        let names: Vec<&String> = channels.list.iter().flat_map(|channel| &channel.columns).collect();
-        let place = |column: String| names.iter().position(|name| **name == column);
         let placed = |watcher: AnyWatcher| {
-            let places: Option<Vec<usize>> = watcher.columns().into_iter().map(place).collect();
+            let places: Option<Vec<usize>> = watcher.columns().iter().map(|column| channels.place(column)).collect();
             Some((places?, watcher))
         };
         let watched: Vec<_> = watchers.into_iter().filter_map(placed).collect();

@@ -147,6 +147,48 @@ drives:
     assert!(values(&mut hoisting, "energy_error")[0].abs() < 1e-9 * scale);
 }
 
+/// `T = tau / R`, however fast the rope is pulled out or comes back: a winch of constant tension.
+#[test]
+fn a_winch_that_keeps_a_torque_keeps_the_tension_of_its_rope_while_the_other_end_moves() {
+    for speed in [0.5, -0.5] {
+        let text = format!(
+            "version: 1
+title: A winch of constant tension
+simulation: {{step_s: 0.005, duration_s: 20}}
+bodies:
+  boat:
+    mass_kg: 4000
+    shape: {{point: {{}}}}
+    joint:
+      prismatic:
+        {{name: drift, axis: [1, 0, 0], position_m: [20, 0, 0],
+          mode: {{prescribed: {{speed_m_s: {speed}, history: pulse, pulse: {{rise_s: 2, hold_s: 12}}}}}}}}
+  drum:
+    mass_kg: 200
+    shape: {{cylinder: {{radius_m: 0.5, length_m: 1, axis: y}}}}
+    joint: {{revolute: {{name: winch, axis: [0, 1, 0]}}}}
+forces:
+  line:
+    rope:
+      path: [{{drum: {{joint: winch, radius_m: 0.5}}}}, {{point: {{body: boat}}}}]
+      unstretched_length_m: 19.99
+      axial_stiffness_N: 2e6
+      damping_time_s: 0.02
+drives:
+  tension:
+    controlled_drive:
+      {{joint: winch, set_point: {{torque: {{torque_N_m: -500}}}}, speed_limit_rad_s: 4, acceleration_limit_rad_s2: 4,
+        torque_limit_N_m: 2000, stiffness_kN_m_per_rad: 100, damping_kN_m_s_per_rad: 2}}
+"
+        );
+        let mut moving = simulation(&text);
+        moving.step(1600).expect("it pays out and hauls in");
+        let tension = values(&mut moving, "rope_tension")[0];
+        assert!((tension - 1000.0).abs() < 1e-6, "{speed} m/s: {tension} N");
+        assert!((values(&mut moving, "rope_pay_out_rate")[0] - speed).abs() < 1e-9);
+    }
+}
+
 /// At rest a drive holds its joint where the scenario puts it, and a run begins with what that takes.
 #[test]
 fn a_run_from_equilibrium_begins_with_the_effort_that_holds_the_load() {

@@ -151,19 +151,32 @@ fn a_load_that_stops_suddenly_pulls_as_the_energy_says_with_the_crane_in_series(
     assert!((slack / exact - 1.0).abs() < 1e-4, "{slack} {exact}");
 }
 
-/// A pontoon that rolls about a fixed axis on a spring, c, and a load on a rope from a mast of height h:
-/// `(I + m h^2) phi'' - m h l theta'' ...` in the small angles phi of the pontoon and theta of the rope against the vertical.
+/// A pontoon that rolls on a spring, c, about an axis that is held or free to sway, and a load on a rope from a mast of height h.
+/// With the small angles phi of the pontoon and theta of the rope against the vertical, and the load's y = s - h phi + l theta at
+/// the sway s,
+///
+/// ```text
+/// 2 T = M s'^2 + I phi'^2 + m y'^2,    2 U = (c - W h) phi^2 + W l theta^2
+/// ```
+///
+/// A free sway keeps M s' + m y' = 0: then y' - s' moves the reduced mass m M / (m + M) where a held one moves m.
 #[test]
-fn a_rolling_pontoon_and_its_hanging_load_have_the_two_modes_of_the_coupled_pendulum() {
-    let (inertia, spring, height, length, mass) = (4e6, 6e6, 15.0, 12.0, 5000.0);
+fn a_rolling_pontoon_and_its_hanging_load_have_the_modes_of_the_coupled_pendulum_with_sway_held_and_free() {
+    let (inertia, spring, height, length, mass, pontoon) = (4e6, 6e6, 15.0, 12.0, 5000.0, 20_000.0);
     let weight = mass * GRAVITY;
     let stretched = length * (1.0 + weight / 1e12);
-    let text = format!(
-        "version: 1
+    for (sway, moved) in [("fixed: {}", mass), ("prismatic: {axis: [0, 1, 0]}", mass * pontoon / (mass + pontoon))] {
+        let text = format!(
+            "version: 1
 title: A pontoon that rolls
 simulation: {{step_s: 0.01, duration_s: 1}}
 bodies:
+  raft:
+    mass_kg: {}
+    shape: {{point: {{}}}}
+    joint: {{{sway}}}
   pontoon:
+    parent: raft
     mass_kg: 1000
     inertia: {{tensor: {{moments_kg_m2: [{inertia}, 3e6, 3e6]}}}}
     joint: {{revolute: {{name: roll, axis: [1, 0, 0], spring: {{stiffness_N_m_per_rad: {spring}}}}}}}
@@ -179,22 +192,62 @@ forces:
       unstretched_length_m: {length}
       axial_stiffness_N: 1e12
 ",
-        height - stretched
-    );
-    let scenario = kingpost::scenario::read(&text, "pontoon.yaml", &[]).expect("it reads");
-    let simulation = scenario.simulation().expect("it builds");
-    let linear = Linearizer::new(&scenario).expect("it builds").at(&simulation);
-    // T = (I phi'^2 + m (h phi' - l theta')^2) / 2 with the load's y = -h phi + l theta, U = (c - W h) phi^2 / 2 + W l theta^2 / 2.
-    let (m11, m12, m22) = (inertia + mass * height * height, -mass * height * stretched, mass * stretched * stretched);
-    let (k1, k2) = (spring - weight * height, weight * stretched);
-    let (a, b, c) = (m11 * m22 - m12 * m12, -(k1 * m22 + k2 * m11), k1 * k2);
-    let root = (b * b - 4.0 * a * c).sqrt();
-    let exact = [(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)].map(f64::sqrt);
-    let found: Vec<f64> = linear.a.complex_eigenvalues().iter().map(|value| value.im).collect();
-    for exact in exact {
-        let nearest = found.iter().map(|w| (w / exact - 1.0).abs()).fold(f64::INFINITY, f64::min);
-        assert!(nearest < 1e-6, "{exact} rad/s among {found:?}");
+            pontoon - 1000.0,
+            height - stretched
+        );
+        let scenario = kingpost::scenario::read(&text, "pontoon.yaml", &[]).expect("it reads");
+        let simulation = scenario.simulation().expect("it builds");
+        let linear = Linearizer::new(&scenario).expect("it builds").at(&simulation);
+        let (m11, m12, m22) =
+            (inertia + moved * height * height, -moved * height * stretched, moved * stretched * stretched);
+        let (k1, k2) = (spring - weight * height, weight * stretched);
+        let (a, b, c) = (m11 * m22 - m12 * m12, -(k1 * m22 + k2 * m11), k1 * k2);
+        let root = (b * b - 4.0 * a * c).sqrt();
+        let exact = [(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)].map(f64::sqrt);
+        let found: Vec<f64> = linear.a.complex_eigenvalues().iter().map(|value| value.im).collect();
+        for exact in exact {
+            let nearest = found.iter().map(|w| (w / exact - 1.0).abs()).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-6, "{sway}: {exact} rad/s among {found:?}");
+        }
     }
+}
+
+/// At rest the factor is 1 by the weight on each fall; a load of which the rope suddenly carries all swings up to 2.
+#[test]
+fn the_dynamic_amplification_factor_of_a_rope_is_over_the_weight_in_air_on_each_fall() {
+    let text = |length: f64| {
+        format!(
+            "version: 1
+title: A load on two falls
+simulation: {{step_s: 0.002, duration_s: 2}}
+bodies:
+  block:
+    mass_kg: 500
+    shape: {{point: {{}}}}
+    joint: {{prismatic: {{name: lift, position_m: [0, 0, -20], axis: [0, 0, 1]}}}}
+  load: {{parent: block, mass_kg: 7500, shape: {{point: {{}}}}, joint: {{fixed: {{}}}}}}
+forces:
+  gravity: {{gravity: {{acceleration_m_s2: {GRAVITY}}}}}
+  fall:
+    rope:
+      path: [{{point: {{body: world}}}}, {{point: {{body: block, falls: 2}}}}]
+      unstretched_length_m: {length}
+      axial_stiffness_N: 2e7
+      carries: [{{body: block}}, {{body: load}}]
+"
+        )
+    };
+    let (tension, length) = (8000.0 * GRAVITY / 2.0, 40.0);
+    let mut resting = simulation(&text(length / (1.0 + tension / 2e7)));
+    assert!((values(&mut resting, "rope_daf")[0] - 1.0).abs() < 1e-12);
+    let mut falling = simulation(&text(length));
+    let factors = (0..1000).map(|_| {
+        falling.step(1).expect("a fall");
+        values(&mut falling, "rope_daf")[0]
+    });
+    let most = factors.fold(0.0, f64::max);
+    // 2 m of fall are 4 m of rope: k is that of the length at the start, and a step misses the peak by (w h)^2 / 8 at most.
+    assert!((most - 2.0).abs() < 1e-4, "{most}");
 }
 
 /// Four falls carry a quarter each; friction at each of two sheaves takes its share of what the drum must hold.

@@ -11,6 +11,7 @@ mod parts;
 mod parts_mistakes;
 mod parts_page;
 mod parts_schema;
+mod readings;
 mod scenario_errors;
 mod scenario_parameters;
 mod scenario_properties;

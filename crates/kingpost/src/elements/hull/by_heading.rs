@@ -13,7 +13,8 @@ use core::f64::consts::TAU;
 ///
 /// A ship's slow heading hardly changes from stage to stage: the polynomials are summed at the nearest of a regular grid
 /// of headings, with three derivatives, and Taylor's series goes on from there. The grid is that of the headings alone, so
-/// that a number depends on nothing but the heading.
+/// that a number depends on nothing but the heading. What is asked for are sums over the waves: the series goes on with
+/// the sums of its terms, not wave by wave.
 #[derive(Clone)]
 pub struct ByHeading<S = f64> {
     waves: usize,
@@ -22,10 +23,10 @@ pub struct ByHeading<S = f64> {
     harmonics: Vec<Harmonic>,
     /// The heading of the grid that the series are about.
     node: Option<S>,
-    /// The numbers there, and their derivatives by the heading, that of order k over k!.
-    series: [Vec<S>; TERMS],
-    heading: Option<S>,
-    values: Vec<S>,
+    /// By part and wave: the number there and its derivatives by the heading, that of order k over k!.
+    series: Vec<[S; TERMS]>,
+    /// From the grid's heading to the one asked for last, rad.
+    beyond: S,
 }
 
 /// Weights of cos m psi and sin m psi, m being the place in the list from 1, part by part, for the
@@ -58,38 +59,38 @@ impl<S: Scalar> ByHeading<S> {
         let least: Vec<f64> = (0..parts).map(|part| NEGLIGIBLE * largest(&rows[part * waves..][..waves])).collect();
         let harmonics = (1..=most).map(|m| Harmonic::new(&weights(m), &least)).collect();
         let means = weights(0).iter().map(|[mean, _]| *mean).collect();
-        let zeros = || vec![S::ZERO; parts * waves];
-        let series = core::array::from_fn(|_| zeros());
-        Self { waves, means, harmonics, node: None, series, heading: None, values: zeros() }
+        let series = vec![[S::ZERO; TERMS]; parts * waves];
+        Self { waves, means, harmonics, node: None, series, beyond: S::ZERO }
     }
 
-    /// All numbers at a heading, rad, part by part.
-    pub fn at(&mut self, heading: S) -> &[S] {
-        if self.heading != Some(heading) {
-            self.turn_to(heading);
-        }
-        &self.values
-    }
-
-    fn turn_to(&mut self, heading: S) {
+    /// Turns to a heading, rad.
+    pub fn turn_to(&mut self, heading: S) {
         let [node] = S::from_values([heading], |[x]| [libm::round(x * NODES_PER_RAD) / NODES_PER_RAD]);
         if self.node != Some(node) {
             self.expand_about(node);
         }
-        let by = heading - node;
-        let [f, first, second, third] = &self.series;
-        let terms = f.iter().zip(first).zip(second).zip(third);
-        for (value, (((f, first), second), third)) in self.values.iter_mut().zip(terms) {
-            *value = *f + by * (*first + by * (*second + by * *third));
-        }
-        self.heading = Some(heading);
+        self.beyond = heading - node;
+    }
+
+    /// The sum of a part's numbers over the waves, each times the weight of its wave, at the heading turned to.
+    pub fn sum(&self, part: usize, weights: &[S]) -> S {
+        self.go_on(weighted(&self.series[part * self.waves..][..self.waves], weights))
+    }
+
+    /// A part's number of one wave, at the heading turned to.
+    pub fn number(&self, part: usize, wave: usize) -> S {
+        self.go_on(self.series[part * self.waves + wave])
+    }
+
+    /// Taylor's series from the grid's heading.
+    fn go_on(&self, [f, first, second, third]: [S; TERMS]) -> S {
+        f + self.beyond * (first + self.beyond * (second + self.beyond * third))
     }
 
     fn expand_about(&mut self, node: S) {
         let (sin, cos) = node.sin_cos();
-        let [f, derivatives @ ..] = &mut self.series;
-        f.iter_mut().zip(&self.means).for_each(|(value, mean)| *value = S::constant(*mean));
-        derivatives.iter_mut().for_each(|derivative| derivative.fill(S::ZERO));
+        let terms = |mean: &f64| [S::constant(*mean), S::ZERO, S::ZERO, S::ZERO];
+        self.series.iter_mut().zip(&self.means).for_each(|(series, mean)| *series = terms(mean));
         let mut power = [S::ONE, S::ZERO];
         for (order, harmonic) in (1_u32..).zip(&self.harmonics) {
             power = times(power, [cos, sin]);
@@ -116,22 +117,21 @@ impl Harmonic {
     }
 
     /// Adds it, of order m, and its derivatives to the series: f'' = -m^2 f.
-    fn add<S: Scalar>(&self, m: f64, [cos, sin]: [S; 2], stride: usize, series: &mut [Vec<S>; TERMS]) {
+    fn add<S: Scalar>(&self, m: f64, [cos, sin]: [S; 2], stride: usize, series: &mut [[S; TERMS]]) {
         if self.waves == 0 {
             return;
         }
         let [to_first, to_second, to_third] = [m, -m * m / 2.0, -m * m * m / 6.0].map(S::constant);
         let parts = self.cosine.chunks_exact(self.waves).zip(self.sine.chunks_exact(self.waves));
         for (part, (cosine, sine)) in parts.enumerate() {
-            let own = part * stride + self.first;
-            let [f, first, second, third] = series.each_mut().map(|term| &mut term[own..][..self.waves]);
-            for (i, (c, s)) in cosine.iter().zip(sine).enumerate() {
+            let own = &mut series[part * stride + self.first..][..self.waves];
+            for (([f, first, second, third], c), s) in own.iter_mut().zip(cosine).zip(sine) {
                 let [c, s] = [*c, *s].map(S::constant);
                 let (value, slope) = (c * cos + s * sin, s * cos - c * sin);
-                f[i] += value;
-                first[i] += to_first * slope;
-                second[i] += to_second * value;
-                third[i] += to_third * slope;
+                *f += value;
+                *first += to_first * slope;
+                *second += to_second * value;
+                *third += to_third * slope;
             }
         }
     }
@@ -151,6 +151,23 @@ fn weights(on_grid: &[f64], m: usize, [cos, sin]: [f64; 2]) -> [f64; 2] {
     // The highest harmonic of an even grid is its own mirror image.
     let whole = if m == 0 || 2 * m == n { 1.0 } else { 2.0 } / n as f64;
     [whole * (cosine * cos + sine * sin), whole * (cosine * sin - sine * cos)]
+}
+
+/// The sums of the terms, each times its weight, in two strands that a processor can add side by side.
+fn weighted<S: Scalar>(series: &[[S; TERMS]], weights: &[S]) -> [S; TERMS] {
+    let mut strands = [[S::ZERO; TERMS]; 2];
+    let mut add = |strand: usize, terms: &[S; TERMS], weight: S| {
+        for (sum, term) in strands[strand].iter_mut().zip(terms) {
+            *sum += *term * weight;
+        }
+    };
+    let ((pairs, last), (weights, last_weight)) = (series.as_chunks(), weights.as_chunks());
+    for ([even, odd], [of_even, of_odd]) in pairs.iter().zip(weights) {
+        add(0, even, *of_even);
+        add(1, odd, *of_odd);
+    }
+    last.iter().zip(last_weight).for_each(|(terms, weight)| add(0, terms, *weight));
+    core::array::from_fn(|term| strands[0][term] + strands[1][term])
 }
 
 /// cos and sin of an angle, rad.
@@ -188,6 +205,11 @@ mod tests {
         1.5 + libm::cos(beta) - 0.25 * libm::sin(3.0 * beta) + 0.125 * libm::cos(11.0 * beta)
     }
 
+    fn number(table: &mut ByHeading, heading: f64) -> f64 {
+        table.turn_to(heading);
+        table.number(0, 0)
+    }
+
     #[test]
     fn what_has_few_harmonics_is_met_between_the_points_of_the_grid() {
         let grid: Vec<f64> = (0..DIRECTIONS).map(|k| f(TAU * k as f64 / DIRECTIONS as f64)).collect();
@@ -199,13 +221,15 @@ mod tests {
         };
         let mut table = ByHeading::<f64>::new(parts, &directions, row);
         for heading in [0.0, 0.3, 4.0, -7.5] {
-            let found = table.at(heading).to_vec();
+            table.turn_to(heading);
             for (wave, direction) in directions.into_iter().enumerate() {
                 let expected = if wave == 0 { 1.5 } else { f(direction - heading) };
-                assert!((found[wave] - expected).abs() < 1e-13, "{wave} {heading}");
-                let second = found[directions.len() + wave];
-                assert!((second - expected * wave as f64).abs() < 1e-12, "{wave} {heading}");
+                assert!((table.number(0, wave) - expected).abs() < 1e-13, "{wave} {heading}");
+                assert!((table.number(1, wave) - expected * wave as f64).abs() < 1e-12, "{wave} {heading}");
             }
+            let weights = [0.5, -2.0, 0.25, 3.0];
+            let of_each = (0..4).map(|wave| table.number(1, wave) * weights[wave]);
+            assert!((table.sum(1, &weights) - of_each.sum::<f64>()).abs() < 1e-12, "{heading}");
         }
     }
 
@@ -214,15 +238,15 @@ mod tests {
     fn a_number_depends_on_the_heading_alone_and_does_not_jump() {
         let grid: Vec<f64> = (0..DIRECTIONS).map(|k| f(TAU * k as f64 / DIRECTIONS as f64)).collect();
         let table = ByHeading::<f64>::new(1, &[0.4], |_, _| grid.clone());
-        let at = |heading: f64| table.clone().at(heading)[0];
+        let at = |heading: f64| number(&mut table.clone(), heading);
         for node in [-3.0, 0.0, 1.0, 517.0] {
             let edge = (node + 0.5) / NODES_PER_RAD;
             let (below, above) = (edge * (1.0 - 1e-15), edge * (1.0 + 1e-15));
             assert!((at(below) - at(above)).abs() < 1e-12, "{node}");
             assert!((at(above) - f(0.4 - above)).abs() < 1e-12, "{node}");
             let mut from_afar = table.clone();
-            from_afar.at(2.0);
-            assert_eq!(from_afar.at(edge)[0], at(edge));
+            from_afar.turn_to(2.0);
+            assert_eq!(number(&mut from_afar, edge), at(edge));
         }
     }
 
@@ -232,7 +256,7 @@ mod tests {
             let grid: Vec<f64> = (0..n).map(|k| libm::sin(1.0 + (k * k) as f64)).collect();
             let mut table = ByHeading::<f64>::new(1, &[0.0], |_, _| grid.clone());
             for (k, expected) in grid.iter().enumerate() {
-                let found = table.at(-TAU * k as f64 / n as f64)[0];
+                let found = number(&mut table, -TAU * k as f64 / n as f64);
                 assert!((found - expected).abs() < 1e-13, "{n} {k}: {found} {expected}");
             }
         }

@@ -26,6 +26,8 @@ pub struct Excitation<S = f64> {
     /// The waves at the slow frame's place, a e^(i q).
     real: Vec<S>,
     imaginary: Vec<S>,
+    /// a e^(i q) of each wave, along that of all together: what its D weighs in the drift.
+    with_all: Vec<S>,
     /// Real and imaginary part of X, mode by mode; then D of surge, sway and yaw, if drift acts, and what it gains by velocity.
     transfer: ByHeading<S>,
     drifts: bool,
@@ -88,9 +90,9 @@ impl<S: Scalar> Excitation<S> {
         let directions: Vec<f64> = field.components().map(|wave| wave.direction_rad.value()).collect();
         let count = FIRST_ORDER + if drifts { DRIFTING.len() } else { 0 } + if by_velocity { RATES } else { 0 };
         let transfer = ByHeading::new(count, &directions, |part, wave| rows[wave](part));
-        let (real, imaginary) = (vec![S::ZERO; field.len()], vec![S::ZERO; field.len()]);
+        let [real, imaginary, with_all] = core::array::from_fn(|_| vec![S::ZERO; field.len()]);
         let (force, drift, rates, elevation) = ([S::ZERO; 6], [S::ZERO; 6], [S::ZERO; RATES], S::ZERO);
-        Self { real, imaginary, transfer, drifts, by_velocity, last: None, force, drift, rates, elevation }
+        Self { real, imaginary, with_all, transfer, drifts, by_velocity, last: None, force, drift, rates, elevation }
     }
 
     /// Force (N) and moment (N m) at a time, s.
@@ -117,12 +119,9 @@ impl<S: Scalar> Excitation<S> {
 
     /// The mean of the drift over all times after the ramp, at a heading (rad) and a velocity.
     pub fn mean_drift(&mut self, field: &WaveField<S>, heading: S, velocity: &HullVelocity<S>) -> [S; 6] {
-        let waves = field.len();
-        let x = self.transfer.at(heading);
-        let mean = |part: usize| {
-            let energy = field.components().map(|wave| wave.amplitude_m * wave.amplitude_m);
-            x[part * waves..][..waves].iter().zip(energy).fold(S::ZERO, |sum, (d, square)| sum + *d * square)
-        };
+        let squares: Vec<S> = field.components().map(|wave| wave.amplitude_m * wave.amplitude_m).collect();
+        self.transfer.turn_to(heading);
+        let mean = |part: usize| self.transfer.sum(part, &squares);
         let mut drift = [S::ZERO; 6];
         if self.drifts {
             (FIRST_ORDER..).zip(DRIFTING).for_each(|(part, mode)| drift[mode] = mean(part));
@@ -150,26 +149,22 @@ impl<S: Scalar> Excitation<S> {
         if self.last == Some(key) {
             return;
         }
-        let waves = field.len();
         field.phasors(slow.position, time_s, &mut self.real, &mut self.imaginary);
-        let x = self.transfer.at(slow.heading);
-        self.force = core::array::from_fn(|mode| {
-            let part = |k: usize| &x[(2 * mode + k) * waves..][..waves];
-            dot(part(0), &self.real) - dot(part(1), &self.imaginary)
-        });
+        let Self { transfer, real, imaginary, with_all, .. } = self;
+        transfer.turn_to(slow.heading);
+        self.force = core::array::from_fn(|mode| transfer.sum(2 * mode, real) - transfer.sum(2 * mode + 1, imaginary));
         let sum = |of: &[S]| of.iter().fold(S::ZERO, |sum, a| sum + *a);
-        self.elevation = sum(&self.real);
+        self.elevation = sum(real);
         if self.drifts {
-            let out_of_phase = sum(&self.imaginary);
-            let of_part = |part: usize| {
-                let d = &x[part * waves..][..waves];
-                dot(d, &self.real) * self.elevation + dot(d, &self.imaginary) * out_of_phase
-            };
+            let out_of_phase = sum(imaginary);
+            for ((with_all, real), imaginary) in with_all.iter_mut().zip(&*real).zip(&*imaginary) {
+                *with_all = *real * self.elevation + *imaginary * out_of_phase;
+            }
             for (part, mode) in (FIRST_ORDER..).zip(DRIFTING) {
-                self.drift[mode] = of_part(part);
+                self.drift[mode] = transfer.sum(part, with_all);
             }
             if self.by_velocity {
-                self.rates = core::array::from_fn(|rate| of_part(FIRST_ORDER + DRIFTING.len() + rate));
+                self.rates = core::array::from_fn(|rate| transfer.sum(FIRST_ORDER + DRIFTING.len() + rate, with_all));
             }
         }
         self.last = Some(key);
@@ -182,17 +177,4 @@ fn add_by_velocity<S: Scalar>(drift: &mut [S; 6], rates: &[S; RATES], velocity: 
     for (drift, rates) in drift.iter_mut().zip(rates.as_chunks::<4>().0) {
         *drift += rates[0] * x + rates[1] * y + rates[2] * u + rates[3] * v;
     }
-}
-
-/// A sum in one order, in four strands that a processor can add side by side.
-fn dot<S: Scalar>(a: &[S], b: &[S]) -> S {
-    let mut strands = [S::ZERO; 4];
-    let (a, b) = (a.chunks_exact(4), b.chunks_exact(4));
-    let rest = a.remainder().iter().zip(b.remainder()).fold(S::ZERO, |sum, (a, b)| sum + *a * *b);
-    for (a, b) in a.zip(b) {
-        for k in 0..4 {
-            strands[k] += a[k] * b[k];
-        }
-    }
-    (strands[0] + strands[1]) + (strands[2] + strands[3]) + rest
 }

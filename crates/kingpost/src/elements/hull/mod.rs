@@ -8,6 +8,7 @@ mod by_heading;
 mod carried;
 mod drift_damping;
 mod excitation;
+mod gap;
 mod linear_limits;
 mod mean_attitude;
 mod mesh_in_waves;
@@ -21,6 +22,7 @@ use by_heading::ByHeading;
 pub use carried::Carried;
 use carried::CarriedFilter;
 pub use excitation::{Excitation, HullVelocity, Parts};
+pub use gap::{HullGap, Plan};
 pub use linear_limits::LinearLimits;
 pub use mean_attitude::{LARGEST_LIST_DEG, MeanAttitude};
 pub use mesh_in_waves::MeshInWaves;
@@ -105,6 +107,8 @@ pub struct Hull<S = f64> {
     pub wave_data: Option<Arc<Database>>,
     /// Their own pressure on the mesh of the hydrostatics, if it acts.
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
+    /// The rectangle about its water line.
+    pub plan: Plan,
     /// What watches it.
     pub watchers: Vec<AnyWatcher>,
     /// Which quadratic terms of the added mass act.
@@ -149,15 +153,13 @@ impl<S: Scalar> Element<S> for Hull<S> {
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let (hull, specific_weight) = (self.frame.frame(at.model, at.links), at.world.specific_weight());
         let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&hull), specific_weight);
-        let slow = self.slow_frame(at);
+        let Seen { slow, off, axes, twist } = self.seen(at);
         let mut by_the_sea = [S::ZERO; 6];
         if let Some(radiation) = &self.radiation {
             by_the_sea = radiation.force(States::of(at.states).radiation);
         }
         let (waves, time_s) = (at.world.waves.as_ref().filter(|_| at.situation.has_waves()), at.clock.time_s);
-        let off = self.off(at, &slow);
-        let axes = self.axes(at, &slow, off);
-        let velocity = self.velocity(at, &slow, &axes);
+        let velocity = self.velocity(at, &slow, &axes.rates(&twist));
         if let (Some(excitation), Some(waves)) = (&mut self.excitation, waves) {
             let first = excitation.force(waves, time_s, &slow);
             let drift = excitation.drift(waves, time_s, &slow, &velocity);
@@ -169,7 +171,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
             let pressure = mesh.pressure(waves, &hull, specific_weight, time_s, &buoyancy);
             by_the_sea += self.frame.about_centre(&pressure);
         }
-        loads.power.outside += by_the_sea.dot(&at.links.body_twist(at.model, self.frame.body));
+        loads.power.outside += by_the_sea.dot(&twist);
         loads.wrenches.push((self.frame.body, self.frame.about_centre(&buoyancy) + by_the_sea));
     }
 
@@ -196,10 +198,9 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 
     fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
-        let slow = self.slow_frame(at);
+        let Seen { slow, axes, twist, .. } = self.seen(at);
         let (none, time_s, specific_weight) = ([S::ZERO; 6], at.clock.time_s, at.world.specific_weight());
-        let axes = self.axes(at, &slow, self.off(at, &slow));
-        let velocity = self.velocity(at, &slow, &axes);
+        let velocity = self.velocity(at, &slow, &axes.rates(&twist));
         let (elevation, mut excitation_force, drift) = match (&mut self.excitation, &at.world.waves) {
             (Some(excitation), Some(waves)) => (
                 excitation.elevation(waves, time_s, &slow),
@@ -270,6 +271,16 @@ fn outputs(name: &str) -> Vec<Output> {
     ]
 }
 
+/// A hull at one moment, as the sea's loads see it.
+struct Seen<S> {
+    slow: SlowFrame<S>,
+    /// [`Hull::off`].
+    off: [[S; 2]; 2],
+    axes: SeaAxes<S>,
+    /// Of the body, about its centre of mass, in its axes.
+    twist: Twist<S>,
+}
+
 /// The states of a hull, or their rates: of the filter of its place, of that of what it carries, and of its radiation.
 struct States<T> {
     place: T,
@@ -316,14 +327,16 @@ impl<S: Scalar> Hull<S> {
         CarriedFilter::read(States::of(at.states).carried).off(centre, self.cutoff_rad_s)
     }
 
-    fn axes(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, [off, _]: [[S; 2]; 2]) -> SeaAxes<S> {
-        SeaAxes::of(&self.coefficients, &self.coefficients.frame(at.model, at.links), slow, off)
+    fn seen(&self, at: &Moment<'_, S>) -> Seen<S> {
+        let slow = self.slow_frame(at);
+        let off = self.off(at, &slow);
+        let axes = SeaAxes::of(&self.coefficients, &self.coefficients.frame(at.model, at.links), &slow, off[0]);
+        Seen { slow, off, axes, twist: at.links.body_twist(at.model, self.frame.body) }
     }
 
     /// The hull's velocity, with what of it goes with the waves: that has no mean beside the slow changes of the drift.
-    fn velocity(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, axes: &SeaAxes<S>) -> HullVelocity<S> {
-        let rates = axes.rates(&at.links.body_twist(at.model, self.frame.body));
-        let [x, y, ..] = self.through_water(at, slow, &rates);
+    fn velocity(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> HullVelocity<S> {
+        let [x, y, ..] = self.through_water(at, slow, rates);
         let [u, v, _] = rates.linear.0;
         HullVelocity { through_water: [x, y], over_ground: [u, v] }
     }

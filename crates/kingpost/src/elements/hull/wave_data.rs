@@ -57,9 +57,8 @@ impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
         let on_grid = self.database.excitation(omega, true);
         let part = |part: usize, _| on_grid.iter().map(|x| x[part / 2][part % 2]).collect();
         let mut table = ByHeading::new(PARTS, directions_rad, part);
-        let values = table.at(heading);
-        let at = |part: usize, wave: usize| values[part * directions_rad.len() + wave];
-        let of = |wave: usize| core::array::from_fn(|mode| [at(2 * mode, wave), at(2 * mode + 1, wave)]);
+        table.turn_to(heading);
+        let of = |wave| core::array::from_fn(|mode| [0, 1].map(|part| table.number(2 * mode + part, wave)));
         (0..directions_rad.len()).map(of).collect()
     }
 }

@@ -48,6 +48,8 @@ pub struct Rope<S = f64> {
     pub damping_time: S,
     /// Tension at which it parts, N.
     pub breaking_load: Option<S>,
+    /// The mass whose weight is its tension at rest in air, kg.
+    pub carried_mass: Option<S>,
     /// Whether an input of its name releases it.
     pub can_be_released: bool,
 }
@@ -132,6 +134,11 @@ impl<S: Scalar> Element<S> for Rope<S> {
             ),
         ];
         let leads = leads.into_iter().filter(|_| self.path.has_leads());
+        let amplification = self.carried_mass.map(|_| {
+            let what =
+                "dynamic amplification factor of a rope: its tension over that of what it carries at rest in air";
+            number("rope_daf", what, &["1"])
+        });
         let points = 2 * self.path.stations().len().saturating_sub(2) + POINTS_OF_LAST_LEG;
         Declaration {
             modes: vec!["condition".to_owned()],
@@ -153,6 +160,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
             ]
             .into_iter()
             .chain(leads)
+            .chain(amplification)
             .collect(),
             lines: vec![DrawnLine { name: self.name.clone(), style: LineStyle::Line, radius_m: 0.0, points }],
             events: EVENTS[..if self.breaking_load.is_some() { PARTS + 1 } else { PARTS }].to_vec(),
@@ -204,6 +212,8 @@ impl<S: Scalar> Element<S> for Rope<S> {
         let [first, _] = self.path.pull(now.tension, now.rate, |_, _| {});
         out.extend([now.tension, first, now.unstretched, now.paid_out, now.stretch]);
         out.extend(self.path.leads().into_iter().flatten());
+        let of_rest = |weight: S| weight.select_below(f64::MIN_POSITIVE, || S::ZERO, || now.tension / weight);
+        out.extend(self.carried_mass.map(|mass| of_rest(mass * at.world.gravity)));
     }
 
     fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {

@@ -25,6 +25,7 @@ pub fn build<S: Quantity>(
         return Err(FieldError::new(format!("forces.{name}.rope.can_be_released"), found, allowed));
     }
     let Laid { stations, drum } = lay(scenario, &format!("forces.{name}.rope"), &given.path, model)?;
+    let carried_mass = carried_mass(scenario, &format!("forces.{name}.rope"), given, model)?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
     Ok(Some(Box::new(Rope {
         name: name.to_owned(),
@@ -35,8 +36,28 @@ pub fn build<S: Quantity>(
         series_compliance: given.series_stiffness_n_per_m.map_or(S::ZERO, |stiffness| S::ONE / stiffness.get()),
         damping_time: given.damping_time_s.get(),
         breaking_load: given.breaking_load_n.map(|load| load.get()),
+        carried_mass,
         can_be_released: given.can_be_released,
     })))
+}
+
+/// The mass whose weight is the rope's tension at rest in air; `None` where none of what it carries is there.
+fn carried_mass<S: Quantity>(
+    scenario: &Scenario<S>,
+    field: &str,
+    given: &schema::Rope<S>,
+    model: &Model<S>,
+) -> Result<Option<S>, FieldError> {
+    let falls =
+        given.path.last().map_or(1, |station| if let RopeStation::Point(end) = station { end.falls } else { 1 });
+    let mut sum: Option<S> = None;
+    for (i, carried) in given.carries.iter().enumerate() {
+        known(&format!("{field}.carries.{i}.body"), &carried.body, scenario.bodies.keys().map(|body| body.as_str()))?;
+        let Some(body) = model.body(&carried.body) else { continue };
+        let share = carried.share.map_or(S::constant(1.0 / f64::from(falls)), |share| share.get());
+        sum = Some(sum.unwrap_or(S::ZERO) + model.bodies[body].mass * share);
+    }
+    Ok(sum)
 }
 
 /// One tugger line, where it is on and all that it runs over is there.

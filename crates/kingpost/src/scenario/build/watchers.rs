@@ -1,10 +1,11 @@
-//! What watches the joints and closed loops of a run.
+//! What watches the joints and closed loops of a run, and its hulls beside each other.
 
-use crate::elements::{AnyWatcher, JointSpring, Pendant, Rod, of_kind};
+use crate::elements::hull::HullGap;
+use crate::elements::{AnyWatcher, Hull, JointSpring, Pendant, Rod, of_kind};
 use crate::model::{Attachment, Constraint, Loop, Mode, Model};
 use crate::simulation::Setup;
 
-/// Of joints and loops that stand for ropes.
+/// Of joints and loops that stand for ropes, and of every two hulls.
 pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     let Setup { model, world, elements, .. } = setup;
     let springs: Vec<usize> = of_kind(elements).map(|spring: &JointSpring| spring.coordinate).collect();
@@ -14,7 +15,16 @@ pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
         let joint = &model.joints[body];
         Box::new(Pendant::new(&joint.name, &model.bodies[body].name, -joint.kind.to_child()))
     });
-    pendants.chain(model.loops.iter().filter_map(|closed| rod(model, closed))).collect()
+    let rods = model.loops.iter().filter_map(|closed| rod(model, closed));
+    pendants.chain(rods).chain(gaps(model, &of_kind(elements).collect::<Vec<&Hull>>())).collect()
+}
+
+/// Each hull has its own hydrodynamics: none feels another.
+fn gaps<'a>(model: &'a Model, hulls: &'a [&'a Hull]) -> impl Iterator<Item = AnyWatcher> + 'a {
+    let of = |hull: &Hull| (model.bodies[hull.frame.body].name.as_str(), hull.plan);
+    let pairs =
+        hulls.iter().enumerate().flat_map(|(k, first)| hulls[k + 1..].iter().map(move |second| [first, second]));
+    pairs.map(move |pair| -> AnyWatcher { Box::new(HullGap::new(pair.map(|hull| of(hull)))) })
 }
 
 /// Whether a body that carries no other swings to all sides about a point of its parent off its centre, and no spring

@@ -5,7 +5,7 @@ use super::damping::from_centre;
 use super::{FieldError, known, world};
 use crate::elements::hull::{
     AddedMass, Carried, CoefficientFrame, Excitation, FloatingMesh, HullFrame, Hydrostatics, LinearLimits,
-    MeanAttitude, MeshInWaves, Parts, QuadraticTerms, Radiation, added_inertia,
+    MeanAttitude, MeshInWaves, Parts, Plan, QuadraticTerms, Radiation, added_inertia,
 };
 use crate::elements::{AnyElement, AnyWatcher, Hull, MeanHeading};
 use crate::model::{JointKind, Model};
@@ -51,6 +51,7 @@ pub fn build<S: Quantity>(
             radiation,
             added_mass,
             coefficients,
+            plan: Plan::of(&database.hull, origin.0.map(Scalar::value)),
             watchers: watchers(given, database, origin.0.map(Scalar::value), excitation.is_some()),
             quadratic_terms: QuadraticTerms {
                 of_slow_motion: excitation.is_some(),

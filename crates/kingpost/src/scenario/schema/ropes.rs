@@ -37,9 +37,29 @@ pub struct Rope<S = f64> {
     /// Tension at which the rope parts, N; without it, it does not.
     #[serde(default, rename = "breaking_load_N", skip_serializing_if = "Option::is_none")]
     pub breaking_load_n: Option<Positive<S>>,
+    /// What hangs on it: its dynamic amplification factor is its tension over that of this load at rest in air.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub carries: Vec<CarriedByRope<S>>,
     /// Whether it can be released: an input in [0, 1] of the rope's name begins at 0, and at 0.5 the load is lost.
     #[serde(default)]
     pub can_be_released: bool,
+}
+
+/// A body that hangs on a rope.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "CarriedByRope", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct CarriedByRope<S = f64> {
+    /// The body: the load, the hook block.
+    pub body: Name,
+    /// Tension of the rope at rest over the weight of the body; without it, one over the number of falls that the rope ends with.
+    /// Of each of n slings at an angle b to the level it is 1 / (n sin b).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub share: Option<Positive<S>>,
 }
 
 /// A line whose winch pays out and hauls in so that its tension stays: a tugger line or a tag line. The winch stands at its

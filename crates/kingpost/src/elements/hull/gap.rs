@@ -1,0 +1,149 @@
+//! How near two hulls come that do not feel each other in the water.
+
+use crate::elements::watcher::{Warning, Watcher, significant};
+use crate::sea::database::HullAtRest;
+
+/// The rectangle about a hull's water line, body axes from the centre of mass, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// From stern to bow.
+    pub along: [f64; 2],
+    /// From starboard to port.
+    pub across: [f64; 2],
+}
+
+impl Plan {
+    /// Of a hull whose origin is there on its body: as long and wide as its water line, about the centre of its water plane.
+    pub fn of(hull: &HullAtRest, origin: [f64; 3]) -> Self {
+        let centre = hull.waterplane.first_moments_m3.map(|moment| moment / hull.waterplane.area_m2);
+        let range = |k: usize, size: f64| [-0.5, 0.5].map(|half| origin[k] + centre[k] + half * size);
+        Self { along: range(0, hull.length_m), across: range(1, hull.beam_m) }
+    }
+
+    fn length(&self) -> f64 {
+        self.along[1] - self.along[0]
+    }
+
+    /// Its corners in order, world, m, of a body at x and y that heads to `yaw`.
+    fn corners(&self, [x, y, yaw]: [f64; 3]) -> [[f64; 2]; 4] {
+        let (sin, cos) = libm::sincos(yaw);
+        let [[stern, bow], [starboard, port]] = [self.along, self.across];
+        [[bow, port], [stern, port], [stern, starboard], [bow, starboard]]
+            .map(|[along, across]| [x + cos * along - sin * across, y + sin * along + cos * across])
+    }
+}
+
+/// Watches two hulls that each have their own hydrodynamics: what the one does to the water the other does not feel.
+///
+/// ```
+/// use kingpost::elements::Watcher;
+/// use kingpost::elements::hull::{HullGap, Plan};
+/// let plan = Plan { along: [-50.0, 50.0], across: [-10.0, 10.0] };
+/// let mut watcher = HullGap::new([("ship", plan), ("barge", plan)]);
+/// watcher.see(0.0, &[0.0, 0.0, 0.0, 0.0, 25.0, 0.0]);
+/// assert!(watcher.warnings()[0].text.starts_with("came as near as 5 m to barge"));
+/// ```
+#[derive(Clone, Debug)]
+pub struct HullGap {
+    hulls: [(String, Plan); 2],
+    /// m, and when, s.
+    least: Option<[f64; 2]>,
+}
+
+impl HullGap {
+    /// Between two bodies.
+    pub fn new(hulls: [(&str, Plan); 2]) -> Self {
+        Self { hulls: hulls.map(|(body, plan)| (body.to_owned(), plan)), least: None }
+    }
+}
+
+impl Watcher for HullGap {
+    fn columns(&self) -> Vec<String> {
+        let of =
+            |(body, _): &(String, Plan)| ["position.x", "position.y", "yaw"].map(|column| format!("{body}.{column}"));
+        self.hulls.iter().flat_map(of).collect()
+    }
+
+    fn see(&mut self, time_s: f64, values: &[f64]) {
+        let [first, second] = values.as_chunks::<3>().0 else { return };
+        let gap = distance(&self.hulls[0].1.corners(*first), &self.hulls[1].1.corners(*second));
+        if self.least.is_none_or(|[least, _]| gap < least) {
+            self.least = Some([gap, time_s]);
+        }
+    }
+
+    /// Hulls farther apart than the longer one is long hardly feel each other.
+    fn warnings(&self) -> Vec<Warning> {
+        let [(body, own), (other, of_other)] = &self.hulls;
+        let near = |[gap, _]: &[f64; 2]| *gap < own.length().max(of_other.length());
+        let Some([gap, time_s]) = self.least.filter(near) else { return Vec::new() };
+        let how = if gap > 0.0 {
+            format!("came as near as {} m to {other}", significant(gap, 3))
+        } else {
+            format!("lies across {other}: their water lines overlap, and nothing keeps the hulls apart")
+        };
+        let text = format!(
+            "{how}; each hull has the hydrodynamics of one that is alone: neither shelters the other from waves, and the \
+             water in the gap between them does not resonate"
+        );
+        vec![Warning { time_s, name: body.clone(), text }]
+    }
+}
+
+/// Between two rectangles; 0 where they overlap.
+fn distance(first: &[[f64; 2]; 4], second: &[[f64; 2]; 4]) -> f64 {
+    let edges = |corners: &[[f64; 2]; 4]| -> [[[f64; 2]; 2]; 4] {
+        core::array::from_fn(|k| [corners[k], corners[(k + 1) % 4]])
+    };
+    let both = [(edges(first), second), (edges(second), first)];
+    let apart =
+        both.iter().any(|(edges, others)| edges.iter().any(|edge| others.iter().all(|at| beyond(edge, at) > 0.0)));
+    if !apart {
+        return 0.0;
+    }
+    let pairs = both
+        .iter()
+        .flat_map(|(edges, others)| edges.iter().flat_map(move |edge| others.iter().map(move |at| to_edge(edge, at))));
+    pairs.fold(f64::INFINITY, f64::min)
+}
+
+/// How far a point is outside of an edge of corners that go round by the right hand, times the edge's length, m^2.
+fn beyond([from, to]: &[[f64; 2]; 2], at: &[f64; 2]) -> f64 {
+    (to[1] - from[1]) * (at[0] - from[0]) - (to[0] - from[0]) * (at[1] - from[1])
+}
+
+/// From a point to an edge, m.
+fn to_edge([from, to]: &[[f64; 2]; 2], at: &[f64; 2]) -> f64 {
+    let (way, there) = ([to[0] - from[0], to[1] - from[1]], [at[0] - from[0], at[1] - from[1]]);
+    let share = (way[0] * there[0] + way[1] * there[1]) / (way[0] * way[0] + way[1] * way[1]);
+    let share = share.clamp(0.0, 1.0);
+    libm::hypot(there[0] - share * way[0], there[1] - share * way[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SQUARE: Plan = Plan { along: [-1.0, 1.0], across: [-1.0, 1.0] };
+
+    fn gap(first: [f64; 3], second: [f64; 3]) -> f64 {
+        distance(&SQUARE.corners(first), &SQUARE.corners(second))
+    }
+
+    #[test]
+    fn squares_are_as_far_apart_as_their_nearest_points() {
+        let root = core::f64::consts::SQRT_2;
+        let eighth = core::f64::consts::FRAC_PI_4;
+        for (second, expected) in [
+            ([5.0, 0.0, 0.0], 3.0),           // edge to edge
+            ([0.0, -5.0, 2.0 * eighth], 3.0), // the same, turned by 90 degrees
+            ([4.0, 4.0, 0.0], 2.0 * root),    // corner to corner
+            ([5.0, 0.0, eighth], 4.0 - root), // corner to edge
+            ([1.5, 0.5, 0.3], 0.0),           // overlapping
+            ([0.0, 0.0, eighth], 0.0),        // one across the other
+        ] {
+            assert!((gap([0.0; 3], second) - expected).abs() < 1e-14, "{second:?}");
+            assert!((gap(second, [0.0; 3]) - expected).abs() < 1e-14, "{second:?}");
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Some columns of the results by themselves, without the rest of a row.
+
+use super::channels::Channels;
+use super::{Sample, Table};
+use crate::elements::Layout;
+use crate::plant::Extent;
+use crate::scalar::Scalar;
+
+/// Columns that are read at every step, and what an observation must hold for them: a height asks for no accelerations.
+#[derive(Clone, Debug, Default)]
+pub struct Readings<S> {
+    sources: Vec<Source>,
+    extent: Extent,
+    row: Vec<S>,
+}
+
+/// Where a column comes from.
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    /// An entry of the table of the model's channels, and which of its numbers.
+    Motion { entry: usize, number: usize },
+    /// Among the outputs of the observed elements.
+    Element { output: usize },
+    /// A place in a row.
+    Row { place: usize },
+}
+
+impl<S: Scalar> Readings<S> {
+    /// Of these columns; one that is not there is left out.
+    pub fn new(columns: &[String], channels: &Channels, layout: &Layout) -> Self {
+        let places: Vec<usize> = columns.iter().filter_map(|column| channels.place(column)).collect();
+        Self::of_motion(&places, channels, layout).unwrap_or_else(|| Self {
+            sources: places.into_iter().map(|place| Source::Row { place }).collect(),
+            extent: Extent::Everything,
+            row: Vec::new(),
+        })
+    }
+
+    /// `None` where one of the columns asks for more than the motion and what elements show.
+    fn of_motion(places: &[usize], channels: &Channels, layout: &Layout) -> Option<Self> {
+        let mut elements: Vec<usize> =
+            places.iter().filter_map(|&place| Some(layout.writer(channels.output_at(place)?)?.0)).collect();
+        elements.sort_unstable();
+        elements.dedup();
+        let source = |&place: &usize| {
+            let Some(output) = channels.output_at(place) else {
+                let channel = channels.list.iter().find(|channel| channel.holds(place))?;
+                let entry = Table::<S>::OF_MODEL.iter().position(|entry| entry.variable == channel.variable)?;
+                let of_motion = Table::<S>::OF_MODEL[entry].of_motion;
+                return of_motion.then_some(Source::Motion { entry, number: place - channel.offset });
+            };
+            let (element, number) = layout.writer(output)?;
+            let before = elements.iter().take_while(|&&other| other != element);
+            Some(Source::Element { output: before.map(|&other| layout.written_by(other)).sum::<usize>() + number })
+        };
+        let sources = places.iter().map(source).collect::<Option<Vec<_>>>()?;
+        Some(Self { sources, extent: Extent::MotionAnd(elements), row: Vec::new() })
+    }
+
+    /// Whether there is nothing to read.
+    pub fn is_empty(&self) -> bool {
+        self.sources.is_empty()
+    }
+
+    /// What an observation must hold.
+    pub fn extent(&self) -> &Extent {
+        &self.extent
+    }
+
+    /// Writes the columns of an observation of that extent, in their order.
+    pub fn read(&mut self, sample: &Sample<'_, S>, channels: &Channels, out: &mut Vec<S>) {
+        out.clear();
+        let row = &mut self.row;
+        row.clear();
+        if self.extent == Extent::Everything {
+            channels.write_row(sample, row);
+        }
+        for source in &self.sources {
+            out.push(match *source {
+                Source::Row { place } => row[place],
+                Source::Element { output } => sample.observed.outputs[output],
+                Source::Motion { entry, number } => {
+                    row.clear();
+                    (Table::OF_MODEL[entry].write)(sample, row);
+                    row[number]
+                }
+            });
+        }
+    }
+}

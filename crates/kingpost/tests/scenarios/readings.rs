@@ -1,0 +1,36 @@
+//! Columns that are read alone.
+
+use crate::common::gallery_files::{names, scenario};
+
+/// What an operation reads at every step is what a row of the results says, for every column of every scenario.
+#[test]
+fn a_column_that_is_read_alone_has_the_value_of_its_row() {
+    for name in names("") {
+        let mut simulation = scenario(&name, &[]).simulation().expect("the gallery builds");
+        simulation.step(3).expect("three steps");
+        let mut row = Vec::new();
+        simulation.write_row(&mut row);
+        let columns: Vec<String> = simulation.channels().iter().flat_map(|channel| channel.columns.clone()).collect();
+        let mut read = Vec::new();
+        for (column, value) in columns.iter().zip(&row) {
+            let mut readings = simulation.readings(core::slice::from_ref(column));
+            simulation.read(&mut readings, &mut read);
+            assert_eq!(read.as_slice(), [*value], "{name}: {column}");
+        }
+        // Several at once, of the motion and of an element, last first.
+        let backwards: Vec<String> = columns.iter().rev().step_by(7).cloned().collect();
+        let mut readings = simulation.readings(&backwards);
+        simulation.read(&mut readings, &mut read);
+        let of_row: Vec<f64> = row.iter().rev().step_by(7).copied().collect();
+        assert_eq!(read, of_row, "{name}");
+    }
+}
+
+#[test]
+fn two_hulls_side_by_side_are_warned_of_with_their_gap() {
+    let mut simulation = scenario("lift_off_from_barge", &[]).simulation().expect("the gallery builds");
+    simulation.write_row(&mut Vec::new());
+    let warnings = simulation.warnings();
+    let gap = warnings.iter().find(|warning| warning.text.starts_with("came as near as 5.3 m to "));
+    assert!(gap.is_some(), "{warnings:?}");
+}
