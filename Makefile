@@ -27,7 +27,7 @@ UV := $(shell uv --version >/dev/null 2>&1 && echo uv || echo $(DONE)/uv/bin/uv)
 UV_FILE := $(filter-out uv,$(UV))
 PYTHON_SIDE := pyproject.toml uv.lock $(ENGINE) $(call sources,crates/kingpost-py) $(UV_FILE)
 
-.PHONY: help demo test bench wasm web wheel develop schema lint format clean
+.PHONY: help demo compile test bench wasm web wheel develop schema lint format clean
 .PHONY: test-rust test-web test-browser test-python need-rust need-node need-python need-lint
 
 help: ## list what there is
@@ -36,6 +36,9 @@ help: ## list what there is
 demo: need-rust need-node need-python $(APP) $(DONE)/run ## run the paper's crane ship, then serve the app
 	$(BIN)/kingpost paper
 	$(BIN)/kingpost serve $(if $(filter true 1,$(CI)),--check)
+
+compile: need-rust need-node need-python $(WASM) $(DONE)/develop ## all that is compiled: the engine for the browser, for Python and for its tests
+	cargo test --locked --workspace $(TESTED_ELSEWHERE) --all-features --no-run
 
 test: need-rust need-node need-python need-lint ## every test of every part, and a summary
 	@$(PYTHON) tools/test.py
