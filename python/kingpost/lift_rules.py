@@ -1,16 +1,26 @@
-"""What standards ask of a crane that lifts from another vessel, to stand beside what a run finds.
+"""What standards ask of a crane that lifts, to stand beside what a run finds: the hook's speed, offlead and
+sidelead from another vessel, and the ship's stability when she loses the load on her hook.
 
-The formulas are those of EN 13852-1, *Offshore cranes: general-purpose offshore cranes*, annex B, for lifts
-from a supply vessel, as public calculations of others quote them (C. Kunte, ``ckunte/m-one``, file
+The formulas of the hook are those of EN 13852-1, *Offshore cranes: general-purpose offshore cranes*, annex B,
+for lifts from a supply vessel, as public calculations of others quote them (C. Kunte, ``ckunte/m-one``, file
 ``inc/crane.typ``; C. Kunte, *Crane*, 2016). The standard's own text was not at hand: check them against it
 before a lift rests on them. Its table of the crane tip's speeds was not found; that speed is yours to give.
+
+The areas of righting arms are those of the International Code on Intact Stability, 2008, part B, section
+2.9.5 (resolution MSC.415(97), 2016), for ships whose keel was laid from 2020 on. The text of that section and
+its figure were not at hand either: check them too.
 """
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
 
 from .errors import KingpostError
+from .scenario import Scenario
 
 # K_H at the rated capacity, by whether the hook hangs on one fall or on several.
 SINGLE_FALL = 0.50
@@ -79,6 +89,120 @@ def sidelead_m(significant_height_m: float) -> float:
     2.0
     """
     return 0.5 * offlead_m(significant_height_m)
+
+
+EXPOSED_WATERS = 1.4
+UNEXPOSED_WATERS = 1.0
+"""Area 2 over area 1 that is asked for, in waters that are exposed and in others."""
+
+
+@dataclass(frozen=True)
+class HookLoadLoss:
+    """The righting arms of a ship whose hook has lost its load, from the heel that she had with it.
+
+    She rolls to `side`. Area 1 drives her from `heel_before_deg` to her new rest, `heel_after_deg`; area 2
+    stops her from there to `end_deg`, where her arm vanishes, water enters, or her curve ends at 60 degrees.
+    Heel counts towards `side`.
+    """
+
+    side: str
+    heel_before_deg: float
+    heel_after_deg: float
+    end_deg: float
+    area_1_m_rad: float
+    area_2_m_rad: float
+    required: float
+
+    @property
+    def held(self) -> bool:
+        """Whether area 2 is larger than area 1 by the factor that is asked for."""
+        return self.area_2_m_rad > self.required * self.area_1_m_rad
+
+
+def hook_load_loss(
+    before: Scenario,
+    after: Scenario,
+    *,
+    body: str | None = None,
+    flooding_deg: float = 90.0,
+    required: float = EXPOSED_WATERS,
+) -> HookLoadLoss:
+    """Area 2 > 1.4 area 1: whether a ship that loses the load on her hook does not capsize, by righting arms.
+
+    On the side of the load the arms are by the symmetry of the hull: with GZ the arms to one side and a that
+    at no heel, ``GZ(-phi) = 2 a cos(phi) - GZ(phi)``. Areas are trapezia of 5 degrees.
+
+    Parameters
+    ----------
+    before
+        The ship with the load on her hook.
+    after
+        The same without it, her counter ballast as it was.
+    body
+        The hull's body, where there are several.
+    flooding_deg
+        Heel at which water enters, deg.
+    required
+        Area 2 over area 1 that is asked for: `EXPOSED_WATERS` or `UNEXPOSED_WATERS`.
+
+    Raises
+    ------
+    KingpostError
+        When there is no such hull or it has no mesh, or the ship does not come to rest at any heel.
+
+    >>> from kingpost import load
+    >>> before = load("loss_of_hook_load")
+    >>> after = before.with_overrides({"bodies.lift.enabled": False, "operation.enabled": False})
+    >>> found = hook_load_loss(before, after)
+    >>> found.side, found.held
+    ('starboard', True)
+    """
+    hull, curve = _hull(after, body), _righting_arm(after, body)
+    sign = 1.0 if curve["side"] == "starboard" else -1.0
+    start, rest = sign * _hull(before, body)["heel_rad"], curve["equilibrium_rad"]
+    if rest is None:
+        found = "found none that rises through 0, allowed: a heel at rest"
+        raise KingpostError(f"righting arms of {hull['body']}: {found}")
+    heel, arm = (np.array([point[name] for point in curve["points"]]) for name in ("heel_rad", "arm_m"))
+    mirrored = 2.0 * arm[0] * np.cos(heel[:0:-1]) - arm[:0:-1]
+    heel, arm = np.concatenate([-heel[:0:-1], heel]), np.concatenate([mirrored, arm])
+    vanishing = curve["vanishing_rad"] if curve["vanishing_rad"] is not None else heel[-1]
+    end = min(vanishing, math.radians(_not_negative("flooding_deg", flooding_deg)), float(heel[-1]))
+    return HookLoadLoss(
+        curve["side"],
+        math.degrees(start),
+        math.degrees(rest),
+        math.degrees(end),
+        max(-_area(heel, arm, start, rest), 0.0),
+        max(_area(heel, arm, rest, end), 0.0),
+        _not_negative("required", required),
+    )
+
+
+def _hull(scenario: Scenario, body: str | None) -> dict[str, Any]:
+    """The hull of a body, or the only one."""
+    hulls = scenario.hydrostatics["hulls"]
+    found = [hull for hull in hulls if body in (None, hull["body"])]
+    if len(found) != 1:
+        names = ", ".join(hull["body"] for hull in hulls) or "none in this scenario"
+        raise KingpostError(f"body: found {body}, allowed: a hull in the water, {names}")
+    return found[0]
+
+
+def _righting_arm(scenario: Scenario, body: str | None) -> dict[str, Any]:
+    hull = _hull(scenario, body)
+    if hull["righting_arm"] is None:
+        found = "found no mesh in its database, allowed: a mesh"
+        raise KingpostError(f"righting arms of {hull['body']}: {found}")
+    return hull["righting_arm"]
+
+
+def _area(heel: np.ndarray, arm: np.ndarray, start: float, end: float) -> float:
+    """Under the arms from one heel to another, m rad."""
+    if end <= start:
+        return 0.0
+    at = np.unique([start, *heel[(heel > start) & (heel < end)], end])
+    return float(np.trapezoid(np.interp(at, heel, arm), at))
 
 
 def _not_negative(name: str, value: float) -> float:

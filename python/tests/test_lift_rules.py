@@ -1,9 +1,10 @@
-"""The formulas of standards for lifts from a supply vessel."""
+"""The formulas of standards for lifts."""
 
 from __future__ import annotations
 
 import math
 
+import kingpost
 import pytest
 from kingpost import lift_rules
 from kingpost.errors import KingpostError
@@ -29,3 +30,36 @@ def test_sidelead_is_half_of_offlead() -> None:
 def test_a_wave_height_that_is_none_is_refused(wrong: float) -> None:
     with pytest.raises(KingpostError, match=r"significant_height_m: found .*"):
         lift_rules.offlead_m(wrong)
+
+
+def _loss() -> tuple[kingpost.Scenario, kingpost.Scenario]:
+    before = kingpost.load("loss_of_hook_load")
+    return before, before.with_overrides({"bodies.lift.enabled": False, "operation.enabled": False})
+
+
+def test_the_area_that_drives_a_ship_back_is_that_of_a_straight_righting_arm() -> None:
+    """GM (phi_2 - phi_1)^2 / 2: to 5 degrees the arms are straight to phi^2 BM / (2 GM), 1.3 %, and each
+    trapezium is within its own bend."""
+    before, after = _loss()
+    found = lift_rules.hook_load_loss(before, after)
+    stiff = after.hydrostatics["hulls"][0]["metacentric_height_m"][0]
+    angle = math.radians(found.heel_after_deg - found.heel_before_deg)
+    assert found.side == "starboard"
+    assert found.area_1_m_rad == pytest.approx(0.5 * stiff * angle**2, rel=0.03)
+    assert found.area_2_m_rad > 10 * found.area_1_m_rad
+    assert found.held
+
+
+def test_a_ship_that_floods_soon_does_not_hold() -> None:
+    found = lift_rules.hook_load_loss(*_loss(), flooding_deg=9.0)
+    assert found.end_deg == pytest.approx(9.0)
+    assert not found.held
+    assert lift_rules.hook_load_loss(*_loss(), flooding_deg=9.0, required=0.1).held
+
+
+def test_a_scenario_without_a_hull_is_refused() -> None:
+    paper = kingpost.load("paper")
+    with pytest.raises(KingpostError, match="found None, allowed: a hull in the water, none in this"):
+        lift_rules.hook_load_loss(paper, paper)
+    with pytest.raises(KingpostError, match="found tower, allowed: a hull in the water, hull"):
+        lift_rules.hook_load_loss(*_loss(), body="tower")
