@@ -292,6 +292,45 @@ forces:
     assert!((lead / (tension / 0.96 / 0.96) - 1.0).abs() < 1e-4, "{lead}");
 }
 
+/// `T R / eta` hauls in, `T R eta` holds while it pays out; what is lost is heat.
+#[test]
+fn a_winch_with_friction_takes_more_torque_to_haul_in_than_to_pay_out() {
+    for (rate, expected) in [(-1.0, 1.0 / 0.9), (1.0, 0.85)] {
+        let text = format!(
+            "version: 1
+title: A winch with friction
+simulation: {{step_s: 0.01, duration_s: 20, integrator: implicit_midpoint}}
+bodies:
+  block:
+    mass_kg: 2000
+    shape: {{point: {{}}}}
+    joint: {{prismatic: {{name: lift, position_m: [0, 0, -20], axis: [0, 0, 1], damping_N_s_m: 20000}}}}
+  drum:
+    mass_kg: 100
+    shape: {{cylinder: {{radius_m: 0.5, length_m: 1, axis: y}}}}
+    joint: {{revolute: {{name: winch, position_m: [-0.5, 0, 0], axis: [0, 1, 0], mode: {{prescribed: {{rate_rad_s: {rate}}}}}}}}}
+forces:
+  gravity: {{gravity: {{acceleration_m_s2: {GRAVITY}}}}}
+  fall:
+    rope:
+      path:
+        - drum: {{joint: winch, radius_m: 0.5, efficiency_hoisting: 0.9, efficiency_lowering: 0.85}}
+        - point: {{body: block}}
+      axial_stiffness_N: 2e9
+      damping_time_s: 0.02
+"
+        );
+        let mut turning = simulation(&text);
+        turning.step(1000).expect("it turns");
+        let tension = values(&mut turning, "rope_tension")[0];
+        let torque = -values(&mut turning, "joint_force").last().copied().expect("the winch's");
+        // The smoothing over 0.01 m/s leaves 2e-4 of the friction out at 0.5 m/s; strain on the drum adds T / (2 EA), 6e-6.
+        assert!((torque / (0.5 * tension) / expected - 1.0).abs() < 1e-4, "{rate}: {torque} {tension}");
+        let scale = values(&mut turning, "energy_scale")[0];
+        assert!(values(&mut turning, "energy_error")[0].abs() < 1e-6 * scale);
+    }
+}
+
 #[test]
 fn a_rope_parts_at_its_breaking_load_and_its_energy_is_lost() {
     let start = "position_m: [0, 0, -20], velocity_m_s: [0, 0, -2]";

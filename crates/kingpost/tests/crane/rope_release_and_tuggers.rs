@@ -77,6 +77,48 @@ fn a_hand_may_release_a_load_and_it_stays_lost() {
     assert!((values(&mut found, "rope_tension")[0] - 2000.0 * GRAVITY).abs() < 1e-3);
 }
 
+/// `a = (m g - u T / R) / (m + I / R^2)` once the brake has lost all but the share u of its torque T.
+#[test]
+fn a_winch_whose_brake_fails_lets_its_load_run_away() {
+    let text = format!(
+        "version: 1
+title: A winch on its brake
+simulation: {{step_s: 0.001, duration_s: 3}}
+bodies:
+  load:
+    mass_kg: 1000
+    shape: {{point: {{}}}}
+    joint: {{prismatic: {{name: lift, position_m: [0, 0, -20], axis: [0, 0, 1]}}}}
+  drum:
+    mass_kg: 200
+    inertia: {{tensor: {{moments_kg_m2: [20, 25, 20]}}}}
+    joint: {{revolute: {{name: winch, position_m: [-0.5, 0, 0], axis: [0, 1, 0]}}}}
+forces:
+  gravity: {{gravity: {{acceleration_m_s2: {GRAVITY}}}}}
+  fall:
+    rope:
+      path: [{{drum: {{joint: winch, radius_m: 0.5}}}}, {{point: {{body: load}}}}]
+      axial_stiffness_N: 1e8
+      damping_time_s: 0.02
+drives:
+  holding: {{brake: {{joint: winch, torque_N_m: 10000, state: lever}}}}
+operation:
+  steps:
+    - {{name: the brake holds, set: [{{input: holding, to: 1}}], until: {{after_s: 2}}}}
+    - {{name: the brake fails, set: [{{input: holding, to: 0.2}}]}}
+"
+    );
+    let mut found = simulation(&text);
+    found.step(2000).expect("it holds");
+    let creeps = found.state().v[0];
+    assert!(creeps.abs() < 0.01, "{creeps} m/s");
+    found.step(1000).expect("it runs");
+    let exact = -(1000.0 * GRAVITY - 0.2 * 10_000.0 / 0.5) / (1000.0 + 25.0 / 0.25);
+    let gained = found.state().v[0] - creeps;
+    // The rope's own swing, 8 g over 70 rad/s, has died down.
+    assert!((gained / exact - 1.0).abs() < 5e-3, "{gained} m/s, {exact}");
+}
+
 #[test]
 fn a_rope_that_can_be_released_has_a_name_of_its_own() {
     let drive = "drives: {hook: {linear_motor: {joint: spring, force_N: 1, history: lever}}}\n";

@@ -5,6 +5,7 @@ mod path;
 mod station;
 mod tugger_line;
 
+use path::SMOOTHING_M_S;
 pub use path::{Extent, Path};
 pub use station::{Efficiency, Round, Station};
 pub use tugger_line::TuggerLine;
@@ -29,7 +30,7 @@ use crate::spatial::Vector3;
 ///
 /// A drum that turns by theta pays out L = L0 +- R theta. Its torque is R times the tension and R (k e)^2 / (2 EA): what is
 /// wound on stores strain energy, and without this term the rope would make or lose energy as it is paid out under
-/// tension. At the sheaves friction takes its share; damping and friction are heat.
+/// tension. At the sheaves and at the drum friction takes its share; damping and friction are heat.
 #[derive(Clone, Debug)]
 pub struct Rope<S = f64> {
     /// Name in the results.
@@ -65,6 +66,8 @@ pub struct Drum<S = f64> {
     pub paid_out: S,
     /// Its angle at the start, rad.
     pub start: S,
+    /// What friction leaves of the tension while it hauls in, and of the torque while it pays out.
+    pub efficiency: Efficiency<S>,
 }
 
 /// A rope at a moment.
@@ -195,8 +198,9 @@ impl<S: Scalar> Element<S> for Rope<S> {
             loads.wrenches.extend(station.on_body(at, wrench));
         });
         if let Some(drum) = &self.drum {
-            loads.force[drum.coordinate] += drum.paid_out * (first + now.carried);
-            power += now.paid_out * (first + now.carried);
+            let held = first * drum.efficiency.ratio(now.paid_out, SMOOTHING_M_S) + now.carried;
+            loads.force[drum.coordinate] += drum.paid_out * held;
+            power += now.paid_out * held;
         }
         let stored = now.elastic * now.rate - now.carried * now.paid_out;
         loads.power.dissipated += -(power + stored);

@@ -21,8 +21,8 @@ use core::f64::consts::FRAC_PI_2;
 /// The largest angle at a sheave from the middle of its range, rad: 175 degrees.
 const FARTHEST: f64 = 175.0 * core::f64::consts::PI / 180.0;
 
-/// Speed of the rope over a sheave about which the friction changes its sign smoothly, m/s.
-const SMOOTHING_M_S: f64 = 0.01;
+/// Speed of the rope over a sheave or on a drum about which the friction changes its sign smoothly, m/s.
+pub(super) const SMOOTHING_M_S: f64 = 0.01;
 
 /// The stations of a rope in their order, and the memory to evaluate them.
 #[derive(Clone, Debug)]

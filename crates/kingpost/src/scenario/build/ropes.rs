@@ -180,23 +180,26 @@ impl<S: Quantity> Placing<'_, S> {
     }
 
     fn sheave(&self, given: &schema::Sheave<S>) -> Result<Option<Station<S>>, FieldError> {
-        let [hoisting, lowering] =
-            [("hoisting", given.efficiency_hoisting.get()), ("lowering", given.efficiency_lowering.get())];
-        for (which, efficiency) in [hoisting, lowering] {
-            if !efficiency.all(|efficiency| efficiency > 0.0) {
-                let field = format!("{}.efficiency_{which}", self.field);
-                return Err(FieldError::new(field, efficiency, "a number above 0, up to 1"));
-            }
-        }
-        let efficiency = Efficiency { hoisting: hoisting.1, lowering: lowering.1 };
+        let efficiency = self.efficiency(given.efficiency_hoisting.get(), given.efficiency_lowering.get())?;
         let round = Round { axis: Vector3(given.axis.get()).direction(), radius: given.radius_m.get(), efficiency };
         let centre = self.centre(&given.body, given.position_m)?;
         Ok(centre.map(|centre| Station { centre, round: Some(round), falls: S::ONE }))
     }
 
+    fn efficiency(&self, hoisting: S, lowering: S) -> Result<Efficiency<S>, FieldError> {
+        for (which, efficiency) in [("hoisting", hoisting), ("lowering", lowering)] {
+            if !efficiency.all(|efficiency| efficiency > 0.0) {
+                let field = format!("{}.efficiency_{which}", self.field);
+                return Err(FieldError::new(field, efficiency, "a number above 0, up to 1"));
+            }
+        }
+        Ok(Efficiency { hoisting, lowering })
+    }
+
     /// A drum stands on the body that carries its joint.
     fn drum(&self, given: &schema::RopeDrum<S>) -> Result<OnDrum<S>, FieldError> {
         let (field, joint) = (format!("{}.joint", self.field), given.joint.as_str());
+        let efficiency = self.efficiency(given.efficiency_hoisting.get(), given.efficiency_lowering.get())?;
         let revolute = |(_, body): &(&schema::Name, &schema::Body<S>)| matches!(body.joint, schema::Joint::Revolute(_));
         let joints =
             self.scenario.bodies.iter().filter(revolute).map(|(name, body)| super::bodies::joint_name(name, body));
@@ -210,13 +213,9 @@ impl<S: Quantity> Placing<'_, S> {
             PaysOut::WithNegativeRate => -S::ONE,
         };
         let radius = given.radius_m.get();
-        let round = Round {
-            axis: hinge.placement().rotation * hinge.axis() * sign,
-            radius,
-            efficiency: Efficiency { hoisting: S::ONE, lowering: S::ONE },
-        };
+        let round = Round { axis: hinge.placement().rotation * hinge.axis() * sign, radius, efficiency };
         let centre = self.model.attachment(node.parent, Frame::translation(hinge.placement().position));
-        let drum = Drum { position: node.positions, coordinate, paid_out: radius * sign, start: S::ZERO };
+        let drum = Drum { position: node.positions, coordinate, paid_out: radius * sign, start: S::ZERO, efficiency };
         Ok(Some((Station { centre, round: Some(round), falls: S::ONE }, drum)))
     }
 }

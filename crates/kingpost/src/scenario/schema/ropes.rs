@@ -161,6 +161,12 @@ pub struct RopeDrum<S = f64> {
     /// The rate of the joint that pays out rope. The rope leaves the drum on the side that moves along with it then.
     #[serde(default)]
     pub pays_out: PaysOut,
+    /// Tension of the rope times the radius over the torque that hauls it in.
+    #[serde(default = "all::<S>")]
+    pub efficiency_hoisting: Fraction<S>,
+    /// The torque that holds the rope over its tension times the radius while it is paid out.
+    #[serde(default = "all::<S>")]
+    pub efficiency_lowering: Fraction<S>,
 }
 
 /// The rate of a drum's joint that pays out rope.
