@@ -6,6 +6,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 use super::parts::{files, names};
+use super::wording;
 
 /// What is wrong with a field, where its place in the file is not known.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -20,9 +21,11 @@ pub struct FieldError {
 }
 
 impl FieldError {
-    /// An error of this field.
+    /// An error of this field. A text of nothing but blanks is shown in quotes, a number of many zeros by its power of ten.
     pub fn new(field: impl Into<String>, found: impl ToString, allowed: impl Into<String>) -> Self {
-        Self { field: field.into(), found: found.to_string(), allowed: allowed.into() }
+        let found = found.to_string();
+        let found = if found.trim().is_empty() { wording::quoted(&found) } else { wording::with_powers(&found) };
+        Self { field: field.into(), found, allowed: wording::with_powers(&allowed.into()) }
     }
 }
 

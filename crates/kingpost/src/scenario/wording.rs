@@ -36,6 +36,8 @@ pub(super) const UNKNOWN_FIELD: &str = "an unknown field";
 pub(super) const ASSIGNMENT: &str = "name=value";
 
 const LONGEST_QUOTE: usize = 40;
+/// Digits and points of a number that is shown in full, at most.
+const LONGEST_NUMBER: usize = 24;
 
 /// A value as an error shows it.
 pub(super) fn found(value: &Value) -> String {
@@ -62,6 +64,25 @@ pub(super) fn found(value: &Value) -> String {
 fn number(number: &serde_json::Number) -> String {
     let text = number.to_string();
     text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
+}
+
+/// A text whose numbers of very many digits are shown by their powers of ten: 1e300, not 1 with 300 zeros.
+pub(super) fn with_powers(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
+        let (before, number) = rest.split_at(start);
+        let end = number.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(number.len());
+        let (number, behind) = number.split_at(end);
+        shown.push_str(before);
+        match number.parse::<f64>() {
+            Ok(value) if end > LONGEST_NUMBER => shown.push_str(&format!("{value:e}")),
+            _ => shown.push_str(number),
+        }
+        rest = behind;
+    }
+    shown.push_str(rest);
+    shown
 }
 
 /// A text in quotes on one line, shortened where it is long.
@@ -100,7 +121,7 @@ pub(super) fn allowed(expected: &str) -> String {
     let array = expected.strip_prefix("an array of length ");
     match expected {
         "f64" => NUMBER.to_owned(),
-        "u64" => "a whole number not less than 0".to_owned(),
+        "u32" | "u64" | "usize" => "a whole number not less than 0".to_owned(),
         "a boolean" => BOOLEAN.to_owned(),
         "a string" => TEXT.to_owned(),
         "a map" => FIELDS.to_owned(),

@@ -262,6 +262,14 @@ fn a_mistake_in_an_operation_is_refused_at_its_place() {
             "{name: a, until: {any: [{after_s: 1}, {value: {column: slide.joint_postion, above: 2}}]}}",
             "operation.steps.0.until.any.1.value.column: found slide.joint_postion, allowed: ",
         ),
+        (
+            "{name: a, until: {value: {column: \"\", above: 2}}}",
+            "operation.steps.0.until.value.column: found \"\", allowed: a column of the results",
+        ),
+        (
+            "{name: \" \", until: {after_s: 1}}",
+            "operation.steps.0.name: found \" \", allowed: a text that says what is done",
+        ),
     ];
     for (step, expected) in cases {
         refused(&slide(0.01, &format!("operation: {{steps: [{step}]}}\n")), expected);
@@ -288,6 +296,7 @@ fn a_mistake_in_a_limit_is_refused_at_its_place() {
         ),
         ("{column: cage.jont_velocity, at_most: 1}", "limits.a.column: found cage.jont_velocity, allowed: "),
         ("{column: slide.joint_velocity, at_most: 1, unit: deg}", "limits.a.unit: found deg, allowed: m/s"),
+        ("{column: slide.joint_velocity, at_most: 1, unit: \"\"}", "limits.a.unit: found \"\", allowed: m/s"),
     ];
     for (limit, expected) in cases {
         refused(&slide(0.01, &format!("limits: {{a: {limit}}}\n")), expected);

@@ -43,6 +43,13 @@ fn refused(from: &str, to: &str) -> String {
 }
 
 #[test]
+fn falls_are_a_whole_number() {
+    let error = refused("- point: {body: load}", "- point: {body: load, falls: 1.5}");
+    let expected = "forces.fall.rope.path.2.point.falls: found 1.5, allowed: a whole number not less than 0";
+    assert!(error.contains(expected), "{error}");
+}
+
+#[test]
 fn a_path_that_is_none_is_refused_at_its_place() {
     let cases = [
         (

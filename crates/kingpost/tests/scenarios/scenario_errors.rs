@@ -153,6 +153,16 @@ fn a_list_of_another_length_is_refused() {
 }
 
 #[test]
+fn a_number_of_many_digits_is_shown_by_its_power_of_ten() {
+    refuses(
+        "step_s: 0.001",
+        "step_s: 1e-300",
+        "1e-300",
+        "simulation.step_s: found 1e-300, allowed: at least 3e-15 s, for 1e15 steps",
+    );
+}
+
+#[test]
 fn an_axis_without_a_direction_is_refused() {
     refuses(
         "axis: [0, 0, 1]",

@@ -60,6 +60,9 @@ impl Reader<'_> {
         field: &str,
         step: &schema::OperationStep<S>,
     ) -> Result<OperationStep<S>, FieldError> {
+        if step.name.trim().is_empty() {
+            return Err(FieldError::new(format!("{field}.name"), &step.name, "a text that says what is done"));
+        }
         let mut moves: Vec<(usize, Vec<Move<S>>)> = Vec::new();
         let mut last_s: f64 = 0.0;
         for (k, given) in step.set.iter().enumerate() {
