@@ -7,7 +7,7 @@ use super::error::{Fault, ScenarioError};
 use super::files::Files;
 use super::parameters::{self, Override, Target};
 use super::schema::Scenario;
-use super::tree::{Node, segments, value_at};
+use super::tree::{Content, Node, segments, value_at};
 #[cfg(not(target_family = "wasm"))]
 use crate::plant::{Form, Number};
 use crate::simulation::{Setup, Simulation};
@@ -141,7 +141,33 @@ pub(super) fn check_version(tree: &Node) -> Result<(), Fault> {
 /// The types of a scenario over a tree, with the place of the first error.
 pub(super) fn typed(tree: &Node) -> Result<Scenario, Fault> {
     let value = tree.to_value();
-    serde_path_to_error::deserialize(&value).map_err(|error| type_fault(tree, &value, &error))
+    let scenario: Scenario =
+        serde_path_to_error::deserialize(&value).map_err(|error| type_fault(tree, &value, &error))?;
+    // Serde takes the fields of a type from a list too, in the order in which the type happens to have them.
+    let whole = serde_json::to_value(&scenario).unwrap_or_default();
+    list_of_fields(tree, &whole, &mut Vec::new()).map_or(Ok(scenario), Err)
+}
+
+/// The error of the first list that stands where fields have names.
+fn list_of_fields(node: &Node, whole: &Value, path: &mut Vec<String>) -> Option<Fault> {
+    let mut below = |segment: &str, node: &Node, whole: Option<&Value>| {
+        path.push(segment.to_owned());
+        let fault = list_of_fields(node, whole?, path);
+        path.pop();
+        fault
+    };
+    match (&node.content, whole) {
+        (Content::List(_), Value::Object(_)) => {
+            Some(Fault::new(&node.place, path.join("."), wording::found(&node.to_value()), wording::FIELDS))
+        }
+        (Content::List(entries), Value::Array(all)) => {
+            entries.iter().zip(all).enumerate().find_map(|(k, (node, whole))| below(&k.to_string(), node, Some(whole)))
+        }
+        (Content::Fields(fields), Value::Object(all)) => {
+            fields.iter().find_map(|(name, field)| below(name, &field.node, all.get(name)))
+        }
+        _ => None,
+    }
 }
 
 pub(super) type TypeError = serde_path_to_error::Error<serde_json::Error>;
@@ -175,7 +201,8 @@ fn type_fault(tree: &Node, value: &Value, error: &TypeError) -> Fault {
     if let Some(rest) = message.strip_prefix("missing field ") {
         path.extend(wording::names_in_backquotes(rest).first().map(|name| (*name).to_owned()));
     }
-    if let Some(fault) = name_fault(tree, &path, &message).or_else(|| kind_fault(tree, &path, &message)) {
+    let fault = name_fault(tree, &path, &message).or_else(|| kind_fault(tree, &path, &message));
+    if let Some(fault) = fault.or_else(|| list_fault(tree, value, &path)) {
         return fault;
     }
     let own = expected(&message);
@@ -206,6 +233,21 @@ fn kind_fault(tree: &Node, path: &[String], message: &str) -> Option<Fault> {
     };
     let node = tree.at(parent)?;
     Some(Fault::new(&node.place, tree.written_path(parent), wording::found(&node.to_value()), allowed))
+}
+
+/// The error of a list that stands where fields have names: what is wrong inside of it tells nothing.
+fn list_fault(tree: &Node, value: &Value, path: &[String]) -> Option<Fault> {
+    let wants_fields = |path: &[String]| {
+        let mut probed = value.clone();
+        *slot(&mut probed, path)? = serde_json::json!({"?": null});
+        let error = serde_path_to_error::deserialize::<_, Scenario>(&probed).err()?;
+        error.inner().to_string().starts_with("unknown field `?`").then_some(())
+    };
+    (1..=path.len()).map(|end| &path[..end]).find_map(|path| {
+        let node = tree.at(path).filter(|node| matches!(node.content, Content::List(_)))?;
+        wants_fields(path)?;
+        Some(Fault::new(&node.place, tree.written_path(path), wording::found(&node.to_value()), wording::FIELDS))
+    })
 }
 
 /// What was found: the value as written, or the name where that is what is wrong.

@@ -153,6 +153,18 @@ fn a_list_of_another_length_is_refused() {
 }
 
 #[test]
+fn a_list_where_fields_have_names_is_refused() {
+    let refused = |list: &str, found: &str| {
+        let error = format!("bodies.ship.shape.box: found {found}, allowed: named fields");
+        refuses(SHAPE, &format!("shape: {{box: {list}}}"), list, &error);
+    };
+    // Of as many numbers as the box has edges, of fewer, and with something wrong in it.
+    refused("[20, 10, 5.5]", "[20, 10, 5.5]");
+    refused("[20, 10.5]", "[20, 10.5]");
+    refused("[20, 10, wide]", "a list of 3");
+}
+
+#[test]
 fn a_number_of_many_digits_is_shown_by_its_power_of_ten() {
     refuses(
         "step_s: 0.001",
