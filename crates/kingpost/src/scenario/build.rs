@@ -43,7 +43,8 @@ use crate::model::Model;
 use crate::plant::Form;
 use crate::results::Channels;
 use crate::scenario::leaf::Quantity;
-use crate::simulation::{SchemeName, Settings, Setup};
+use crate::simulation::{SchemeName, Settings, Setup, Simulation};
+use crate::spatial::Frame;
 use crate::world::World;
 
 /// Numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
@@ -68,6 +69,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     ropes_at_start::check_loads(&setup)?;
     contacts::check_rest(&setup)?;
     setup.watchers = watchers::of(&setup);
+    check_numbers(scenario, &setup)?;
     Ok(setup)
 }
 
@@ -180,6 +182,27 @@ fn check_recording(setup: &Setup) -> Result<(), FieldError> {
     Ok(())
 }
 
+/// A run begins with a row of numbers: the arithmetic has none beyond 1e308, and squares of 1e154 are there already.
+fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
+    let mut simulation = Simulation::new(setup.clone());
+    let mut row = Vec::new();
+    simulation.write_row(&mut row);
+    let columns = simulation.channels().iter().flat_map(|channel| &channel.columns);
+    let bad: Vec<(&String, f64)> = columns.zip(row).filter(|(_, value)| !value.is_finite()).collect();
+    // What an element shows leads closest to the number that is too large.
+    let owner = |names: Vec<&str>, of: &str| {
+        let first = |(column, _): &&(&String, f64)| names.iter().any(|name| column.split('.').next() == Some(name));
+        bad.iter().find(first).map(|found| (format!("{of}.{}", found.0.split('.').next().unwrap_or_default()), *found))
+    };
+    let named = owner(scenario.forces.keys().map(|name| name.as_str()).collect(), "forces")
+        .or_else(|| owner(scenario.drives.keys().map(|name| name.as_str()).collect(), "drives"))
+        .or_else(|| owner(scenario.bodies.keys().map(|name| name.as_str()).collect(), "bodies"))
+        .or_else(|| bad.first().map(|found| ("bodies".to_owned(), *found)));
+    let Some((field, (column, value))) = named else { return Ok(()) };
+    let found = format!("numbers with which {column} is {value} where the run begins");
+    Err(FieldError::new(field, found, "numbers with which it is finite"))
+}
+
 /// The forces that are on, on bodies that are there.
 fn forces<S: Quantity>(
     scenario: &Scenario<S>,
@@ -229,12 +252,25 @@ fn known<'a>(field: &str, found: &str, names: impl Iterator<Item = &'a str>) -> 
     Err(FieldError::new(field, found, format!("one of {}", names.join(", "))))
 }
 
+/// Bodies stand somewhere: sums and squares of what a joint is given may have no numbers.
+fn check_places(model: &Model, links: &LinkKinematics) -> Result<(), FieldError> {
+    for (body, named) in model.bodies.iter().enumerate() {
+        let Frame { rotation, position } = links.body_frame(model, body);
+        if !rotation.0.iter().flatten().chain(&position.0).all(|x| x.is_finite()) {
+            let field = format!("bodies.{}.joint", flexible::owner(&named.name).0);
+            return Err(FieldError::new(field, "a place that is not finite", "finite places and angles"));
+        }
+    }
+    Ok(())
+}
+
 /// M* must be positive definite where the run begins: a coordinate that moves no mass, or masses
 /// too far apart for the arithmetic, would give accelerations that are no numbers.
 fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let Setup { model, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
+    check_places(model, &links)?;
     let Some(coordinate) = massless_coordinate(model, &links, v) else { return Ok(()) };
     let (body, _) = model.owner(coordinate).unwrap_or_default();
     let (name, coordinate) = (&model.bodies[body].name, &model.coordinate_names()[coordinate]);

@@ -175,6 +175,16 @@ fn a_number_of_many_digits_is_shown_by_its_power_of_ten() {
 }
 
 #[test]
+fn what_the_arithmetic_has_no_number_for_is_refused_where_the_run_begins() {
+    let turned = changed("name: slew\n", "name: slew\n        orientation_rad: [1e200, 0, 0]\n");
+    let error = error_of(&turned);
+    assert!(error.contains("bodies.tower.joint: found a place that is not finite, allowed: "), "{error}");
+    let fast = changed("name: slew\n", "name: slew\n        initial_rate_rad_s: 1e160\n");
+    let error = error_of(&fast);
+    assert!(error.contains(": found numbers with which ") && error.contains(" where the run begins"), "{error}");
+}
+
+#[test]
 fn an_axis_without_a_direction_is_refused() {
     refuses(
         "axis: [0, 0, 1]",
