@@ -32,7 +32,7 @@ pub fn hydrostatics(error: HydrostaticsError) -> JsValue {
 pub fn run(error: RunError) -> JsValue {
     let (message, time_s) = (error.to_string(), error.time_s());
     let kind = match error {
-        RunError::Diverged { .. } => "diverged",
+        RunError::Diverged { .. } | RunError::NoNumber { .. } => "diverged",
         RunError::SingularLoop { .. } => "singular_loop",
         RunError::OpenLoop { .. } => "open_loop",
         RunError::Steering { .. } => "operation",

@@ -1,17 +1,18 @@
 //! Runs of one structure in the lanes of one simulation.
 
 use crate::scalar::Lanes;
-use crate::simulation::{Recording, Run, Setup, Simulation};
+use crate::simulation::{Recording, Run, RunError, Setup, Simulation};
 use crate::state::State;
 
 /// Runs what stands side by side in the lanes of a setup, each of which has its simulation in `alone`; `None` where
 /// `go_on` said no.
 ///
 /// The lanes step together; rows are written by each run's own simulation, which takes over its
-/// lane's state. Where one of them diverges, each goes on alone from its last row.
+/// lane's state. Where one of them diverges, each goes on alone from its last row; one with a row that has no numbers ends
+/// before it.
 pub(super) fn run(setup: Setup<Lanes>, mut alone: Vec<Simulation>, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
     let mut recording = Recording::new(*alone[0].settings(), alone[0].time_s());
-    let mut rows: Vec<Vec<f64>> = vec![Vec::new(); alone.len()];
+    let mut rows = vec![Rows { written: Vec::new(), status: Ok(()) }; alone.len()];
     write_rows(&mut alone, &mut rows);
     let mut together = Simulation::recursive(setup);
     while !recording.is_over(together.state().steps) {
@@ -28,20 +29,23 @@ pub(super) fn run(setup: Setup<Lanes>, mut alone: Vec<Simulation>, go_on: &dyn F
             return None;
         }
     }
-    let run = |(rows, simulation): (Vec<f64>, &Simulation)| simulation.ended(rows, Ok(()));
+    let run = |(rows, simulation): (Rows, &Simulation)| simulation.ended(rows.written, rows.status);
     Some(rows.into_iter().zip(&alone).map(run).collect())
 }
 
 /// The rest of each run by itself, from its last row on.
 fn one_by_one(
     alone: Vec<Simulation>,
-    rows: Vec<Vec<f64>>,
+    rows: Vec<Rows>,
     recording: &Recording,
     go_on: &dyn Fn() -> bool,
 ) -> Option<Vec<Run>> {
-    let finish = |(mut simulation, rows): (Simulation, Vec<f64>)| {
+    let finish = |(mut simulation, rows): (Simulation, Rows)| {
+        if rows.status.is_err() {
+            return Some(simulation.ended(rows.written, rows.status));
+        }
         let mut stopped = false;
-        let run = simulation.finish(rows, recording.clone(), |_| {
+        let run = simulation.finish(rows.written, recording.clone(), |_| {
             stopped = !go_on();
             !stopped
         });
@@ -50,8 +54,23 @@ fn one_by_one(
     alone.into_iter().zip(rows).map(finish).collect()
 }
 
-fn write_rows(simulations: &mut [Simulation], rows: &mut [Vec<f64>]) {
-    simulations.iter_mut().zip(rows).for_each(|(simulation, rows)| simulation.write_row(rows));
+/// The rows of a run, and why no more are written.
+#[derive(Clone)]
+struct Rows {
+    written: Vec<f64>,
+    status: Result<(), RunError>,
+}
+
+fn write_rows(simulations: &mut [Simulation], rows: &mut [Rows]) {
+    for (simulation, rows) in simulations.iter_mut().zip(rows).filter(|(_, rows)| rows.status.is_ok()) {
+        let there = rows.written.len();
+        simulation.write_row(&mut rows.written);
+        rows.status = simulation.check_row(&rows.written[there..]);
+        // The first row stays, so that there is one.
+        if rows.status.is_err() && there > 0 {
+            rows.written.truncate(there);
+        }
+    }
 }
 
 /// Takes over the numbers of one lane.

@@ -29,6 +29,16 @@ pub enum RunError {
         /// `rate_limit`.
         limit: f64,
     },
+    /// A number of a row is not finite.
+    #[error("diverged at {} s: {column} is {value}, allowed: finite numbers", shown(*time_s))]
+    NoNumber {
+        /// The time of the row, s.
+        time_s: f64,
+        /// The column.
+        column: String,
+        /// What it is.
+        value: f64,
+    },
     /// A closed loop has come to a singular position: a dead centre.
     #[error(
         "singular at {} s: constraint {constraint} of loop {name} depends on the others here, or moves nothing \
@@ -129,9 +139,11 @@ impl RunError {
             Self::Diverged { body, coordinate, value, limit, .. } => (body, coordinate, value, limit),
             Self::SingularLoop { name, constraint, pivot, allowed, .. } => (name, constraint, pivot, allowed),
             Self::OpenLoop { name, constraint, gap, allowed, .. } => (name, constraint, gap, allowed),
-            Self::TooManyEvents { .. } | Self::EventNotAlone { .. } | Self::Steering { .. } | Self::Step(_) => {
-                return None;
-            }
+            Self::NoNumber { .. }
+            | Self::TooManyEvents { .. }
+            | Self::EventNotAlone { .. }
+            | Self::Steering { .. }
+            | Self::Step(_) => return None,
         };
         Some((name.clone(), part.clone(), *value, *limit))
     }
@@ -140,6 +152,7 @@ impl RunError {
     pub fn time_s(&self) -> f64 {
         match self {
             Self::Diverged { time_s, .. }
+            | Self::NoNumber { time_s, .. }
             | Self::SingularLoop { time_s, .. }
             | Self::OpenLoop { time_s, .. }
             | Self::TooManyEvents { time_s, .. }

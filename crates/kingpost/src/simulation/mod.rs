@@ -34,7 +34,7 @@ use steering::Steering;
 use watching::Watching;
 
 /// Steps after which a run reports progress even if no row is due.
-pub const PROGRESS_STEPS: u64 = 10_000;
+pub const PROGRESS_STEPS: u64 = 1_000;
 
 /// Edges closer than this share of a step are at the same time.
 const EDGE_SLACK: f64 = 1e-9;
@@ -291,6 +291,9 @@ impl<S: Scalar> Simulation<S> {
     pub fn run(&mut self, progress: impl FnMut(f64) -> bool) -> Run<S> {
         let mut rows = Vec::new();
         self.write_row(&mut rows);
+        if let Err(error) = self.check_row(&rows) {
+            return self.ended(rows, Err(error));
+        }
         let recording = Recording::new(self.settings, self.time_s());
         self.finish(rows, recording, progress)
     }
@@ -306,10 +309,15 @@ impl<S: Scalar> Simulation<S> {
         while !recording.is_over(self.state.steps) {
             let due = recording.due(self.state.steps);
             let steps = (due - self.state.steps).min(PROGRESS_STEPS);
-            let status = self.step(steps as usize);
+            let mut status = self.step(steps as usize);
             let written = rows[rows.len() - columns].value();
             if self.state.steps == due || (status.is_err() && written < self.time_s()) {
+                let there = rows.len();
                 self.write_row(&mut rows);
+                if let Err(error) = self.check_row(&rows[there..]) {
+                    rows.truncate(there);
+                    status = status.and(Err(error));
+                }
                 recording.written(self.time_s());
             }
             if status.is_err() {
@@ -326,6 +334,14 @@ impl<S: Scalar> Simulation<S> {
     pub(crate) fn ended(&self, rows: Vec<S>, status: Result<(), RunError>) -> Run<S> {
         let (columns, events) = (self.columns(), self.events().to_vec());
         Run { rows, columns, events, warnings: self.warnings(), limits: self.limits(), status }
+    }
+
+    /// Whether all numbers of a row are numbers: a state that is finite may give loads and accelerations that are not.
+    pub(crate) fn check_row(&self, row: &[S]) -> Result<(), RunError> {
+        let Some(place) = row.iter().position(|x| !x.all(f64::is_finite)) else { return Ok(()) };
+        let mut columns = self.channels.list.iter().flat_map(|channel| &channel.columns);
+        let column = columns.nth(place).cloned().unwrap_or_default();
+        Err(RunError::NoNumber { time_s: self.time_s(), column, value: row[place].value() })
     }
 
     /// The channels of a row.

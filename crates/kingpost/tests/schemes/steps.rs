@@ -3,6 +3,8 @@
 use crate::common;
 
 use common::paper;
+use kingpost::batch::{self, Variant};
+use kingpost::scenario::Files;
 use kingpost::simulation::{InputError, PROGRESS_STEPS, RunError};
 use kingpost::state::SnapshotError;
 use serde_json::json;
@@ -183,6 +185,42 @@ fn euler_with_a_large_step_diverges_and_keeps_what_it_computed() {
         let again = simulation.step(1);
         assert!(matches!(again, Err(RunError::Diverged { time_s: t, .. }) if t == time_s));
     }
+}
+
+/// 1 kg that a force pushes along a slide: its speed stays a number, its kinetic energy does not.
+const PUSHED: &str = "
+version: 1
+title: A force beyond all forces
+simulation: {step_s: 0.01, duration_s: 1, record_every_s: 0.1, rate_limit: 1e300}
+bodies:
+  mass:
+    mass_kg: 1
+    shape: {sphere: {radius_m: 0.1}}
+    joint: {prismatic: {name: slide, axis: [1, 0, 0]}}
+drives:
+  push: {linear_motor: {joint: slide, force_N: 1}}
+";
+
+#[test]
+fn a_row_that_has_no_numbers_ends_a_run_and_is_not_kept() {
+    let pushed = PUSHED.replace("force_N: 1}", "force_N: 1e158}");
+    let run = common::simulation(&pushed).run(|_| true);
+    let Err(RunError::NoNumber { time_s, ref column, value }) = run.status else { panic!("{:?}", run.status) };
+    assert!((time_s - 0.1).abs() < 1e-12 && !value.is_finite(), "{time_s} {column} {value}");
+    assert_eq!(run.rows.len(), run.columns, "the row of the start");
+    assert!(run.rows.iter().all(|x| x.is_finite()));
+}
+
+#[test]
+fn beside_others_it_ends_that_run_alone() {
+    let forces = [json!(1.0), json!(2.0), json!(1e158), json!(3.0)];
+    let variant = |force: &serde_json::Value| vec![("drives.push.linear_motor.force_N".to_owned(), force.clone())];
+    let variants: Vec<Variant> = forces.iter().map(variant).collect();
+    let batch = batch::run(PUSHED, "pushed.yaml", &Files::default(), &variants, 1, |_| true).expect("they build");
+    let ended: Vec<bool> = batch.runs.iter().map(|run| run.status.is_err()).collect();
+    assert_eq!(ended, [false, false, true, false]);
+    let rows: Vec<usize> = batch.runs.iter().map(|run| run.rows.len() / run.columns).collect();
+    assert_eq!(rows, [11, 11, 1, 11]);
 }
 
 #[test]
