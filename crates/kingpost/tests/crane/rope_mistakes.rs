@@ -43,6 +43,19 @@ fn refused(from: &str, to: &str) -> String {
 }
 
 #[test]
+fn a_rope_that_holds_nothing_is_refused() {
+    let path = "- drum: {joint: winch, radius_m: 0.5}
+        - sheave: {body: world, radius_m: 0.3, axis: [0, 1, 0]}
+        - point: {body: load}";
+    let of = |first: &str| refused(path, &format!("- point: {{{first}}}\n        - point: {{body: load}}"));
+    let one = of("body: load, position_m: [0, 0, 1]");
+    let expected = "forces.fall.rope.path: found places that are all on load, allowed: places on two bodies";
+    assert!(one.contains(expected), "{one}");
+    let short = of("body: world, position_m: [0.3, 0, -3]");
+    assert!(short.contains("forces.fall.rope.path: found a path of 0.0000 m, allowed: one of at least "), "{short}");
+}
+
+#[test]
 fn falls_are_a_whole_number() {
     let error = refused("- point: {body: load}", "- point: {body: load, falls: 1.5}");
     let expected = "forces.fall.rope.path.2.point.falls: found 1.5, allowed: a whole number not less than 0";

@@ -108,6 +108,7 @@ fn lay<S: Quantity>(
         stations.push(found);
     }
     check_falls(path, &field)?;
+    check_bodies(path, &field)?;
     Ok(Laid { stations: stations.into_iter().collect(), drum })
 }
 
@@ -149,6 +150,16 @@ fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
         }
     }
     Ok(())
+}
+
+/// A rope whose places are all on one body holds and moves nothing; one on a drum is wound up there.
+fn check_bodies<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
+    let Some(first) = path.first().and_then(|station| station.on().1) else { return Ok(()) };
+    if path.iter().any(|station| station.on().1 != Some(first)) {
+        return Ok(());
+    }
+    let allowed = "places on two bodies, or on a body and world";
+    Err(FieldError::new(field("path".to_owned()), format!("places that are all on {first}"), allowed))
 }
 
 /// The station of a drum and the drum, where its joint is there.

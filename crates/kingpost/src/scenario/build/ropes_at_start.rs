@@ -15,6 +15,9 @@ const LARGEST_STRAIN: f64 = 0.05;
 /// The largest angle about a sheave at the start, degrees: the rope may turn a little farther.
 const LARGEST_WRAP_DEG: f64 = 260.0;
 
+/// The least length of a path, m: the arithmetic's own is not quite 0 where all places are one.
+const LEAST_LENGTH_M: f64 = 1e-6;
+
 /// A rope that runs straight past a sheave, degrees.
 const ROUNDING_DEG: f64 = 1.0;
 
@@ -72,10 +75,11 @@ fn check_apart<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) ->
 
 fn check_length<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -> Result<(), FieldError> {
     let length = path.extent(at).length;
-    if length.all(|length| length > 0.0) {
+    if length.all(|length| length >= LEAST_LENGTH_M) {
         return Ok(());
     }
-    Err(FieldError::new(format!("{of}.path"), format!("a path of {length} m"), "one longer than 0"))
+    let allowed = format!("one of at least {LEAST_LENGTH_M} m");
+    Err(FieldError::new(format!("{of}.path"), format!("a path of {length:.4} m"), allowed))
 }
 
 /// The rope lies against every sheave, on the side that the axis says.
