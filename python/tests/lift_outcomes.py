@@ -1,0 +1,268 @@
+"""What a scenario comes to: an error in words, a run in numbers, or something that must not be."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import multiprocessing
+import re
+import signal
+import sys
+import time
+from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
+from pathlib import Path
+
+import kingpost
+import numpy as np
+
+STEPS = 12
+"""Steps by hand, before and after a snapshot."""
+LONGEST_RUN_S = 0.5
+"""Of the clock on the wall: a run that takes longer is stopped as by Ctrl-C."""
+LONGEST_CASE_S = 20.0
+"""Of the processor: a case that takes longer hangs."""
+LONGEST_WAIT_S = 600.0
+"""Of the clock, where the machine is busy with other things or its system knows no such signal."""
+MEMORY_BYTES = 4 << 30
+LONGEST_TEXT = 2500
+# What the engine's language prints of itself is no help to who wrote the file.
+NOT_FOR_READERS = re.compile(
+    r"\bSome\(|\bNone\b|\bErr\(|unwrap|panick|RefCell|overflow|invalid (type|value|length)"
+    r"|\busize|\b[iu](8|16|32|64)\b|f64|index out of"
+)
+# file:line:column: field: found ..., allowed: ...
+SAYS = re.compile(r"found .+, allowed: .+", re.DOTALL)
+
+
+class WrongError(Exception):
+    """What must not be."""
+
+
+class StoppedError(Exception):
+    """A run that takes longer than is waited for."""
+
+
+def outcome(text: str, file: str, *, thorough: bool = False) -> str:
+    """``refused``, ``ran``, ``ended early`` or ``stopped``, with the words of the error.
+
+    Raises
+    ------
+    WrongError
+        When an error has no place or no help, or when a run has numbers that are none.
+    """
+    try:
+        scenario = kingpost.Scenario(text, file)
+    except kingpost.ScenarioError as error:
+        check_refusal(error)
+        return f"refused: {error}"
+    simulation = kingpost.Simulation(scenario)
+    check_description(simulation)
+    start = simulation.row()
+    check_numbers(simulation, "at the start")
+    early = check_steps(simulation)
+    simulation.reset()
+    if not same(start, simulation.row()):
+        raise WrongError("reset leads elsewhere than to the start")
+    if thorough:
+        early = check_the_rest(simulation, text) or early
+    return check_run(simulation) or (f"ended early: {early}" if early else "ran")
+
+
+def check_refusal(error: kingpost.ScenarioError) -> None:
+    says = str(error)
+    if not SAYS.search(says):
+        raise WrongError(f"an error that does not say what was found and what is allowed: {says}")
+    if error.line is None and not error.field:
+        raise WrongError(f"an error without a place: {says}")
+    check_words(says.replace(str(error.found), ""))
+    if not str(error.found).strip() or not str(error.allowed).strip():
+        raise WrongError(f"an error with an empty part: {says!r}")
+
+
+def check_words(says: str) -> None:
+    if NOT_FOR_READERS.search(says) or "\n" in says:
+        raise WrongError(f"an error that is not for readers: {says!r}")
+    if len(says) > LONGEST_TEXT:
+        raise WrongError(f"an error of {len(says)} characters: {says[:300]}")
+
+
+def check_description(simulation: kingpost.Simulation) -> None:
+    json.dumps(simulation.scenario.model)
+    names = [channel["variable"] for channel in simulation.channels]
+    if len(names) != len(set(names)):
+        raise WrongError(f"variables of one name: {names}")
+    columns = [column for channel in simulation.channels for column in channel.get("columns", [])]
+    if len(columns) != len(set(columns)):
+        raise WrongError("columns of one name")
+    for value in simulation.inputs.values():
+        if not np.isfinite(value.value):
+            raise WrongError(f"an input that is no number: {value}")
+
+
+def check_numbers(simulation: kingpost.Simulation, when: str) -> None:
+    row = simulation.row()
+    if not np.isfinite(row).all():
+        bad = [
+            channel["variable"]
+            for channel in simulation.channels
+            if not np.isfinite(row[channel["offset"] : channel["offset"] + channel["len"]]).all()
+        ]
+        raise WrongError(f"no numbers {when} in {', '.join(bad)}")
+    if not np.isfinite(simulation.poses()).all():
+        raise WrongError(f"no numbers {when} in the poses")
+    for line in simulation.lines():
+        if not np.isfinite(line.points_m).all():
+            raise WrongError(f"no numbers {when} in the drawing of {line.name}")
+
+
+def check_motion(simulation: kingpost.Simulation) -> None:
+    """Steps that do not fail leave positions and rates that are numbers; rows are looked at in a run."""
+    state = simulation.state
+    if not (
+        np.isfinite(state.q).all() and np.isfinite(state.v).all() and np.isfinite(simulation.poses()).all()
+    ):
+        raise WrongError(f"no numbers in the motion at {simulation.time_s} s")
+
+
+def check_steps(simulation: kingpost.Simulation) -> str:
+    """Steps one by one, a snapshot between; why they end early, if they do."""
+    try:
+        for _ in range(STEPS):
+            simulation.step()
+        check_motion(simulation)
+        snapshot = simulation.snapshot()
+        simulation.step(STEPS)
+    except kingpost.RunError as error:
+        check_end(error)
+        check_motion(simulation)
+        return str(error)
+    check_motion(simulation)
+    there = simulation.row()
+    simulation.restore(snapshot)
+    simulation.step(STEPS)
+    if not same(there, simulation.row()):
+        raise WrongError("a run resumed from a snapshot has other numbers")
+    return ""
+
+
+def check_end(error: kingpost.RunError) -> None:
+    check_words(str(error))
+    if error.time_s is None or not np.isfinite(error.time_s) or len(str(error)) < 20:
+        raise WrongError(f"a run that ends without time or reason: {error}")
+
+
+def check_the_rest(simulation: kingpost.Simulation, text: str) -> str:
+    """Afloat, at rest, linearised: by hand, as the app asks."""
+    says = ""
+    for ask in (simulation.hydrostatics, simulation.settle, simulation.linearize, simulation.mass_matrix):
+        try:
+            ask()
+        except kingpost.KingpostError as error:
+            says = str(error)
+            check_words(says)
+            if len(says) < 20:
+                raise WrongError(f"an error that says nothing: {says!r}") from None
+    simulation.reset()
+    return says
+
+
+def check_run(simulation: kingpost.Simulation) -> str:
+    began = time.monotonic()
+
+    def progress(_: float) -> None:
+        if time.monotonic() - began > LONGEST_RUN_S:
+            raise StoppedError
+
+    why = ""
+    try:
+        results = simulation.run(progress)
+    except kingpost.RunError as error:
+        check_end(error)
+        results, why = error.results, f"ended early: {error}"
+    except StoppedError as error:
+        results, why = error.results, "stopped"  # type: ignore[attr-defined]
+    for name, variable in results.variables.items():
+        if variable.dtype.kind == "f" and not np.isfinite(variable.values).all():
+            raise WrongError(f"no numbers in the results: {name} ({results.attrs['status']})")
+    for attribute in ("events", "warnings", "limits"):
+        for entry in json.loads(results.attrs[attribute]):
+            if re.search(r"\bnan\b|\binf\b|NaN", json.dumps(entry)):
+                raise WrongError(f"no number in {attribute}: {entry}")
+    return why
+
+
+def same(a: np.ndarray, b: np.ndarray) -> bool:
+    return a.tobytes() == b.tobytes()
+
+
+class Apart:
+    """A process that answers what scenarios come to; another takes its place when one dies of its case."""
+
+    def __init__(self) -> None:
+        self.process: BaseProcess | None = None
+
+    def ask(self, text: str, file: str, *, thorough: bool = False) -> str:
+        if self.process is None:
+            self.begin()
+        assert self.process is not None
+        try:
+            self.ends.send((text, file, thorough))
+            return self.ends.recv() if self.ends.poll(LONGEST_WAIT_S) else self.lost("WRONG: it hangs")
+        except (EOFError, OSError):
+            return self.lost("WRONG: the process died")
+
+    def begin(self) -> None:
+        context = multiprocessing.get_context("spawn")
+        self.ends, theirs = context.Pipe()
+        self.process = context.Process(target=answer, args=(theirs,), daemon=True)
+        self.process.start()
+        theirs.close()
+        assert self.ends.recv() == "ready"
+
+    def lost(self, says: str) -> str:
+        assert self.process is not None
+        self.process.kill()
+        self.process.join()
+        too_long = self.process.exitcode == -int(getattr(signal, "SIGPROF", 0))
+        says = f"{says} ({'after' if too_long else 'before'} {LONGEST_CASE_S:g} s, {self.process.exitcode})"
+        self.process = None
+        return says
+
+    def end(self) -> None:
+        if self.process is not None:
+            self.ends.send(None)
+            self.process.join()
+            self.process = None
+
+
+def answer(ends: Connection) -> None:
+    """A process of its own: a case that dies or hangs takes only this one along."""
+    import xarray  # noqa: F401  # It takes seconds, and no case is to be blamed for them.
+
+    with contextlib.suppress(ImportError, ValueError):
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
+    ends.send("ready")
+    while (asked := ends.recv()) is not None:
+        text, file, thorough = asked
+        # Of the processor, whatever else the machine does; the signal ends a process in compiled code too.
+        if hasattr(signal, "setitimer"):
+            signal.setitimer(signal.ITIMER_PROF, LONGEST_CASE_S)
+        try:
+            said = outcome(text, file, thorough=thorough)
+        except WrongError as wrong:
+            said = f"WRONG: {wrong}"
+        # A panic of the engine is no `Exception`.
+        except BaseException as error:
+            said = f"WRONG: {type(error).__module__}.{type(error).__name__}: {error}"
+            if isinstance(error, KeyboardInterrupt):
+                raise
+        ends.send(said)
+
+
+if __name__ == "__main__":
+    # The scenario in a file, as `python lift_outcomes.py case.yaml`.
+    path = Path(sys.argv[1])
+    print(outcome(path.read_text(encoding="utf-8"), str(path), thorough=True))
