@@ -158,10 +158,12 @@ def test_a_count_of_steps_that_is_none_is_refused(n):
 def test_a_database_of_ones_own_that_is_not_there_is_not_replaced_by_the_gallerys(tmp_path, capsys):
     """Source: another hull of the same name is another ship; the error says where the file should be."""
     path = tmp_path / "sphere.yaml"
-    path.write_text(kingpost.load("sphere_decay").text)
+    text = kingpost.load("sphere_decay").text
+    path.write_text(text.replace("gallery:hydro/", "hydro/"))
     assert main(["check", str(path)]) == 2
     says = one_line(capsys.readouterr().err)
     assert "forces.water.hydrodynamics.database: found no file hydro/sphere.hydro.json" in says
     assert f"looked for {tmp_path / 'hydro' / 'sphere.hydro.json'}" in says
-    # By its name, or by its path in the gallery's folder, the gallery's own has its database.
-    assert kingpost.load(kingpost.gallery.find("sphere_decay")).files.keys() == {"hydro/sphere.hydro.json"}
+    # The gallery's own names the gallery's, from wherever it lies.
+    path.write_text(text)
+    assert kingpost.load(path).files.keys() == {"gallery:hydro/sphere.hydro.json"}
