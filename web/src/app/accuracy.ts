@@ -1,7 +1,7 @@
 import type { Columns } from "../engine/columns";
 
 export interface Errors {
-  /** Energy error over the largest energy in play so far; NaN before anything moves. */
+  /** Energy error over the largest energy in play so far; NaN while that is lost in the rounding of what is stored. */
   energy: number;
   /** Momentum error over the largest angular momentum in play so far; NaN before anything turns. */
   momentum: number;
@@ -11,28 +11,40 @@ export interface Errors {
   momentum_N_m_s: number;
 }
 
+/** Energy in play counts from so many roundings of the stored energy on: a rounding is then a thousandth of it. */
+const ROUNDINGS = 1000;
+
 /** Puts the engine's energy and momentum errors in proportion to its scales of them, the largest so far. */
 export class Accuracy {
   private energy_J = 0;
+  private stored_J = 0;
   private momentum_N_m_s = 0;
 
   constructor(private readonly columns: Columns) {}
 
   /** Takes one row into account. */
   see(row: ArrayLike<number>): void {
-    const [energy_J, momentum_N_m_s] = ["energy_scale", "momentum_scale"].map((name) => this.columns.read(row, name));
-    if (energy_J > this.energy_J) this.energy_J = energy_J;
-    if (momentum_N_m_s > this.momentum_N_m_s) this.momentum_N_m_s = momentum_N_m_s;
+    const read = (name: string): number => this.columns.read(row, name);
+    this.energy_J = larger(this.energy_J, read("energy_scale"));
+    this.stored_J = larger(this.stored_J, Math.abs(read("potential_energy")));
+    this.momentum_N_m_s = larger(this.momentum_N_m_s, read("momentum_scale"));
   }
 
   errors(row: ArrayLike<number>): Errors {
     const energy_J = Math.abs(this.columns.read(row, "energy_error"));
     const momentum_N_m_s = Math.abs(this.columns.read(row, "momentum_error"));
+    // A ship at rest stores 1e8 J, which a double has to 1e-8 J, and moves by less.
+    const isInPlay = this.energy_J > ROUNDINGS * Number.EPSILON * this.stored_J;
     return {
-      energy: this.energy_J > 0 ? energy_J / this.energy_J : NaN,
+      energy: isInPlay ? energy_J / this.energy_J : NaN,
       momentum: this.momentum_N_m_s > 0 ? momentum_N_m_s / this.momentum_N_m_s : NaN,
       energy_J,
       momentum_N_m_s,
     };
   }
+}
+
+/** The first where the second is no number. */
+function larger(known: number, found: number): number {
+  return found > known ? found : known;
 }

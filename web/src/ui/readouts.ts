@@ -31,8 +31,8 @@ export class Readouts {
     run.accuracy.see(frame.row);
     const errors = run.accuracy.errors(frame.row);
     setText(this.time, `${fixed(run.columns.read(frame.row, "time"), 2)} s`);
-    setText(this.energy, relative(errors.energy, errors.energy_J));
-    setText(this.momentum, relative(errors.momentum, errors.momentum_N_m_s));
+    setText(this.energy, relative(errors.energy, errors.energy_J, `${scientific(errors.energy_J)} J`));
+    setText(this.momentum, relative(errors.momentum, errors.momentum_N_m_s, "–"));
     this.energy.title = `${scientific(errors.energy_J)} J`;
     this.momentum.title = `${scientific(errors.momentum_N_m_s)} N m s`;
     setText(this.energyAbsolute, this.energy.title);
@@ -40,7 +40,8 @@ export class Readouts {
   }
 }
 
-/** Before anything has moved there is nothing to be in proportion to: no error is 0. */
-function relative(value: number, absolute: number): string {
-  return scientific(Number.isNaN(value) && absolute === 0 ? 0 : value);
+/** Before anything has moved there is nothing to be in proportion to: no error is 0, and another is as it is. */
+function relative(value: number, absolute: number, inItself: string): string {
+  if (Number.isNaN(value)) return absolute === 0 ? "0" : inItself;
+  return scientific(value);
 }
