@@ -134,7 +134,7 @@ class Simulation:
         """What was set by hand as the ``operation`` of a scenario: a run with it gives the same bits.
 
         It has what `set_input` has set in this simulation since its start or its last `reset`; what came
-        before a `restore` of another's snapshot is not in it.
+        before a `restore` of another's snapshot is not in it, and no parameter that was set under way.
 
         Raises
         ------
@@ -150,10 +150,7 @@ class Simulation:
         >>> bool((replayed.state.q == by_hand.state.q).all())
         True
         """
-        if (self.scenario.resolved.get("operation") or {}).get("enabled"):
-            raise KingpostError("operation: found one in the scenario, allowed: operation.enabled: false")
-        moves = [{"input": move.input, "to": move.value, "at_s": move.time_s} for move in self.lever_moves]
-        return {"steps": [{"name": "by hand", "set": moves}]}
+        return json.loads(self._engine.operation_json())
 
     @property
     def time_s(self) -> float:

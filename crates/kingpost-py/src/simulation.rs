@@ -162,6 +162,12 @@ impl Simulation {
         self.inner.lever_moves().into_iter().map(|one| (one.time_s, one.input, one.value)).collect()
     }
 
+    /// What a hand has set so far as an operation, as JSON.
+    fn operation_json(&self) -> PyResult<String> {
+        let operation = self.scenario.operation_by_hand(&self.inner).map_err(errors::input)?;
+        serde_json::to_string(&operation).map_err(errors::input)
+    }
+
     fn lines_json(&self) -> PyResult<String> {
         serde_json::to_string(&self.inner.lines()).map_err(errors::input)
     }

@@ -108,6 +108,21 @@ impl Simulation {
         self.inner.set_input(name, value).map_err(thrown::input)
     }
 
+    /// What a hand has set so far: time, input and value of each.
+    pub fn lever_moves_json(&self) -> Result<JsString, JsValue> {
+        json(&self.inner.lever_moves())
+    }
+
+    /// Parameters set since the run began: time and name of each. No replay has them.
+    pub fn parameters_set_json(&self) -> Result<JsString, JsValue> {
+        json(&self.inner.parameters_set())
+    }
+
+    /// The scenario as it was steered: resolved, with what a hand has set as its operation.
+    pub fn replay_json(&self) -> Result<JsString, JsValue> {
+        Ok(self.scenario.replay(&self.inner).map_err(thrown::input)?.to_json().into())
+    }
+
     /// Sets a live parameter, by a value in JSON, from the next step on.
     pub fn set_parameter(&mut self, name: &str, value_json: &str) -> Result<(), JsValue> {
         let value = serde_json::from_str(value_json).map_err(thrown::input)?;

@@ -17,6 +17,7 @@ mod parse;
 mod parts;
 pub mod range;
 pub(crate) mod read;
+mod replay;
 pub mod schema;
 pub mod text;
 mod ties;

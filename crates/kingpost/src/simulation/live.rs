@@ -52,6 +52,7 @@ impl Simulation {
         core::mem::swap(&mut next.watch, &mut self.watch);
         core::mem::swap(&mut next.limits, &mut self.limits);
         core::mem::swap(&mut next.steering, &mut self.steering);
+        next.steering.parameter_set(next.state.steps, what);
         next.watch.note(next.state.steps, Happened { time_s, element: what.to_owned(), what: "was set".into() });
         *self = next;
         Ok(())

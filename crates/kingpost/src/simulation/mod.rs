@@ -18,7 +18,7 @@ pub use events::Happened;
 pub use limits::{Limit, LimitResult};
 pub use settle::{Equilibrium, Instability, NoEquilibrium};
 pub use setup::{SchemeName, Settings, Setup};
-pub use steering::LeverMove;
+pub use steering::{LeverMove, ParameterSet};
 
 use crate::elements::Layout;
 use crate::integrate::{Interval, Scheme, Stage, System};

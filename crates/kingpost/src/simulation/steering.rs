@@ -17,7 +17,16 @@ pub struct LeverMove {
     pub value: f64,
 }
 
-/// Working memory to steer, and the moves of levers.
+/// A parameter that was set while the run went on.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ParameterSet {
+    /// The end of the last step before, s.
+    pub time_s: f64,
+    /// Its name.
+    pub parameter: String,
+}
+
+/// Working memory to steer, the moves of levers and the parameters set under way.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steering<S> {
     /// By steering element: the columns that it reads.
@@ -26,6 +35,8 @@ pub(super) struct Steering<S> {
     inputs: Vec<S>,
     /// After so many steps, an input in d, its value.
     moves: Vec<(u64, usize, f64)>,
+    /// After so many steps, a parameter.
+    parameters: Vec<(u64, String)>,
 }
 
 impl<S: Scalar> Steering<S> {
@@ -41,9 +52,16 @@ impl<S: Scalar> Steering<S> {
         self.moves.push((steps, input, value));
     }
 
-    /// Takes back the moves after so many steps.
+    /// A parameter was set. Of several times between two steps the last counts.
+    pub(super) fn parameter_set(&mut self, steps: u64, name: &str) {
+        self.parameters.retain(|(at, set)| (*at, set.as_str()) != (steps, name));
+        self.parameters.push((steps, name.to_owned()));
+    }
+
+    /// Takes back what was set after so many steps.
     pub(super) fn forget_after(&mut self, steps: u64) {
         self.moves.retain(|&(at, ..)| at <= steps);
+        self.parameters.retain(|&(at, _)| at <= steps);
     }
 }
 
@@ -79,5 +97,14 @@ impl<S: Scalar> Simulation<S> {
             value,
         };
         self.steering.moves.iter().map(lever_move).collect()
+    }
+
+    /// Parameters set since the run began, in order of time: [`lever_moves`](Self::lever_moves) alone do not lead here again.
+    pub fn parameters_set(&self) -> Vec<ParameterSet> {
+        let set = |(steps, name): &(u64, String)| ParameterSet {
+            time_s: *steps as f64 * self.settings.step_s,
+            parameter: name.clone(),
+        };
+        self.steering.parameters.iter().map(set).collect()
     }
 }

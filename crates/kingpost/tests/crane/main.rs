@@ -10,6 +10,7 @@ mod contacts;
 mod controlled_drives;
 mod cylinders;
 mod operations;
+mod replays;
 mod rope_leads;
 mod rope_mistakes;
 mod rope_motions;

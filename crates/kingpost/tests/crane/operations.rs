@@ -10,7 +10,7 @@ use kingpost::scenario::{Files, read};
 use kingpost::simulation::InputError;
 
 /// A cage of 2 kg on a slide that a force of up to 10 N pushes by a lever, and an operation.
-fn slide(step_s: f64, rest: &str) -> String {
+pub fn slide(step_s: f64, rest: &str) -> String {
     format!(
         "version: 1
 title: A slide
@@ -27,7 +27,7 @@ drives:
 }
 
 /// 1 s at full force, coasting until the cage is beyond 4 m, braking until it stands, and then nothing.
-const PUSH_COAST_BRAKE: &str = "operation:
+pub const PUSH_COAST_BRAKE: &str = "operation:
   steps:
     - {name: push, set: [{input: push, to: 1}], until: {after_s: 1}}
     - {name: coast, set: [{input: push, to: 0}], until: {value: {column: slide.joint_position, above: 4}}}
@@ -35,7 +35,7 @@ const PUSH_COAST_BRAKE: &str = "operation:
     - {name: rest, set: [{input: push, to: 0}]}
 ";
 
-fn run(text: &str) -> Simulation {
+pub fn run(text: &str) -> Simulation {
     let mut simulation = simulation(text);
     simulation.run(|_| true).status.expect("it ends");
     simulation
@@ -135,30 +135,6 @@ fn a_condition_that_never_comes_ends_the_run_and_is_named() {
     );
     // What was computed stays.
     assert_eq!(run.rows.len() / run.columns, 51);
-}
-
-#[test]
-fn what_a_hand_set_replays_as_an_operation_to_the_same_bits() {
-    let free = slide(0.01, "");
-    let mut by_hand = simulation(&free);
-    for (steps, value) in [(13, 0.7), (0, 0.3), (57, -1.0), (20, 0.123_456_789), (100, 0.0)] {
-        by_hand.step(steps).expect("it moves");
-        by_hand.set_input("push", value).expect("it is a lever");
-    }
-    by_hand.step(210).expect("it moves");
-    // Of two moves between the same steps the last counts.
-    let moves: Vec<String> = by_hand
-        .lever_moves()
-        .iter()
-        .map(|one| format!("{{input: {}, to: {}, at_s: {}}}", one.input, one.value, one.time_s))
-        .collect();
-    assert_eq!(moves.len(), 4);
-    let steps = format!("operation: {{steps: [{{name: by hand, set: [{}]}}]}}\n", moves.join(", "));
-    let replayed = run(&slide(0.01, &steps));
-    assert_eq!(replayed.state().q, by_hand.state().q);
-    assert_eq!(replayed.state().v, by_hand.state().v);
-    by_hand.reset();
-    assert!(by_hand.lever_moves().is_empty());
 }
 
 #[test]

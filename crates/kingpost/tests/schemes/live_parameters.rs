@@ -170,3 +170,26 @@ fn the_described_model_says_which_parameters_are_live() {
     assert_eq!(live, ["wind_m_s", "bob_t", "push", "pushes", "step_s"]);
     assert_eq!(described[0].value, json!(9.0));
 }
+
+#[test]
+fn parameters_set_under_way_are_known_until_a_reset_and_back_to_a_snapshot() {
+    let (mut scenario, mut simulation) = boat(&[]);
+    let known = |simulation: &Simulation| {
+        simulation.parameters_set().into_iter().map(|set| (set.time_s, set.parameter)).collect::<Vec<_>>()
+    };
+    simulation.step(10).unwrap();
+    assert_eq!(known(&simulation), []);
+    let set = |time_s: f64, name: &str| (time_s, name.to_owned());
+    for wind in [20, 25] {
+        scenario.set_parameter(&mut simulation, "wind_m_s", &json!(wind)).unwrap();
+    }
+    let snapshot = simulation.snapshot();
+    simulation.step(40).unwrap();
+    scenario.set_parameter(&mut simulation, "push", &json!(-150)).unwrap();
+    scenario.set_parameter(&mut simulation, "push", &json!(200)).unwrap();
+    assert_eq!(known(&simulation), [set(0.1, "wind_m_s"), set(0.5, "push")]);
+    simulation.restore(&snapshot).unwrap();
+    assert_eq!(known(&simulation), [set(0.1, "wind_m_s")]);
+    simulation.reset();
+    assert_eq!(known(&simulation), []);
+}
