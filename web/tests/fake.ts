@@ -109,6 +109,18 @@ export class FakeEngine implements Engine {
     throw { kind: "input", message: `no input is named ${name}` };
   }
 
+  lever_moves_json(): string {
+    return "[]";
+  }
+
+  parameters_set_json(): string {
+    return JSON.stringify(this.set.map(() => ({ time_s: this.time_s(), parameter: "wind" })));
+  }
+
+  replay_json(): string {
+    return JSON.stringify({ version: 1, title: "A box", simulation: { duration_s: 3 } });
+  }
+
   set_parameter(name: string, valueJson: string): void {
     if (name !== "wind") throw { kind: "input", message: `parameter ${name}: takes effect where a run begins` };
     this.set.push(JSON.parse(valueJson));

@@ -34,6 +34,7 @@ function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
     advance: (wall_s: number, speed: number) => later(() => runner.advance(wall_s, speed)),
     step: () => later(() => runner.step()),
     input: (name: string, value: number) => later(() => (runner.input(name, value), null)),
+    replay: () => later(() => ({ ...runner.replay(), files: [] })),
     parameter: (name: string, value: Value) => later(() => (runner.parameter(name, value), null)),
   } as unknown as EngineClient;
 }
@@ -64,6 +65,25 @@ describe("the session", () => {
     expect(session.value("wind")).toBe(12);
     expect(openings.length).toBe(1);
     expect(engines.at(-1)?.set).toEqual([9, 12]);
+    expect(session.status).toBe("paused");
+  });
+
+  it("saves the run in hand as a file, and knows which live values a run of it would lack", async () => {
+    await session.step();
+    expect(await session.save()).toMatchObject({ name: "good-saved.yaml", differs: null });
+    session.set("wind", 9);
+    await settled();
+    expect((await session.save())!.differs).toContain("wind at 0.01 s");
+    expect(session.fault).toBeNull();
+  });
+
+  it("reports why a run cannot be saved, and goes on", async () => {
+    engines.at(-1)!.replay_json = () => {
+      throw { kind: "input", message: "operation: found one in the scenario, allowed: operation.enabled: false" };
+    };
+    expect(await session.save()).toBeNull();
+    expect(session.fault?.kind).toBe("unsaved");
+    await session.step();
     expect(session.status).toBe("paused");
   });
 

@@ -4,6 +4,8 @@ import type { Channel, DrawnLine, Fault, Hydrostatics, InputInfo, ModelInfo, Val
 import type { Frame, Opened } from "../engine/messages";
 import { Accuracy } from "./accuracy";
 import { faultOfControl } from "./faults";
+import { faultOfSaving, savedFile } from "./saved";
+import type { SavedFile } from "./saved";
 
 /** idle: at the start; stopped: the run cannot go on. */
 export type Status = "loading" | "idle" | "running" | "paused" | "stopped";
@@ -124,6 +126,18 @@ export class Session {
 
   async setInput(name: string, value: number): Promise<void> {
     await this.client.input(name, value).catch((fault: Fault) => this.report(fault));
+  }
+
+  /** The run in hand as a scenario file; null where it cannot be one, which is reported. */
+  async save(): Promise<SavedFile | null> {
+    try {
+      const { source } = this;
+      const replay = await this.client.replay();
+      return source && savedFile(source.file, replay);
+    } catch (fault) {
+      this.report(faultOfSaving(fault as Fault));
+      return null;
+    }
   }
 
   /** Names of the values that wait for a reset. */

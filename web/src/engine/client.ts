@@ -45,6 +45,11 @@ export class EngineClient {
     return this.ask({ kind: "parameter", name, value });
   }
 
+  /** The run in hand as a scenario. */
+  replay(): Promise<Replies["replay"]> {
+    return this.ask({ kind: "replay" });
+  }
+
   private ask<K extends Request["kind"]>(request: Request & { kind: K }): Promise<Replies[K]> {
     const id = ++this.lastId;
     return new Promise((resolve, reject) => {

@@ -101,6 +101,12 @@ export interface Engine {
   resolved_json(): string;
   inputs_json(): string;
   set_input(name: string, value: number): void;
+  /** What a hand has set so far. */
+  lever_moves_json(): string;
+  /** Parameters set since the run began, which no replay has. */
+  parameters_set_json(): string;
+  /** The scenario with what a hand has set as its operation; throws where one of its own is on. */
+  replay_json(): string;
   /** Sets a live parameter from the next step on; throws where the run would have to begin anew. */
   set_parameter(name: string, valueJson: string): void;
   free(): void;

@@ -11,6 +11,10 @@ const OF_SCENARIOS = [/(^|[{,\s])"?parts"?\s*:/m, /(^|[{,\s])"?bodies"?\s*:/m];
 /** What the names of the gallery's files begin with. */
 const GALLERY = "gallery:";
 
+export function isOfGallery(name: string): boolean {
+  return name.startsWith(GALLERY);
+}
+
 /** Which of some files is the scenario that names the others; undefined where none can be. */
 export function scenarioAmong(texts: Texts): string | undefined {
   const names = Object.keys(texts).filter((name) => !NO_SCENARIOS.some((ending) => name.endsWith(ending)));
@@ -38,8 +42,8 @@ export async function gathered(
  * scenario, for a file of the same name in the gallery would be another, else from the gallery's folder too.
  */
 export async function textsOf(names: readonly string[], opened: Texts | null, gallery: ScenarioFiles): Promise<Texts> {
-  const own = names.filter((name) => !name.startsWith(GALLERY));
-  const shared = names.filter((name) => name.startsWith(GALLERY)).map((name) => name.slice(GALLERY.length));
+  const own = names.filter((name) => !isOfGallery(name));
+  const shared = names.filter(isOfGallery).map((name) => name.slice(GALLERY.length));
   const found = Object.entries(await gallery.take(shared)).map(([name, text]) => [GALLERY + name, text]);
   return { ...Object.fromEntries(found), ...(opened ? openedWith(own, opened) : await gallery.take(own)) };
 }

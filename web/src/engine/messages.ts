@@ -18,6 +18,7 @@ export type Request =
   | { kind: "step" }
   | { kind: "hydrostatics" }
   | { kind: "input"; name: string; value: number }
+  | { kind: "replay" }
   | { kind: "parameter"; name: string; value: Value };
 
 /** What a stretch of simulation produced. */
@@ -47,6 +48,21 @@ export interface Opened {
   frame: Frame;
 }
 
+/** A run as a scenario: what was set and driven by hand in it. */
+export interface Replay {
+  /** Resolved, as JSON, for a run of its own. */
+  scenario: string;
+  /** How far the run is. */
+  time_s: number;
+  integrator: string;
+  /** How often a hand set a lever. */
+  moves: number;
+  /** Set under way: the scenario has their last values from the start. */
+  parameters: { time_s: number; parameter: string }[];
+  /** Files that it names beside those of the gallery. */
+  files: string[];
+}
+
 export interface Replies {
   open: Opened;
   advance: Frame;
@@ -54,6 +70,7 @@ export interface Replies {
   hydrostatics: Hydrostatics;
   input: null;
   parameter: null;
+  replay: Replay;
 }
 
 export type Reply = { id: number; value: unknown } | { id: number; fault: Fault };

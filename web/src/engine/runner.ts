@@ -1,6 +1,6 @@
 import { asFault, readModel, readSettings } from "./engine";
 import type { Engine, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
-import type { Frame, Opened } from "./messages";
+import type { Frame, Opened, Replay } from "./messages";
 import { SurfaceGrid } from "./surface";
 
 /** Longest stretch of wall time that one frame may catch up with, s: a slow machine runs slowly. */
@@ -77,6 +77,18 @@ export class Runner {
 
   parameter(name: string, value: Value): void {
     this.current().set_parameter(name, JSON.stringify(value));
+  }
+
+  /** The run as a scenario, but for the files that it names. */
+  replay(): Omit<Replay, "files"> {
+    const engine = this.current();
+    return {
+      scenario: engine.replay_json(),
+      time_s: engine.time_s(),
+      integrator: readSettings(engine.resolved_json()).integrator,
+      moves: (JSON.parse(engine.lever_moves_json()) as unknown[]).length,
+      parameters: JSON.parse(engine.parameters_set_json()) as Replay["parameters"],
+    };
   }
 
   private current(): Engine {

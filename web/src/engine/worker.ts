@@ -1,8 +1,8 @@
 import init, { file_names, Simulation } from "./pkg/kingpost_wasm.js";
 import moduleUrl from "./pkg/kingpost_wasm_bg.wasm?url";
 import { asFault } from "./engine";
-import { fetchText, gathered, ScenarioFiles, textsOf } from "./files";
-import type { Frame, OpenRequest, Reply, Request } from "./messages";
+import { fetchText, gathered, isOfGallery, ScenarioFiles, textsOf } from "./files";
+import type { Frame, OpenRequest, Replay, Reply, Request } from "./messages";
 import { Runner } from "./runner";
 
 /** The part of a worker's global scope that is used here. */
@@ -31,6 +31,13 @@ async function filesOf({ text, file, overrides, opened, folder }: OpenRequest): 
   );
 }
 
+/** The run in hand as a scenario, with the names of the files that must lie beside it. */
+function replay(): Replay {
+  const found = runner.replay();
+  const names = JSON.parse(file_names(found.scenario, "", "{}", "{}")) as string[];
+  return { ...found, files: names.filter((name) => !isOfGallery(name)) };
+}
+
 async function answer(request: Request): Promise<unknown> {
   switch (request.kind) {
     case "open":
@@ -44,6 +51,8 @@ async function answer(request: Request): Promise<unknown> {
     case "input":
       runner.input(request.name, request.value);
       return null;
+    case "replay":
+      return replay();
     case "parameter":
       runner.parameter(request.name, request.value);
       return null;

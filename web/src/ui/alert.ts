@@ -23,6 +23,9 @@ const HEADINGS: Record<string, string> = {
   open_loop: "A closed loop does not close",
   step: "The integrator cannot go on",
   input: "That value is not allowed",
+  operation: "The operation cannot go on",
+  saved: "Saved, but a run of the file differs",
+  unsaved: "The scenario cannot be saved",
 };
 
 function lines(fault: Fault): HTMLElement[] {

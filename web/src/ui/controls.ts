@@ -42,7 +42,8 @@ export class Controls {
     const taken = inputs.filter((input) => input.signal);
     const words = taken.map((input) => `${input.name.replaceAll("_", " ")} by ${input.signal}`).join(", ");
     const note = taken.length > 0 ? make("p", { class: "muted" }, `Set by the scenario: ${words}.`) : null;
-    this.levers.replaceChildren(...[free, note].filter((one) => one !== null));
+    const kept = free ? make("p", { class: "muted" }, "Save scenario keeps the lever moves as an operation.") : null;
+    this.levers.replaceChildren(...[free, kept, note].filter((one) => one !== null));
   }
 
   private item(parameter: ParameterInfo): Item {

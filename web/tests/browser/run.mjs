@@ -9,6 +9,7 @@ import faults from "./faults.mjs";
 import gestures from "./gestures.mjs";
 import layout from "./layout.mjs";
 import numbers from "./numbers.mjs";
+import saving from "./saving.mjs";
 import scenarios from "./scenarios.mjs";
 import sea from "./sea.mjs";
 
@@ -30,7 +31,7 @@ if (!existsSync(DIST)) {
 
 const wanted = process.argv[2] ?? "";
 // The longest, that of the whole gallery, first.
-const tests = Object.entries({ ...scenarios, ...numbers, ...controls, ...gestures, ...faults, ...layout, ...sea }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...scenarios, ...numbers, ...controls, ...gestures, ...faults, ...layout, ...saving, ...sea }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];

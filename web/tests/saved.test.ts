@@ -1,0 +1,104 @@
+import { describe, expect, it } from "vitest";
+import { faultOfSaving, savedFile } from "../src/app/saved";
+import { yamlOf } from "../src/app/yaml";
+import { Columns } from "../src/engine/columns";
+import type { Values } from "../src/engine/engine";
+import { resolved, Simulation } from "../src/engine/pkg/kingpost_wasm.js";
+import { Runner } from "../src/engine/runner";
+import { bits, filesOf, gallery, initEngine, read } from "./gallery";
+
+await initEngine();
+
+const simulationOf = async (text: string, file: string, overrides: Values = {}) =>
+  new Simulation(text, file, JSON.stringify(overrides), await filesOf(text));
+
+/** A scenario of the gallery, opened as the app opens it. */
+async function opened(name: string, overrides: Values = {}) {
+  const text = read(`scenarios/${name}.yaml`);
+  const runner = new Runner((...of) => new Simulation(...of), () => 0);
+  const { channels } = runner.open(text, `${name}.yaml`, overrides, JSON.parse(await filesOf(text)));
+  const columns = new Columns(channels);
+  const save = () => savedFile(`${name}.yaml`, { ...runner.replay(), files: [] });
+  const step = (times: number) => Array.from({ length: times }, () => runner.step()).at(-1)!;
+  return { runner, columns, save, step };
+}
+
+/** Columns of a run of a saved file, at a time. */
+async function ran(text: string, time_s: number): Promise<Record<string, number>> {
+  const simulation = await simulationOf(text, "saved.yaml");
+  simulation.step(Math.round(time_s / simulation.step_s()));
+  return new Columns(JSON.parse(simulation.channels_json())).byName(simulation.row());
+}
+
+function expectSameBits(again: Record<string, number>, first: Record<string, number>) {
+  expect(Object.keys(again)).toEqual(expect.arrayContaining(Object.keys(first)));
+  for (const [name, value] of Object.entries(first)) expect([name, ...bits([again[name]])]).toEqual([name, ...bits([value])]);
+}
+
+it.each(gallery)("is the scenario that was loaded, wherever it lies: %s", async (name) => {
+  const text = read(`scenarios/${name}.yaml`);
+  const json = (await simulationOf(text, name)).resolved_json();
+  const saved = yamlOf(json);
+  expect(resolved(saved, "saved.yaml", "{}", await filesOf(saved))).toBe(json);
+});
+
+describe("a saved scenario", () => {
+  it.each([
+    ["lowering_by_winch", { waves: true, load_t: 13.7 }, ["hoist"]],
+    ["lift_off_from_barge", { timeline: false, significant_height_m: 0.7 }, ["hoist"]],
+    ["container_to_quay", { timeline: false }, []],
+  ] as [string, Values, string[]][])("runs to the bits of the run that a hand drove: %s", async (name, overrides, levers) => {
+    const { runner, columns, save, step } = await opened(name, overrides);
+    let frame = runner.advance(0, 1);
+    for (const [value, steps] of [[1.5, 7], [-3.1, 12], [-11.7, 1], [0.123456789, 20]]) {
+      for (const lever of levers) runner.input(lever, value);
+      frame = step(steps);
+    }
+    const file = save();
+    expect([file.name, file.differs]).toEqual([`${name}-saved.yaml`, null]);
+    expect(file.text.includes("the 4 lever moves made by hand")).toBe(levers.length > 0);
+    expectSameBits(await ran(file.text, frame.row[0]), columns.byName(frame.row));
+  });
+
+  it("keeps the scenario's own operation where no lever was moved", async () => {
+    const { columns, save, step } = await opened("lift_off_from_barge");
+    const { row } = step(10);
+    const { text } = save();
+    expect(text).toContain("wait with a slack rope");
+    expectSameBits(await ran(text, row[0]), columns.byName(row));
+  });
+
+  it("says which parameters were set under way, for a run of it differs", async () => {
+    const { runner, columns, save, step } = await opened("offshore_vessel_on_dp");
+    step(5);
+    runner.parameter("wind_speed_m_s", 15);
+    const { row } = step(20);
+    const { text, differs } = save();
+    expect(differs).toContain("wind_speed_m_s at 1 s");
+    expect(text).toContain(`# ${differs}`);
+    expect(bits([(await ran(text, row[0]))["hull.position.x"]])).not.toEqual(bits([columns.byName(row)["hull.position.x"]]));
+  });
+
+  it("lasts as long as the run did", async () => {
+    const { runner, save, step } = await opened("lowering_by_winch", { "simulation.duration_s": 0.5 });
+    runner.input("hoist", -1);
+    step(10);
+    expect((await simulationOf(save().text, "")).resolved_json()).toContain('"duration_s": 1.0');
+  });
+
+  it("names the files that must lie beside it", () => {
+    const replay = { scenario: '{"version": 1}', time_s: 1.25, integrator: "newmark", moves: 1, parameters: [], files: ["hydro/mine.hydro.json"] };
+    const { name, text } = savedFile("ships/mine-saved.yaml", replay);
+    expect(name).toBe("mine-saved.yaml");
+    expect(text).toContain("# It stands on files to lie beside it: hydro/mine.hydro.json.\n");
+    expect(text).toContain("the lever move made by hand");
+    expect(text).toContain("not to the last bit");
+    expect(text.endsWith("\n\nversion: 1\n")).toBe(true);
+  });
+
+  it("is none where levers were moved beside an operation that is on, in words that say what to do", () => {
+    const fault = { kind: "input", message: "operation: found one in the scenario, allowed: operation.enabled: false" };
+    expect(faultOfSaving(fault)).toMatchObject({ kind: "unsaved", message: expect.stringContaining("drive all by hand") });
+    expect(faultOfSaving({ kind: "internal", message: "no scenario is open" })).toEqual({ kind: "unsaved", message: "no scenario is open" });
+  });
+});
