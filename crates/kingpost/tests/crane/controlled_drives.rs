@@ -147,7 +147,7 @@ drives:
     assert!(values(&mut hoisting, "energy_error")[0].abs() < 1e-9 * scale);
 }
 
-/// `T = tau / R`, however fast the rope is pulled out or comes back: a winch of constant tension.
+/// `T + T^2 / (2 EA) = tau / R`, however fast the rope is pulled out or comes back: a winch of constant tension.
 #[test]
 fn a_winch_that_keeps_a_torque_keeps_the_tension_of_its_rope_while_the_other_end_moves() {
     for speed in [0.5, -0.5] {
@@ -184,8 +184,11 @@ drives:
         let mut moving = simulation(&text);
         moving.step(1600).expect("it pays out and hauls in");
         let tension = values(&mut moving, "rope_tension")[0];
-        assert!((tension - 1000.0).abs() < 1e-6, "{speed} m/s: {tension} N");
-        assert!((values(&mut moving, "rope_pay_out_rate")[0] - speed).abs() < 1e-9);
+        let held = tension + tension * tension / (2.0 * 2e6);
+        // The rope's damper, k tau e' = 0.4 N, pulls without strain: T 0.4 / EA is in no energy.
+        assert!((held - 1000.0).abs() < 1e-3, "{speed} m/s: {held} N");
+        let strained = 1.0 + tension / 2e6;
+        assert!((values(&mut moving, "rope_pay_out_rate")[0] * strained - speed).abs() < 1e-6);
     }
 }
 
