@@ -74,12 +74,13 @@ def scenarios(given: str | None) -> tuple[dict[str, str], str | None]:
 
 
 def databases(given: str | None) -> dict[str, str]:
-    """Texts of parts and hydrodynamic databases, by their paths below the scenarios' folder.
+    """Texts of parts, hydrodynamic databases and tables of RAOs, by their paths below the scenarios' folder.
 
     Those of the gallery, and what the given scenario names; one name stands for one file.
     """
     below = gallery.folder()
-    paths = [*sorted((below / "parts").glob("*.yaml")), *sorted((below / "hydro").glob("*.json"))]
+    named = ("parts/*.yaml", "hydro/*.json", "hydro/*.csv")
+    paths = [path for pattern in named for path in sorted(below.glob(pattern))]
     texts = {path.relative_to(below).as_posix(): gallery.read_text(path) for path in paths}
     if given is None:
         return texts

@@ -7,7 +7,10 @@ from pathlib import Path
 
 import hydro_samples as samples
 import numpy as np
+import pandas
 import pytest
+from kingpost import cli
+from kingpost.displacement_raos import SENSES
 from kingpost.hydro import checks, command, radiation_fit, read
 from kingpost.hydro.airy import wave_number
 from kingpost.hydro.build import database_hull, default_frequencies
@@ -20,13 +23,18 @@ ENDING = ".hydro.json"
 DIGITS = 1e-6
 
 
+def written() -> list[list[str]]:
+    """The commands of the README, their words after `kingpost`."""
+    blocks = re.findall(r"```\n(.*?)```", (FOLDER / "README.md").read_text(), re.DOTALL)
+    lines = "".join(blocks).replace("\\\n", " ").strip().splitlines()
+    return [shlex.split(line)[1:] for line in lines]
+
+
 def commands() -> dict[str, Namespace]:
-    """The options of each command of the README, by the file that it writes."""
-    block = re.search(r"```\n(.*?)```", (FOLDER / "README.md").read_text(), re.DOTALL).group(1)
-    lines = block.replace("\\\n", " ").strip().splitlines()
+    """The options of each command that makes a database, by the file that it writes."""
     parser = ArgumentParser()
     command.add_options(parser)
-    found = [parser.parse_args(shlex.split(line)[2:]) for line in lines]
+    found = [parser.parse_args(words[1:]) for words in written() if words[0] == "hydro"]
     return {options.output: options for options in found}
 
 
@@ -95,6 +103,23 @@ def test_a_fit_to_the_stored_coefficients_is_the_stored_memory(name):
     # The poles of the barge follow rounding 10^5 times enlarged; other libraries of linear algebra round
     # otherwise. This is a two-hundredth of what the fit may miss.
     assert (np.abs(first - second) <= 1e-4 * np.sqrt(np.outer(peaks, peaks))).all()
+
+
+def test_the_stored_raos_are_those_of_their_command(tmp_path, monkeypatch):
+    """A motion that symmetry leaves out has rounding for its amplitude and any lag: amplitudes with their
+    phases are compared."""
+    (words,) = (words for words in written() if words[0] == "rao")
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(words) == 0
+    name = "supply_boat.raos.csv"
+    stored, today = (pandas.read_csv(path, comment="#") for path in (FOLDER / name, tmp_path / name))
+    assert list(stored) == list(today)
+    np.testing.assert_allclose(stored.iloc[:, :2], today.iloc[:, :2], rtol=DIGITS)
+    for sense in SENSES:
+        (amplitude,) = (column for column in stored if column.startswith(sense))
+        lag = f"{sense.split('_')[0]}_lag_deg"
+        one, other = (table[amplitude] * np.exp(1j * np.deg2rad(table[lag])) for table in (stored, today))
+        assert np.abs(one - other).max() < DIGITS * np.abs(other).max()
 
 
 def cubic(x: np.ndarray, y: np.ndarray, at: np.ndarray) -> np.ndarray:

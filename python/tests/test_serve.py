@@ -113,6 +113,14 @@ def test_a_given_scenario_brings_the_database_beside_it(app, tmp_path):
     assert "own.hydro.json" not in titles
 
 
+def test_every_file_that_the_gallery_names_is_served():
+    """Source: the files that each scenario is read with."""
+    served = serve.databases(None)
+    for name in kingpost.gallery.names():
+        named = {file.removeprefix(kingpost.gallery.GALLERY) for file in kingpost.load(name).files}
+        assert named <= served.keys(), name
+
+
 def test_the_bare_address_opens_the_given_scenario(app, small):
     """Source: the app opens what the index says, else the paper's ship."""
     files, chosen = serve.scenarios(str(small))

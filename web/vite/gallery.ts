@@ -45,11 +45,11 @@ function rank(entry: GalleryEntry): number {
   return entry.name === "paper" ? 0 : 1;
 }
 
-/** The hydrodynamic databases that scenarios name, as they name them. */
+/** The hydrodynamic databases and tables of RAOs that scenarios name, as they name them. */
 export function databases(folder: string): string[] {
   const hydro = join(folder, "hydro");
   if (!existsSync(hydro)) return [];
-  return readdirSync(hydro).filter((file) => file.endsWith(".json")).sort().map((file) => `hydro/${file}`);
+  return readdirSync(hydro).filter((file) => /\.(json|csv)$/.test(file)).sort().map((file) => `hydro/${file}`);
 }
 
 /** The parts that scenarios are made of, as they name them. */

@@ -1,0 +1,1 @@
+"""Studies over many seas, whose numbers are stored beside the scripts that make them."""
