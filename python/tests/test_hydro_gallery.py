@@ -95,7 +95,7 @@ def test_a_stored_hull_is_that_of_its_command(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_a_fit_to_the_stored_coefficients_is_the_stored_memory(name):
     stored = read(FOLDER / name)
-    today = radiation_fit.fit(stored)
+    today = radiation_fit.fit(stored, highest_rad_s=COMMANDS[name].highest_rad_s)
     assert today.fit_error == pytest.approx(stored.radiation.fit_error, rel=1e-3)
     omega = np.append(stored.frequencies_rad_s, [0.0, 100.0])
     first, second = (radiation_fit.evaluate(model, omega) for model in (today, stored.radiation))
