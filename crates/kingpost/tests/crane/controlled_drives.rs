@@ -166,7 +166,7 @@ bodies:
   drum:
     mass_kg: 200
     shape: {{cylinder: {{radius_m: 0.5, length_m: 1, axis: y}}}}
-    joint: {{revolute: {{name: winch, axis: [0, 1, 0]}}}}
+    joint: {{revolute: {{name: winch, position_m: [0, 0, -0.5], axis: [0, 1, 0]}}}}
 forces:
   line:
     rope:
