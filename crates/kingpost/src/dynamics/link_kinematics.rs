@@ -8,7 +8,7 @@ use super::moving_link::MovingLink;
 use crate::model::{Carrier, LinkInertia, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Twist, Vector3};
-use core::cell::OnceCell;
+use std::sync::OnceLock;
 
 /// Where the links are and how they move. "Root" is the link at the foot of a link's branch; its
 /// frame is at its centre of mass.
@@ -21,7 +21,7 @@ pub struct LinkKinematics<S = f64> {
     /// The inertias that are no rigid body's, by link, about the root's origin in its axes.
     full: Vec<(usize, SpatialInertia<S>)>,
     /// World frames of the bodies, each from when it was asked for first: ropes, hulls and the ledger ask for the same few.
-    body_frames: Vec<OnceCell<Frame<S>>>,
+    body_frames: Vec<OnceLock<Frame<S>>>,
 }
 
 impl<S: Scalar> LinkKinematics<S> {
@@ -32,14 +32,14 @@ impl<S: Scalar> LinkKinematics<S> {
             links: model.plan.iter().map(MovingLink::still).collect(),
             root_in_world: vec![Frame::identity(); n],
             full: Vec::with_capacity(n),
-            body_frames: vec![OnceCell::new(); model.bodies.len()],
+            body_frames: vec![OnceLock::new(); model.bodies.len()],
         }
     }
 
     /// Computes everything from q and v.
     pub fn update(&mut self, model: &Model<S>, q: &[S], v: &[S]) {
         self.full.clear();
-        self.body_frames.fill_with(OnceCell::new);
+        self.body_frames.fill_with(OnceLock::new);
         for (i, plan) in model.plan.iter().enumerate() {
             let (before, rest) = self.links.split_at_mut(i);
             let link = &mut rest[0];
