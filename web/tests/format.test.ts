@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { duration, fixed, scientific } from "../src/app/format";
-import { sliderStep, withoutRounding } from "../src/ui/items";
+import { sliderRange, sliderStep, withoutRounding } from "../src/ui/items";
 
 it("writes numbers with a true minus, and no minus zero", () => {
   expect(fixed(-1.005, 2)).toBe("−1.00");
@@ -34,4 +34,10 @@ it("writes a number without what turning it to radians and back has left", () =>
   expect(withoutRounding(-59.99999999999999)).toBe("-60");
   expect(withoutRounding(4.486)).toBe("4.486");
   expect(withoutRounding(1.23456789e-7)).toBe("1.23456789e-7");
+});
+
+test("the slider of a position reaches as far as a winch turns, that of a speed or a torque to its limits", () => {
+  expect(sliderRange({ unit: "rad", lower: -1e6, upper: 1e6 })).toEqual([-100, 100]);
+  expect(sliderRange({ unit: "m", lower: 0, upper: 4 })).toEqual([0, 4]);
+  expect(sliderRange({ unit: "N m", lower: -2e6, upper: 2e6 })).toEqual([-2e6, 2e6]);
 });

@@ -1,6 +1,6 @@
 import type { Session } from "../app/session";
 import type { ParameterInfo } from "../engine/engine";
-import { checkbox, choice, number } from "./items";
+import { checkbox, choice, number, sliderRange } from "./items";
 import type { Item } from "./items";
 import { byId, make } from "./dom";
 
@@ -61,7 +61,7 @@ export class Controls {
   /** A lever acts at once, at any time. */
   private lever(name: string): HTMLElement {
     const input = this.session.run!.inputs.find((one) => one.name === name)!;
-    const range: [number, number] = [input.lower, input.upper];
+    const range = sliderRange(input);
     const lever = number({ name: `input-${name}`, label: name.replaceAll("_", " "), unit: input.unit, range }, (value) => {
       void this.session.setInput(name, value);
       lever.show(value, false);

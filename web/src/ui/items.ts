@@ -79,6 +79,15 @@ export function withoutRounding(value: number): string {
   return String(Number(value.toPrecision(12)));
 }
 
+/** How far the slider of a position's lever reaches from zero, rad or m; its box takes any number. */
+const SLIDER_REACH = 100;
+
+/** The slider's range of an input. The set-point of a position has no bounds of its own: they are a million to either side. */
+export function sliderRange({ unit, lower, upper }: { unit: string; lower: number; upper: number }): [number, number] {
+  const isPosition = unit === "rad" || unit === "m";
+  return isPosition ? [Math.max(lower, -SLIDER_REACH), Math.min(upper, SLIDER_REACH)] : [lower, upper];
+}
+
 function sliderFor(name: string, text: string, [lower, upper]: [number, number]): HTMLInputElement {
   return make("input", {
     type: "range",
