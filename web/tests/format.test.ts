@@ -36,7 +36,7 @@ it("writes a number without what turning it to radians and back has left", () =>
   expect(withoutRounding(1.23456789e-7)).toBe("1.23456789e-7");
 });
 
-test("the slider of a position reaches as far as a winch turns, that of a speed or a torque to its limits", () => {
+it("lets the slider of a position reach as far as a winch turns, that of a speed or a torque to its limits", () => {
   expect(sliderRange({ unit: "rad", lower: -1e6, upper: 1e6 })).toEqual([-100, 100]);
   expect(sliderRange({ unit: "m", lower: 0, upper: 4 })).toEqual([0, 4]);
   expect(sliderRange({ unit: "N m", lower: -2e6, upper: 2e6 })).toEqual([-2e6, 2e6]);
