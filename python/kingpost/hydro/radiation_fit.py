@@ -232,9 +232,10 @@ def _fit_group(
         return best.poles, best.residues
     best = min((trial for trial, _ in tried), key=lambda one: one.error)
     omega, names = data.omega, ", ".join(MOTIONS[motion] for motion in group)
+    why = "" if best.error > limit else ", of a memory that makes energy; no passive one meets the limit"
     raise HydrodynamicsError(
         f"radiation of {names}",
-        f"an error of {best.error:.3g} at {omega[best.worst]:.4g} rad/s with up to {states} poles",
+        f"an error of {best.error:.3g} at {omega[best.worst]:.4g} rad/s with up to {states} poles{why}",
         f"at most {limit:.3g} of the peak; compute more frequencies or a wider range ({len(omega)} from "
         f"{omega[0]:.3g} to {omega[-1]:.3g} rad/s here), remove irregular frequencies with a lid, leave "
         "out those above which the panels are too large (highest_rad_s), or take the best fit as it "
