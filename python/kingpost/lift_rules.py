@@ -91,9 +91,9 @@ def sidelead_m(significant_height_m: float) -> float:
     return 0.5 * offlead_m(significant_height_m)
 
 
+# Area 2 over area 1 that is asked for, in waters that are exposed and in others.
 EXPOSED_WATERS = 1.4
 UNEXPOSED_WATERS = 1.0
-"""Area 2 over area 1 that is asked for, in waters that are exposed and in others."""
 
 
 @dataclass(frozen=True)
@@ -157,24 +157,18 @@ def hook_load_loss(
     >>> found.side, found.held
     ('starboard', True)
     """
-    hull, curve = _hull(after, body), _righting_arm(after, body)
-    sign = 1.0 if curve["side"] == "starboard" else -1.0
-    start, rest = sign * _hull(before, body)["heel_rad"], curve["equilibrium_rad"]
-    if rest is None:
-        found = "found none that rises through 0, allowed: a heel at rest"
-        raise KingpostError(f"righting arms of {hull['body']}: {found}")
-    heel, arm = (np.array([point[name] for point in curve["points"]]) for name in ("heel_rad", "arm_m"))
-    mirrored = 2.0 * arm[0] * np.cos(heel[:0:-1]) - arm[:0:-1]
-    heel, arm = np.concatenate([-heel[:0:-1], heel]), np.concatenate([mirrored, arm])
-    vanishing = curve["vanishing_rad"] if curve["vanishing_rad"] is not None else heel[-1]
-    end = min(vanishing, math.radians(_not_negative("flooding_deg", flooding_deg)), float(heel[-1]))
+    rest, heel, arm = _righting_arms(after, body)
+    start, *_ = _righting_arms(before, body)
+    way = 1.0 if rest >= start else -1.0
+    rest, start, heel, arm = way * rest, way * start, np.sort(way * heel), (way * arm)[:: int(way)]
+    stop = min(_vanishing(heel, arm, rest), math.radians(_not_negative("flooding_deg", flooding_deg)))
     return HookLoadLoss(
-        curve["side"],
+        "starboard" if way > 0.0 else "port",
         math.degrees(start),
         math.degrees(rest),
-        math.degrees(end),
+        math.degrees(stop),
         max(-_area(heel, arm, start, rest), 0.0),
-        max(_area(heel, arm, rest, end), 0.0),
+        max(_area(heel, arm, rest, stop), 0.0),
         _not_negative("required", required),
     )
 
@@ -189,12 +183,31 @@ def _hull(scenario: Scenario, body: str | None) -> dict[str, Any]:
     return found[0]
 
 
-def _righting_arm(scenario: Scenario, body: str | None) -> dict[str, Any]:
+def _righting_arms(scenario: Scenario, body: str | None) -> tuple[float, np.ndarray, np.ndarray]:
+    """Heel at rest, heel and arms of a hull to both sides, rad and m, positive to starboard."""
     hull = _hull(scenario, body)
-    if hull["righting_arm"] is None:
+    curve = hull["righting_arm"]
+    if curve is None:
         found = "found no mesh in its database, allowed: a mesh"
         raise KingpostError(f"righting arms of {hull['body']}: {found}")
-    return hull["righting_arm"]
+    if curve["equilibrium_rad"] is None:
+        found = "found none that rises through 0, allowed: a heel at rest"
+        raise KingpostError(f"righting arms of {hull['body']}: {found}")
+    heel, arm = (np.array([point[name] for point in curve["points"]]) for name in ("heel_rad", "arm_m"))
+    mirrored = 2.0 * arm[0] * np.cos(heel[:0:-1]) - arm[:0:-1]
+    heel, arm = np.concatenate([-heel[:0:-1], heel]), np.concatenate([mirrored, arm])
+    if curve["side"] == "port":
+        return -curve["equilibrium_rad"], -heel[::-1], -arm[::-1]
+    return curve["equilibrium_rad"], heel, arm
+
+
+def _vanishing(heel: np.ndarray, arm: np.ndarray, rest: float) -> float:
+    """The heel beyond rest at which the arms fall through 0, or the last one."""
+    beyond = np.flatnonzero((heel[1:] > rest) & (arm[:-1] > 0.0) & (arm[1:] <= 0.0))
+    if beyond.size == 0:
+        return float(heel[-1])
+    k = beyond[0]
+    return float(heel[k] + (heel[k + 1] - heel[k]) * arm[k] / (arm[k] - arm[k + 1]))
 
 
 def _area(heel: np.ndarray, arm: np.ndarray, start: float, end: float) -> float:

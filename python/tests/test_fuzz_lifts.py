@@ -144,7 +144,7 @@ def test_conditions_that_are_nested_without_end_are_refused_at_their_place(depth
          "limits.heel"),
         ("{body: load, position_m: [-0.7, -0.5, 0]}", "{body: world, position_m: [5, -3, 1]}",
          "forces.tag_line.tugger_line.path"),
-        ("tension_N: 300", "tension_N: 1e308", "forces.tag_line"),
+        ("tension_N: 300", "tension_N: 1e308", "forces"),
     ],
     ids=["no unit", "no column", "no name", "a list for a point", "a list for a limit", "all on the world",
          "beyond all numbers"],

@@ -63,3 +63,13 @@ def test_a_scenario_without_a_hull_is_refused() -> None:
         lift_rules.hook_load_loss(paper, paper)
     with pytest.raises(KingpostError, match="found tower, allowed: a hull in the water, hull"):
         lift_rules.hook_load_loss(*_loss(), body="tower")
+
+
+def test_a_ship_that_still_lists_to_the_side_of_the_load_is_judged_on_the_other_side() -> None:
+    """Without counter ballast the boom alone lists her to port; the loss sends her to starboard."""
+    changed = {"bodies.ballast.mass_t": 0.1}
+    before, after = (scenario.with_overrides(changed) for scenario in _loss())
+    found = lift_rules.hook_load_loss(before, after)
+    assert found.side == "starboard"
+    assert found.heel_before_deg < found.heel_after_deg < 0.0
+    assert found.area_1_m_rad > 0.0

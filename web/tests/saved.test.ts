@@ -90,7 +90,7 @@ describe("a saved scenario", () => {
     const replay = { scenario: '{"version": 1}', time_s: 1.25, integrator: "newmark", moves: 1, parameters: [], files: ["hydro/mine.hydro.json"] };
     const { name, text } = savedFile("ships/mine-saved.yaml", replay);
     expect(name).toBe("mine-saved.yaml");
-    expect(text).toContain("# It stands on files to lie beside it: hydro/mine.hydro.json.\n");
+    expect(text).toContain("# It needs these files beside it: hydro/mine.hydro.json.\n");
     expect(text).toContain("the lever move made by hand");
     expect(text).toContain("not to the last bit");
     expect(text.endsWith("\n\nversion: 1\n")).toBe(true);

@@ -14,18 +14,19 @@ export interface SavedFile {
 /** Schemes that the browser solves with differences and other machines with exact derivatives. */
 const IMPLICIT = ["newmark", "generalized_alpha", "implicit_midpoint"];
 
-/** The file of a scenario that was opened as `opened`, with what was set and driven by hand. */
-export function savedFile(opened: string, replay: Replay): SavedFile {
+/** The file of a scenario that was opened as `opened`, with what was set and driven by hand. `pending` are the parameters whose values wait for a reset. */
+export function savedFile(opened: string, replay: Replay, pending: string[] = []): SavedFile {
   const differs = differenceOf(replay);
   const says = [`Saved by Kingpost's app at ${seconds(replay.time_s)} of a run, with the parameters as they were set.`];
   if (replay.moves > 0) {
     says.push(`The operation has ${replay.moves === 1 ? "the lever move" : `the ${replay.moves} lever moves`} made by hand.`);
   }
+  if (pending.length > 0) says.push(`Values that waited for a reset are not in it: ${pending.join(", ")}.`);
   says.push(differs ?? "A run of this file gives the same numbers.");
-  if (IMPLICIT.includes(replay.integrator)) {
-    says.push("Its integrator is implicit: outside the browser they agree within its tolerance, not to the last bit.");
+  if (differs === null && IMPLICIT.includes(replay.integrator)) {
+    says.push("Its integrator is implicit: a run outside the browser agrees within its tolerance, not to the last bit.");
   }
-  if (replay.files.length > 0) says.push(`It stands on files to lie beside it: ${replay.files.join(", ")}.`);
+  if (replay.files.length > 0) says.push(`It needs these files beside it: ${replay.files.join(", ")}.`);
   return { name: nameOf(opened), text: `${says.map((line) => `# ${line}\n`).join("")}\n${yamlOf(replay.scenario)}`, differs };
 }
 

@@ -133,7 +133,7 @@ export class Session {
     try {
       const { source } = this;
       const replay = await this.client.replay();
-      return source && savedFile(source.file, replay);
+      return source && savedFile(source.file, replay, this.pending());
     } catch (fault) {
       this.report(faultOfSaving(fault as Fault));
       return null;

@@ -184,7 +184,7 @@ fn check_recording(setup: &Setup) -> Result<(), FieldError> {
 
 /// A run begins with a row of numbers: the arithmetic has none beyond 1e308, and squares of 1e154 are there already.
 fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
-    let mut simulation = Simulation::new(setup.clone());
+    let mut simulation = Simulation::recursive(setup.clone());
     let mut row = Vec::new();
     simulation.write_row(&mut row);
     let columns = simulation.channels().iter().flat_map(|channel| &channel.columns);
@@ -197,7 +197,8 @@ fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let named = owner(scenario.forces.keys().map(|name| name.as_str()).collect(), "forces")
         .or_else(|| owner(scenario.drives.keys().map(|name| name.as_str()).collect(), "drives"))
         .or_else(|| owner(scenario.bodies.keys().map(|name| name.as_str()).collect(), "bodies"))
-        .or_else(|| bad.first().map(|found| ("bodies".to_owned(), *found)));
+        // Energy alone: what is stored in a force.
+        .or_else(|| bad.first().map(|found| ("forces".to_owned(), *found)));
     let Some((field, (column, value))) = named else { return Ok(()) };
     let found = format!("numbers with which {column} is {value} where the run begins");
     Err(FieldError::new(field, found, "numbers with which it is finite"))

@@ -374,8 +374,12 @@ impl<S: Scalar> Simulation<S> {
         let Stage { time_s, q, v, s, .. } = at;
         let first = out.len();
         self.channels.write_row(&Sample { time_s, q, v, s, observed }, out);
-        self.watching.see(&out[first..]);
-        self.limits.see(&out[first..]);
+        let row = &out[first..];
+        // A row without numbers is none of the run's.
+        if row.iter().all(|value| value.all(f64::is_finite)) {
+            self.watching.see(row);
+            self.limits.see(row);
+        }
     }
 }
 

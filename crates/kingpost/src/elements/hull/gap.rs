@@ -80,7 +80,9 @@ impl Watcher for HullGap {
         let how = if gap > 0.0 {
             format!("came as near as {} m to {other}", significant(gap, 3))
         } else {
-            format!("lies across {other}: their water lines overlap, and nothing keeps the hulls apart")
+            format!(
+                "lies across {other}: the rectangles about their water lines overlap, and nothing keeps the hulls apart"
+            )
         };
         let text = format!(
             "{how}; each hull has the hydrodynamics of one that is alone: neither shelters the other from waves, and the \

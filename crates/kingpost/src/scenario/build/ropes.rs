@@ -2,7 +2,7 @@
 
 use super::super::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use super::cylinders::attachment;
-use super::{FieldError, known};
+use super::{FieldError, flexible, known};
 use crate::elements::ropes::{Drum, Efficiency, Path, Round, Station};
 use crate::elements::{AnyElement, Rope, TuggerLine};
 use crate::model::{Attachment, JointKind, Model};
@@ -53,9 +53,11 @@ fn carried_mass<S: Quantity>(
     let mut sum: Option<S> = None;
     for (i, carried) in given.carries.iter().enumerate() {
         known(&format!("{field}.carries.{i}.body"), &carried.body, scenario.bodies.keys().map(|body| body.as_str()))?;
-        let Some(body) = model.body(&carried.body) else { continue };
         let share = carried.share.map_or(S::constant(1.0 / f64::from(falls)), |share| share.get());
-        sum = Some(sum.unwrap_or(S::ZERO) + model.bodies[body].mass * share);
+        // A flexible body is several of the model's.
+        for body in model.bodies.iter().filter(|body| flexible::owner(&body.name).0 == &*carried.body) {
+            sum = Some(sum.unwrap_or(S::ZERO) + body.mass * share);
+        }
     }
     Ok(sum)
 }

@@ -24,6 +24,7 @@ fn gaps<'a>(model: &'a Model, hulls: &'a [&'a Hull]) -> impl Iterator<Item = Any
     let of = |hull: &Hull| (model.bodies[hull.frame.body].name.as_str(), hull.plan);
     let pairs =
         hulls.iter().enumerate().flat_map(|(k, first)| hulls[k + 1..].iter().map(move |second| [first, second]));
+    let pairs = pairs.filter(|[first, second]| first.frame.body != second.frame.body);
     pairs.map(move |pair| -> AnyWatcher { Box::new(HullGap::new(pair.map(|hull| of(hull)))) })
 }
 
