@@ -2312,6 +2312,10 @@ export type Rope = {
    */
   breaking_load_kN?: number | null;
   /**
+   * What hangs on it: its dynamic amplification factor is its tension over that of this load at rest in air.
+   */
+  carries?: CarriedByRope[];
+  /**
    * Whether it can be released: an input in [0, 1] of the rope's name begins at 0, and at 0.5 the load is lost.
    */
   can_be_released?: boolean;
@@ -4436,6 +4440,28 @@ export interface RopeDrum {
    * The rate of the joint that pays out rope. The rope leaves the drum on the side that moves along with it then.
    */
   pays_out?: "with_positive_rate" | "with_negative_rate";
+  /**
+   * Tension of the rope times the radius over the torque that hauls it in.
+   */
+  efficiency_hoisting?: number;
+  /**
+   * The torque that holds the rope over its tension times the radius while it is paid out.
+   */
+  efficiency_lowering?: number;
+}
+/**
+ * A body that hangs on a rope.
+ */
+export interface CarriedByRope {
+  /**
+   * The body: the load, the hook block.
+   */
+  body: string;
+  /**
+   * Tension of the rope at rest over the weight of the body; without it, one over the number of falls that the rope ends with.
+   * Of each of n slings at an angle b to the level it is 1 / (n sin b).
+   */
+  share?: number | null;
 }
 /**
  * Points that touch.
