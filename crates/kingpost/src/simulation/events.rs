@@ -25,8 +25,6 @@ const TIME_TOLERANCE_S: f64 = 1e-12;
 const MOST_EVENTS: usize = 1000;
 /// Share of a step over which the rate of a witness is found, by central differences.
 const RATE_STEP: f64 = 1e-2;
-/// The same for what a step makes of the time at which it ends: shorter, for friction turns in microseconds before it holds.
-const END_STEP: f64 = 1e-5;
 /// Trials by which every smooth witness is located long since.
 const MOST_TRIALS: usize = 200;
 
@@ -144,8 +142,7 @@ impl<S: Scalar> Simulation<S> {
         }
         self.watch.end.copy_from(&self.state);
         let time_s = self.locate(interval, edge_s)?;
-        let by_end = self.by_end(interval, time_s, edge_s)?;
-        self.answer(interval, time_s, by_end)?;
+        self.answer(interval, time_s)?;
         Ok(time_s)
     }
 
@@ -197,8 +194,8 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// Lets the elements answer what has happened, in the order in which they declared it. `by_end` is of the first of them.
-    fn answer(&mut self, interval: Interval, time_s: f64, mut by_end: Option<ByEnd>) -> Result<(), RunError> {
+    /// Lets the elements answer what has happened, in the order in which they declared it.
+    fn answer(&mut self, interval: Interval, time_s: f64) -> Result<(), RunError> {
         for i in 0..self.watch.before.len() {
             let watched = self.plant.layout().watched[i];
             let Watch { before, now, .. } = &self.watch;
@@ -210,12 +207,8 @@ impl<S: Scalar> Simulation<S> {
             if self.watch.in_step > MOST_EVENTS {
                 return Err(RunError::TooManyEvents { time_s, element, what: watched.what, allowed: MOST_EVENTS });
             }
-            let by_end = by_end.take();
-            let delay = self.delay(interval, time_s, i, by_end.as_ref());
-            match by_end {
-                Some(ByEnd { v, s, .. }) => self.move_by(|k| S::constant(v[k]), |k| S::constant(s[k]), delay),
-                None => self.drift(interval, time_s, delay),
-            }
+            let delay = self.delay(interval, time_s, i);
+            self.drift(interval, time_s, delay);
             self.plant.respond(watched, time_s, &mut self.state);
             let end_s = time_s + self.settings.step_s;
             let after = Interval { start_s: time_s, end_s: self.next_edge_s(time_s, end_s).min(end_s) };
@@ -227,54 +220,15 @@ impl<S: Scalar> Simulation<S> {
     }
 }
 
-/// How a step changes with the time at which it ends, by central differences of the scheme's own numbers: where a law changes
-/// within a step, these are not the rates of the motion at its end.
-struct ByEnd {
-    /// Per second, as are all.
-    v: Vec<f64>,
-    s: Vec<f64>,
-    witnesses: Vec<f64>,
-}
-
 /// The time of an event moves with what derivatives are along. With the witness g, f the rates before and f+ those after,
 /// `dt = -dg / g'` moves the state by `f dt` up to the event and by `-f+ dt` from there (the saltation matrix: Leine &
-/// Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, sec. 7.2). Before the event f is what the
-/// scheme makes of it, so that derivatives are those of the run's numbers.
+/// Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, sec. 7.2).
 impl<S: Scalar> Simulation<S> {
-    /// Of the step that ends at an event; `None` without derivatives, or where the event is where the step began.
-    fn by_end(&mut self, interval: Interval, time_s: f64, edge_s: f64) -> Result<Option<ByEnd>, RunError> {
-        let by_s = END_STEP * self.settings.step_s;
-        if !S::HAS_DERIVATIVES || time_s - interval.start_s < 2.0 * by_s {
-            return Ok(None);
-        }
-        let (state, now) = (self.state.clone(), self.watch.now.clone());
-        let mut at = |time_s: f64| -> Result<[Vec<f64>; 3], RunError> {
-            self.go_to(interval, time_s, edge_s)?;
-            self.look(interval, time_s);
-            Ok([&self.state.v, &self.state.s, &self.watch.now].map(|all| all.iter().map(|x| x.value()).collect()))
-        };
-        let (later, earlier) = (at(time_s + by_s)?, at(time_s - by_s)?);
-        self.state.copy_from(&state);
-        self.watch.now = now;
-        let rate = |k: usize| -> Vec<f64> {
-            later[k].iter().zip(&earlier[k]).map(|(later, earlier)| (later - earlier) / (2.0 * by_s)).collect()
-        };
-        Ok(Some(ByEnd { v: rate(0), s: rate(1), witnesses: rate(2) }))
-    }
-
     /// dt of a witness where the state stands: no time, with its derivatives.
-    fn delay(&mut self, interval: Interval, time_s: f64, witness: usize, by_end: Option<&ByEnd>) -> S {
+    fn delay(&mut self, interval: Interval, time_s: f64, witness: usize) -> S {
         if !S::HAS_DERIVATIVES {
             return S::ZERO;
         }
-        let rate =
-            by_end.map_or_else(|| self.witness_rate(interval, time_s, witness), |by_end| by_end.witnesses[witness]);
-        let g = self.watch.now[witness];
-        (S::constant(g.value()) - g) / S::constant(rate)
-    }
-
-    /// By the rates of the motion where the state stands.
-    fn witness_rate(&mut self, interval: Interval, time_s: f64, witness: usize) -> f64 {
         let by_s = RATE_STEP * self.settings.step_s;
         // The caller goes through all witnesses: looking at neighbouring instants must not change the others.
         let now = self.watch.now.clone();
@@ -286,8 +240,9 @@ impl<S: Scalar> Simulation<S> {
             self.watch.now[witness].value()
         };
         let rate = (at(by_s) - at(-by_s)) / (2.0 * by_s);
+        let g = now[witness];
         self.watch.now = now;
-        rate
+        (S::constant(g.value()) - g) / S::constant(rate)
     }
 
     /// Moves the state along its rates at a time, to first order.
@@ -295,20 +250,14 @@ impl<S: Scalar> Simulation<S> {
         if !S::HAS_DERIVATIVES {
             return;
         }
-        let mut s_dot = vec![S::ZERO; self.state.s.len()];
-        let mut v_dot = vec![S::ZERO; self.state.v.len()];
-        self.plant.rates(Stage { time_s, ..stage(interval, &self.state) }, &mut v_dot, &mut s_dot);
-        self.move_by(|k| v_dot[k], |k| s_dot[k], by_s);
-    }
-
-    /// Moves positions along the velocities, velocities and states along these rates.
-    fn move_by(&mut self, v_dot: impl Fn(usize) -> S, s_dot: impl Fn(usize) -> S, by_s: S) {
-        let Self { plant, state, .. } = self;
+        let Self { plant, state, v_dot, .. } = self;
+        let mut s_dot = vec![S::ZERO; state.s.len()];
+        plant.rates(Stage { time_s, ..stage(interval, state) }, v_dot, &mut s_dot);
         let xi: Vec<S> = state.v.iter().map(|rate| *rate * by_s).collect();
         let q = state.q.clone();
         plant.retract(&q, &xi, &mut state.q);
-        state.v.iter_mut().enumerate().for_each(|(k, v)| *v += v_dot(k) * by_s);
-        state.s.iter_mut().enumerate().for_each(|(k, s)| *s += s_dot(k) * by_s);
+        state.v.iter_mut().zip(v_dot.iter()).for_each(|(v, rate)| *v += *rate * by_s);
+        state.s.iter_mut().zip(&s_dot).for_each(|(s, rate)| *s += *rate * by_s);
     }
 }
 
