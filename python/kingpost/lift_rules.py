@@ -160,7 +160,8 @@ def hook_load_loss(
     rest, heel, arm = _righting_arms(after, body)
     start, *_ = _righting_arms(before, body)
     way = 1.0 if rest >= start else -1.0
-    rest, start, heel, arm = way * rest, way * start, np.sort(way * heel), (way * arm)[:: int(way)]
+    rest, start = way * rest, way * start
+    heel, arm = (way * one[:: int(way)] for one in (heel, arm))
     stop = min(_vanishing(heel, arm, rest), math.radians(_not_negative("flooding_deg", flooding_deg)))
     return HookLoadLoss(
         "starboard" if way > 0.0 else "port",

@@ -14,7 +14,10 @@ export interface SavedFile {
 /** Schemes that the browser solves with differences and other machines with exact derivatives. */
 const IMPLICIT = ["newmark", "generalized_alpha", "implicit_midpoint"];
 
-/** The file of a scenario that was opened as `opened`, with what was set and driven by hand. `pending` are the parameters whose values wait for a reset. */
+/**
+ * The file of a scenario that was opened as `opened`, with what was set and driven by hand. `pending` are the parameters whose
+ * values wait for a reset.
+ */
 export function savedFile(opened: string, replay: Replay, pending: string[] = []): SavedFile {
   const differs = differenceOf(replay);
   const says = [`Saved by Kingpost's app at ${seconds(replay.time_s)} of a run, with the parameters as they were set.`];
