@@ -5,7 +5,6 @@ mod path;
 mod station;
 mod tugger_line;
 
-use path::SMOOTHING_M_S;
 pub use path::{Extent, Path};
 pub use station::{Efficiency, Round, Station};
 pub use tugger_line::TuggerLine;
@@ -66,8 +65,6 @@ pub struct Drum<S = f64> {
     pub paid_out: S,
     /// Its angle at the start, rad.
     pub start: S,
-    /// What friction leaves of the tension while it hauls in, and of the torque while it pays out.
-    pub efficiency: Efficiency<S>,
 }
 
 /// A rope at a moment.
@@ -198,7 +195,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
             loads.wrenches.extend(station.on_body(at, wrench));
         });
         if let Some(drum) = &self.drum {
-            let held = first * drum.efficiency.ratio(now.paid_out, SMOOTHING_M_S) + now.carried;
+            let held = first * self.path.ratio_at_drum(now.paid_out) + now.carried;
             loads.force[drum.coordinate] += drum.paid_out * held;
             power += now.paid_out * held;
         }

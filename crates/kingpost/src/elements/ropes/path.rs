@@ -22,7 +22,7 @@ use core::f64::consts::FRAC_PI_2;
 const FARTHEST: f64 = 175.0 * core::f64::consts::PI / 180.0;
 
 /// Speed of the rope over a sheave or on a drum about which the friction changes its sign smoothly, m/s.
-pub(super) const SMOOTHING_M_S: f64 = 0.01;
+const SMOOTHING_M_S: f64 = 0.01;
 
 /// The stations of a rope in their order, and the memory to evaluate them.
 #[derive(Clone, Debug)]
@@ -259,6 +259,11 @@ impl<S: Scalar> Path<S> {
             (behind, by_behind) = (before, by_before);
         }
         [behind, power]
+    }
+
+    /// What the drum must hold over the tension of the rope that it pays out at a speed, m/s.
+    pub(super) fn ratio_at_drum(&self, paid_out: S) -> S {
+        self.stations[0].round.map_or(S::ONE, |drum| drum.efficiency.ratio(paid_out, SMOOTHING_M_S))
     }
 
     /// The straight parts of the legs, as [`extent`](Self::extent) saw the bodies: from where each touches the station before it to

@@ -228,7 +228,7 @@ impl<S: Quantity> Placing<'_, S> {
         let radius = given.radius_m.get();
         let round = Round { axis: hinge.placement().rotation * hinge.axis() * sign, radius, efficiency };
         let centre = self.model.attachment(node.parent, Frame::translation(hinge.placement().position));
-        let drum = Drum { position: node.positions, coordinate, paid_out: radius * sign, start: S::ZERO, efficiency };
+        let drum = Drum { position: node.positions, coordinate, paid_out: radius * sign, start: S::ZERO };
         Ok(Some((Station { centre, round: Some(round), falls: S::ONE }, drum)))
     }
 }
