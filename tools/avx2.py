@@ -1,7 +1,7 @@
 """Builds the compiled engine a second time, for processors with AVX2, into python/kingpost/avx2.
 
-Batches take it where the processor can; everything else runs on the plain build. Both give the
-same bits: AVX2 only makes the lanes wider, and nothing fuses multiplication and addition.
+The package takes it where the processor can. Both give the same bits: AVX2 only makes the registers
+wider, and nothing fuses multiplication and addition.
 """
 
 from __future__ import annotations

@@ -7,8 +7,8 @@
 """
 
 from . import verify
-from ._engine import __version__
 from .batch import Batch
+from .engine import engine
 from .errors import KingpostError, RunError, ScenarioError
 from .gradients import gradient
 from .linear import Equilibrium, Linearization
@@ -18,6 +18,8 @@ from .scenario import Scenario, load
 from .simulate import Simulation, run
 from .stable_step import stable_step
 from .vibration import equilibrium, modes
+
+__version__: str = engine.__version__
 
 __all__ = [
     "Batch",

@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _engine, results
+from . import results
+from .engine import engine
 from .errors import KingpostError
 from .scenario import Overrides, Scenario, as_scenario
 from .simulate import Progress
 
 if TYPE_CHECKING:
-    from types import ModuleType
-
     import xarray
 
 FINISHED = "finished"
@@ -90,7 +88,6 @@ class Batch:
         if threads < 0:
             raise KingpostError(f"threads: found {threads}, allowed: 0 or more")
         variants = [self.scenario.overrides + variant for variant in self._variants()]
-        engine = _engine_for_this_processor()
         rows, errors, published = engine.batch(
             self.scenario.text,
             self.scenario.file,
@@ -134,16 +131,3 @@ def _stacked(rows: list[np.ndarray]) -> np.ndarray:
         if not on_grid.all():
             stacked[run, len(of_run) - 1] = np.nan
     return stacked
-
-
-def _engine_for_this_processor() -> ModuleType:
-    """The engine's build for AVX2 where that is there and of use, else the plain one.
-
-    Both give the same bits.
-    """
-    if _engine.has_avx2():
-        try:
-            return import_module("kingpost.avx2._engine")
-        except ModuleNotFoundError:
-            pass
-    return _engine

@@ -132,9 +132,9 @@ def _add_scenario(command: argparse.ArgumentParser) -> None:
 
 
 def _scenario(options: argparse.Namespace) -> Scenario:
-    from ._engine import parse_assignment
+    from .engine import engine
 
-    pairs = (parse_assignment(assignment) for assignment in options.set)
+    pairs = (engine.parse_assignment(assignment) for assignment in options.set)
     return load(options.scenario, {name: json.loads(value) for name, value in pairs})
 
 

@@ -7,7 +7,7 @@ import json
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import _engine
+from .engine import engine
 from .errors import ScenarioError
 
 ENDINGS = (".yaml", ".yml", ".json")
@@ -50,7 +50,7 @@ def entries() -> list[Entry]:
 
 def _title(path: Path) -> str:
     text, file = read_text(path), str(path)
-    resolved: str = _engine.read(text, file, "[]", texts(text, file))
+    resolved: str = engine.read(text, file, "[]", texts(text, file))
     return json.loads(resolved)["title"]
 
 
@@ -111,7 +111,7 @@ def texts(text: str, file: str, overrides_json: str = "[]") -> dict[str, str]:
     found: dict[str, str] = {}
     asked: set[str] = set()
     # A part names files of its own once it is there.
-    while new := set(_engine.file_names(text, file, overrides_json, found)) - asked:
+    while new := set(engine.file_names(text, file, overrides_json, found)) - asked:
         asked |= new
         paths = {name: place(file, name) for name in sorted(new)}
         found |= {name: read_text(path) for name, path in paths.items() if path.is_file()}

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _engine
+from .engine import engine
 from .errors import KingpostError
 
 if TYPE_CHECKING:
@@ -233,7 +233,7 @@ def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
     """What every data set says of the run that it comes from."""
     described, sea = scenario.model, scenario.model["sea"]
     versions = {name: version(name) for name in ("numpy", "xarray")}
-    versions |= {"kingpost": _engine.__version__, "python": platform.python_version()}
+    versions |= {"kingpost": engine.__version__, "python": platform.python_version()}
     return {
         "title": scenario.title,
         "status": status,

@@ -15,7 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from . import _engine, gallery
+from . import gallery
+from .engine import engine
 from .errors import KingpostError, ScenarioError
 
 Overrides = Mapping[str, Any]
@@ -35,7 +36,7 @@ class Scenario:
     def __post_init__(self) -> None:
         # Validates: a scenario that exists is one that can run.
         try:
-            vars(self)["json"] = _engine.read(self.text, self.file, self._overrides_json, self.files)
+            vars(self)["json"] = engine.read(self.text, self.file, self._overrides_json, self.files)
         except ScenarioError as error:
             raise _with_place(error, self.file) from None
 
@@ -46,7 +47,7 @@ class Scenario:
     @cached_property
     def json(self) -> str:
         """The resolved scenario as JSON text: parameters applied, units SI."""
-        return _engine.read(self.text, self.file, self._overrides_json, self.files)
+        return engine.read(self.text, self.file, self._overrides_json, self.files)
 
     @cached_property
     def files(self) -> dict[str, str]:
@@ -124,13 +125,13 @@ class Scenario:
         """
         return Scenario(self.text, self.file, self.overrides + _pairs(overrides, parameters))
 
-    def _engine(self, extra: tuple[tuple[str, Any], ...] = ()) -> _engine.Simulation:
+    def _engine(self, extra: tuple[tuple[str, Any], ...] = ()) -> engine.Simulation:
         overrides = json.dumps(self.overrides + extra)
-        return _engine.Simulation(self.text, self.file, overrides, self.files)
+        return engine.Simulation(self.text, self.file, overrides, self.files)
 
     def _gradient(self, names: list[str], progress: Callable[[float], None] | None) -> tuple[Any, ...]:
         """Rows, their derivatives by name, the table of channels, the error that ended the run."""
-        found = _engine.gradient(self.text, self.file, self._overrides_json, self.files, names, progress)
+        found = engine.gradient(self.text, self.file, self._overrides_json, self.files, names, progress)
         rows, derivatives, channels_json, error = found
         return rows, derivatives, json.loads(channels_json), error
 

@@ -18,7 +18,8 @@ from typing import Any
 from urllib.parse import quote, unquote, urlsplit
 from urllib.request import urlopen
 
-from . import _engine, gallery
+from . import gallery
+from .engine import engine
 from .errors import KingpostError
 from .scenario import load
 from .served import TYPES, Body, Compressor, accepts_gzip, content_type
@@ -100,7 +101,7 @@ def index(
     them the bare address opens, where one was chosen."""
     ordered = sorted(files.items(), key=lambda item: (item[0] != "paper.yaml", item[0]))
     known = databases | {f"{gallery.GALLERY}{name}": text for name, text in databases.items()}
-    read = ((file, json.loads(_engine.read(text, file, "[]", known))) for file, text in ordered)
+    read = ((file, json.loads(engine.read(text, file, "[]", known))) for file, text in ordered)
     return [
         {"name": Path(file).stem, "title": resolved.get("title") or Path(file).stem, "file": file}
         | ({"opens": True} if Path(file).stem == chosen else {})

@@ -65,11 +65,20 @@ def start_s(results: xarray.Dataset, after_s: float | None) -> float:
     return float(sea["ramp_s"]) if sea else 0.0
 
 
+def exposure_s(results: xarray.Dataset, after_s: float | None) -> float:
+    """How long the extremes are of: as long as the record where an operation steers, which is done once; else
+    three hours."""
+    operation = json.loads(results.attrs.get("scenario", "{}")).get("operation")
+    if operation and operation.get("enabled", True):
+        return float(results["time"].values[-1]) - start_s(results, after_s)
+    return statistics.THREE_HOURS_S
+
+
 def frame(
     runs: Sequence[xarray.Dataset], after_s: float | None, patterns: Sequence[str] = ()
 ) -> pandas.DataFrame:
     """A row for each channel: its unit (angles in deg), its statistics and, from five runs on, the expected
-    largest and smallest value of three hours with their standard errors.
+    largest and smallest value of three hours, or of one operation, with their standard errors.
 
     Of several runs mean, deviation, double amplitude and period are the means over them, the largest and the
     smallest value those of all. Where no channels are asked for, those that stand still are left out.
@@ -83,6 +92,7 @@ def frame(
 
     pooling.check(runs)
     first = start_s(runs[0], after_s)
+    exposure = exposure_s(runs[0], after_s)
     names = _chosen(runs[0], patterns)
     rows = []
     for name, unit in names.items():
@@ -90,7 +100,8 @@ def frame(
         if not patterns and all(_stands_still(statistics.after(part, first).values) for part in series):
             continue
         scale = 180 / np.pi if unit == "rad" else 1.0
-        rows.append({"channel": name, "unit": "deg" if unit == "rad" else unit, **_row(series, first, scale)})
+        row = _row(series, first, exposure, scale)
+        rows.append({"channel": name, "unit": "deg" if unit == "rad" else unit, **row})
     return pandas.DataFrame(rows)
 
 
@@ -115,14 +126,16 @@ def text(runs: Sequence[xarray.Dataset], found: pandas.DataFrame, after_s: float
     for row in found.to_dict("records"):
         rows.append((row["channel"], row["unit"], *(_number(row[name]) for name in HEADINGS)))
     lines += table(rows, "<<" + ">" * len(HEADINGS))
-    return "\n".join([*lines, "", *_extremes(found, count)])
+    exposure = exposure_s(runs[0], after_s)
+    of = "three hours" if exposure == statistics.THREE_HOURS_S else f"one operation of {exposure:g} s"
+    return "\n".join([*lines, "", *_extremes(found, count, of)])
 
 
-def _extremes(found: pandas.DataFrame, count: int) -> list[str]:
-    """Expected extremes of three hours with their standard errors, where there are runs enough."""
+def _extremes(found: pandas.DataFrame, count: int, of: str) -> list[str]:
+    """Expected extremes with their standard errors, where there are runs enough."""
     if count < FEWEST_RUNS:
-        return [f"three-hour extremes want {ENOUGH_RUNS} runs or more, each of another seed"]
-    rows = [("expected of three hours", "", "largest", "", "smallest", "")]
+        return [f"expected extremes of {of} need {ENOUGH_RUNS} runs or more, each of another seed"]
+    rows = [(f"expected of {of}", "", "largest", "", "smallest", "")]
     for row in found.to_dict("records"):
         cells = [(_number(row[side]), f"+- {_number(row[f'{side}_error'])}" if np.isfinite(row[side]) else "")
                  for side in ("extreme_largest", "extreme_smallest")]  # fmt: skip
@@ -203,7 +216,9 @@ def _series(results: xarray.Dataset, name: str) -> list[xarray.DataArray]:
     )
 
 
-def _row(series: Sequence[xarray.DataArray], after_s: float, scale: float) -> dict[str, float]:
+def _row(
+    series: Sequence[xarray.DataArray], after_s: float, exposure: float, scale: float
+) -> dict[str, float]:
     summaries = [statistics.summary(part, after_s) for part in series]
     by_name = {
         name: np.array([float(s.sel(statistic=name)) for s in summaries]) for name in statistics.STATISTICS
@@ -223,15 +238,17 @@ def _row(series: Sequence[xarray.DataArray], after_s: float, scale: float) -> di
     if len(series) >= FEWEST_RUNS:
         record_s = float(series[0]["time"].values[-1]) - after_s
         for side, sign, values in (("largest", 1, by_name["maximum"]), ("smallest", -1, by_name["minimum"])):
-            row |= _extreme(side, scale, sign, values, record_s)
+            row |= _extreme(side, scale, sign, values, record_s, exposure)
     return row
 
 
-def _extreme(side: str, scale: float, sign: int, values: np.ndarray, record_s: float) -> dict[str, float]:
-    """Expected extreme of three hours and its standard error; not a number where nothing moves."""
+def _extreme(
+    side: str, scale: float, sign: int, values: np.ndarray, record_s: float, exposure: float
+) -> dict[str, float]:
+    """Expected extreme of the exposure, s, and its standard error; not a number where nothing moves."""
     if not np.isfinite(values).all() or _stands_still(values):
         return {f"extreme_{side}": np.nan, f"extreme_{side}_error": np.nan}
-    found = statistics.extreme(sign * values, record_s)
+    found = statistics.extreme(sign * values, record_s, exposure)
     return {
         f"extreme_{side}": sign * scale * found.expected,
         f"extreme_{side}_error": scale * found.expected_error,

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 import xarray
 from kingpost import batch as batches
+from kingpost.engine import engine, plain
 
 SHORT = {"simulation.duration_s": 0.2, "simulation.step_s": 0.002}
 
@@ -19,13 +20,24 @@ def test_each_run_of_a_batch_is_the_run_alone_to_the_bit() -> None:
             np.testing.assert_array_equal(found[name].isel(run=run).values, variable.values, err_msg=name)
 
 
+@pytest.mark.skipif(engine is plain, reason="no AVX2 on this processor, or no build for it")
 def test_the_build_for_avx2_gives_the_bits_of_the_plain_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    if batches._engine_for_this_processor() is batches._engine:
-        pytest.skip("no AVX2 on this processor, or no build for it")
     batch = kingpost.Batch("paper", {"crane_y_m": np.linspace(-5, 5, 9)}, SHORT)
     wide = batch.run()
-    monkeypatch.setattr(batches, "_engine_for_this_processor", lambda: batches._engine)
+    monkeypatch.setattr(batches, "engine", plain)
     xarray.testing.assert_identical(wide, batch.run())
+
+
+@pytest.mark.skipif(engine is plain, reason="no AVX2 on this processor, or no build for it")
+@pytest.mark.parametrize("name", ["paper", "offshore_vessel", "lift_off_from_barge"])
+def test_a_run_by_the_build_for_avx2_has_the_bits_of_the_plain_one(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    short = {"simulation.duration_s": 2.0}
+    wide = kingpost.run(name, short)
+    monkeypatch.setattr(kingpost.scenario, "engine", plain)
+    for variable, values in kingpost.run(name, short).data_vars.items():
+        np.testing.assert_array_equal(wide[variable].values, values.values, err_msg=variable)
 
 
 def test_a_run_that_diverges_is_marked_and_ends_in_nan() -> None:

@@ -218,7 +218,7 @@ def test_the_command_reads_what_run_writes(tmp_path, capsys) -> None:
     shown = capsys.readouterr().out
     assert all(name in shown for name in ("ship.position.z", "ship.roll", "wave_elevation", "pendant.first"))
     assert "arm.roll" not in shown
-    assert "three-hour extremes want 10 runs or more" in shown
+    assert "expected extremes of three hours need 10 runs or more" in shown
     assert "luff" not in shown, "it is held"
     assert main(["statistics", file, "--after_s", "1", "--channels", "luff.*", "*force_z", "*moment_z"]) == 0
     shown = capsys.readouterr().out
@@ -322,6 +322,22 @@ def test_what_it_warned_of_in_several_runs_is_printed_once_with_their_number() -
     assert "warning, in 2 of 3 runs, first: hull: it heeled to 21.00 deg, at 4 s" in lines
     assert "warning, in 1 of 3 runs, first: boom: it pushes" in lines
     assert sum(line.startswith("warning, in") for line in lines) == 2
+
+
+@pytest.mark.parametrize(
+    ("operation", "exposure_s"),
+    [(None, statistics.THREE_HOURS_S), ({"steps": []}, 90.0), ({"enabled": False}, statistics.THREE_HOURS_S)],
+)
+def test_extremes_of_an_operation_are_those_of_doing_it_once(
+    operation: dict | None, exposure_s: float
+) -> None:
+    scenario = {"sea": {"ramp_s": 10.0}} | ({"operation": operation} if operation else {})
+    attrs = {"scenario": json.dumps(scenario)}
+    run = xarray.Dataset({"roll": ("time", [1.0, 0.0])}, {"time": [0.0, 100.0]}, attrs)
+    assert statistics_report.exposure_s(run, None) == exposure_s
+    of = "three hours" if exposure_s > 1000 else "one operation of 90 s"
+    shown = statistics_report.text([run], pandas.DataFrame(), None)
+    assert f"expected extremes of {of} need 10 runs or more" in shown
 
 
 def test_so_are_those_of_a_batch() -> None:

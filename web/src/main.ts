@@ -1,17 +1,20 @@
 import "uplot/dist/uPlot.min.css";
 import "./styles/main.css";
+import { Aside } from "./app/aside";
 import { runClock } from "./app/clock";
 import { Gallery, galleryFolder } from "./app/gallery";
 import { exposeHandle } from "./app/handle";
-import { OPENING_SCENARIO } from "./app/opening";
+import { faultOfGallery } from "./app/faults";
 import { Session } from "./app/session";
 import { EngineClient } from "./engine/client";
 import type { Fault } from "./engine/engine";
 import { Plots } from "./plots/plots";
+import { announce } from "./ui/announcer";
 import { showAbout } from "./ui/about";
 import { showFaults } from "./ui/alert";
 import { Controls } from "./ui/controls";
 import { Floating } from "./ui/floating";
+import { showPace } from "./ui/pace";
 import { Readouts } from "./ui/readouts";
 import { enableSaving } from "./ui/saving";
 import { Scenarios } from "./ui/scenarios";
@@ -21,8 +24,9 @@ import { Transport } from "./ui/transport";
 import { showWarnings } from "./ui/warnings";
 import { createScene } from "./view/scene";
 
-const worker = new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
-const session = new Session(new EngineClient(worker, galleryFolder(document.baseURI)));
+const startWorker = () => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
+const startClient = () => new EngineClient(startWorker, galleryFolder(document.baseURI));
+const session = new Session(startClient());
 showFaults(session);
 showWarnings(session);
 showAbout(session);
@@ -31,8 +35,10 @@ enableSaving(session);
 new Controls(session);
 new Settings(session);
 new Readouts(session);
-new Floating(session);
+showPace(session);
+new Floating(session, new Aside(startClient));
 new Transport(session);
+announce(session);
 const plots = new Plots(session);
 const scene = createScene(session);
 exposeHandle(session);
@@ -43,16 +49,12 @@ runClock(session, () => {
 void openFirst();
 
 async function openFirst(): Promise<void> {
+  const scenarios = new Scenarios(session, document.baseURI);
   try {
-    const gallery = await Gallery.load(document.baseURI);
-    const scenarios = new Scenarios(session, gallery);
-    const asked = new URLSearchParams(location.search).get("scenario") ?? gallery.opening ?? null;
-    if (asked === null || !(await scenarios.openNamed(asked))) {
-      const why = session.fault;
-      await scenarios.openNamed(OPENING_SCENARIO);
-      if (why) session.report(why);
-    }
+    scenarios.offer(await Gallery.load(document.baseURI));
   } catch (fault) {
-    session.report(fault as Fault);
+    return session.beEmpty(faultOfGallery(fault as Fault));
   }
+  await scenarios.openAddress();
+  if (!session.run && session.fault) session.beEmpty(session.fault);
 }

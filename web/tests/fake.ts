@@ -4,6 +4,8 @@ import type { Channel, Engine, Value, Values } from "../src/engine/engine";
 export class FakeEngine implements Engine {
   private steps = 0;
   readonly taken: number[] = [];
+  /** How often it was asked where the bodies are. */
+  posed = 0;
   /** Values of the live parameter, as they came. */
   readonly set: Value[] = [];
 
@@ -48,6 +50,7 @@ export class FakeEngine implements Engine {
   }
 
   poses(): Float64Array {
+    this.posed += 1;
     const half = 0.05 * this.time_s();
     return Float64Array.of(0, 0, 0, Math.cos(half), 0, 0, Math.sin(half));
   }
@@ -124,6 +127,14 @@ export class FakeEngine implements Engine {
   set_parameter(name: string, valueJson: string): void {
     if (name !== "wind") throw { kind: "input", message: `parameter ${name}: takes effect where a run begins` };
     this.set.push(JSON.parse(valueJson));
+  }
+
+  snapshot(): Uint8Array {
+    return Uint8Array.of(this.steps);
+  }
+
+  restore([steps]: Uint8Array): void {
+    this.steps = steps;
   }
 
   free(): void {}

@@ -1,5 +1,6 @@
-import { describe, expect, it } from "vitest";
+import { afterEach, describe, expect, it, vi } from "vitest";
 import { gathered, openedWith, scenarioAmong, ScenarioFiles, textsOf } from "../src/engine/files";
+import { fetchText } from "../src/engine/network";
 
 const FOLDER = "https://ships.example/app/scenarios/";
 
@@ -32,9 +33,16 @@ describe("the files that a scenario names", () => {
 
   it("are left out where they are not there, and asked for again", async () => {
     const { files, asked } = folderOf({ "a.json": "a" });
-    expect(await files.take(["missing.json", "a.json", "broken.json"])).toEqual({ "a.json": "a" });
+    expect(await files.take(["missing.json", "a.json"])).toEqual({ "a.json": "a" });
     await files.take(["missing.json"]);
     expect(asked.filter((url) => url.endsWith("missing.json")).length).toBe(2);
+  });
+
+  it("are not taken as missing where the connection fails, and asked for again", async () => {
+    const { files, asked } = folderOf({ "a.json": "a" });
+    await expect(files.take(["a.json", "broken.json"])).rejects.toThrow("failed to fetch");
+    await expect(files.take(["broken.json"])).rejects.toThrow("failed to fetch");
+    expect(asked.filter((url) => url.endsWith("broken.json")).length).toBe(2);
   });
 
   it("are looked for nowhere but in that folder", async () => {
@@ -82,4 +90,27 @@ it("tells a scenario from the databases, tables and other programs' files that a
   expect(scenarioAmong({ "crane.yaml": scenario, "ship.yaml": "version: 1\nparts:\n  crane: {part: crane.yaml}\n" })).toBe("ship.yaml");
   expect(scenarioAmong({ "wrong.toml": "[project]" })).toBe("wrong.toml");
   expect(scenarioAmong({ "a.hydro.json": "{}" })).toBeUndefined();
+});
+
+describe("a fetched file", () => {
+  afterEach(() => void vi.unstubAllGlobals());
+  const answering = (answer: () => Promise<Response>) => vi.stubGlobal("fetch", answer);
+
+  it("is missing where the server says so, and only there", async () => {
+    answering(async () => new Response("", { status: 404 }));
+    expect(await fetchText("https://ships.example/a.json")).toBeNull();
+    answering(async () => new Response("", { status: 503, statusText: "Service Unavailable" }));
+    await expect(fetchText("https://ships.example/a.json")).rejects.toMatchObject({
+      kind: "network",
+      message: "a.json could not be fetched: the server answered 503 Service Unavailable.",
+    });
+  });
+
+  it("is not missing where the connection fails", async () => {
+    answering(() => Promise.reject(new TypeError("Failed to fetch")));
+    await expect(fetchText("https://ships.example/a.json")).rejects.toMatchObject({
+      kind: "network",
+      message: "a.json could not be fetched: the connection failed.",
+    });
+  });
 });

@@ -1,6 +1,6 @@
 import type { BodyInfo } from "../src/engine/engine";
 import { describe, expect, it } from "vitest";
-import { cornersOf, fitDistance, frame, middleOf, rotate, unit } from "../src/view/fit";
+import { cornersOf, fitDistance, frame, middleOf, rotate, unit, roomIn } from "../src/view/fit";
 import { gridSpacing } from "../src/view/spacing";
 import type { Vec3 } from "../src/view/fit";
 import { boxOf, edgesOf, withFrame } from "../src/view/solids";
@@ -78,4 +78,27 @@ it("spaces the grid by the size of the model", () => {
   expect(gridSpacing(Math.hypot(20, 10, 5))).toBe(5);
   expect(gridSpacing(0.6)).toBeCloseTo(0.1);
   expect(gridSpacing(200)).toBe(50);
+});
+
+describe("the room of a picture that things stand on", () => {
+  const buttons = { left: 600, top: 8, right: 792, bottom: 52 };
+
+  it("is all of it where nothing does", () => {
+    expect(roomIn(800, 400, [])).toEqual({ left: 0, top: 0, right: 800, bottom: 400 });
+  });
+
+  it("is the largest part that none of them covers", () => {
+    expect(roomIn(800, 400, [buttons])).toEqual({ left: 0, top: 52, right: 800, bottom: 400 });
+    expect(roomIn(800, 400, [buttons, { left: 8, top: 8, right: 150, bottom: 110 }])).toEqual({ left: 0, top: 110, right: 800, bottom: 400 });
+    expect(roomIn(390, 320, [{ left: 8, top: 270, right: 382, bottom: 314 }])).toEqual({ left: 0, top: 0, right: 390, bottom: 270 });
+  });
+
+  it("is the part where something tall has the most height, where that is asked for", () => {
+    const byHeight = ({ top, bottom }: { top: number; bottom: number }) => bottom - top;
+    expect(roomIn(800, 400, [buttons], byHeight)).toEqual({ left: 0, top: 0, right: 600, bottom: 400 });
+  });
+
+  it("is all of it where everything is covered", () => {
+    expect(roomIn(100, 50, [{ left: -5, top: -5, right: 105, bottom: 55 }])).toEqual({ left: 0, top: 0, right: 100, bottom: 50 });
+  });
 });

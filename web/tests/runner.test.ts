@@ -24,7 +24,7 @@ describe("the runner", () => {
 
   it("keeps to wall time times speed and records at the recording times only", () => {
     const { runner, engine } = opened();
-    const rows = Array.from({ length: 60 }, () => times(runner.advance(1 / 60, 1).rows)).flat();
+    const rows = Array.from({ length: 60 }, () => times(runner.advance(1 / 60, 1)!.rows)).flat();
     expect(engine.time_s()).toBeCloseTo(1, 9);
     expect(rows).toEqual(Array.from({ length: 100 }, (_, i) => Number(((i + 1) * 0.01).toFixed(9))));
   });
@@ -39,6 +39,28 @@ describe("the runner", () => {
     const { runner, engine } = opened();
     runner.advance(30, 1);
     expect(engine.time_s()).toBeCloseTo(0.25, 9);
+  });
+
+  it("asks for no picture where no step is due, for nothing is other than it was", () => {
+    const { runner, engine } = opened(new FakeEngine({}, 0.05, 0.05));
+    const before = engine.posed;
+    expect(runner.advance(1 / 60, 1)).toBeNull();
+    expect(engine.posed).toBe(before);
+    expect(times([runner.advance(1 / 60, 1), runner.advance(1 / 60, 1)].at(-1)!.rows)).toEqual([0.05]);
+  });
+
+  it("takes a Step of very many steps in parts, each within a frame's budget, to the same recording time", () => {
+    const engine = new FakeEngine({}, 1e-6, 0.01);
+    const { runner } = opened(engine, () => engine.taken.reduce((sum, n) => sum + n, 0));
+    const parts: number[] = [];
+    let frame = runner.step();
+    for (; frame.isPart; frame = runner.step()) {
+      expect(frame.rows.length).toBe(0);
+      parts.push(engine.taken.splice(0).reduce((sum, n) => sum + n, 0));
+    }
+    expect(parts.length).toBeGreaterThan(100);
+    expect(Math.max(...parts)).toBeLessThan(60);
+    expect(times(frame.rows)).toEqual([0.01]);
   });
 
   it("gives up what it owes when a frame's budget is spent", () => {
@@ -58,7 +80,7 @@ describe("the runner", () => {
 
   it("reports divergence, keeps the last good row and steps no more", () => {
     const { runner, engine } = opened(new FakeEngine({}, 0.001, 0.01, 0.0355));
-    const frame = runner.advance(0.1, 1);
+    const frame = runner.advance(0.1, 1)!;
     expect(frame.fault).toMatchObject({ kind: "diverged", body: "ship" });
     expect(times(frame.rows).slice(-2)).toEqual([0.03, 0.035]);
     const { length } = engine.taken;

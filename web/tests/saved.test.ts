@@ -49,7 +49,7 @@ describe("a saved scenario", () => {
     ["container_to_quay", { timeline: false }, []],
   ] as [string, Values, string[]][])("runs to the bits of the run that a hand drove: %s", async (name, overrides, levers) => {
     const { runner, columns, save, step } = await opened(name, overrides);
-    let frame = runner.advance(0, 1);
+    let frame = runner.step();
     for (const [value, steps] of [[1.5, 7], [-3.1, 12], [-11.7, 1], [0.123456789, 20]]) {
       for (const lever of levers) runner.input(lever, value);
       frame = step(steps);

@@ -1,4 +1,5 @@
-import { beforeEach, describe, expect, it } from "vitest";
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import { Aside } from "../src/app/aside";
 import { Session } from "../src/app/session";
 import { faultOfControl } from "../src/app/faults";
 import type { EngineClient } from "../src/engine/client";
@@ -34,6 +35,7 @@ function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
     advance: (wall_s: number, speed: number) => later(() => runner.advance(wall_s, speed)),
     step: () => later(() => runner.step()),
     input: (name: string, value: number) => later(() => (runner.input(name, value), null)),
+    snapshot: () => later(() => runner.snapshot()),
     replay: () => later(() => ({ ...runner.replay(), files: [] })),
     parameter: (name: string, value: Value) => later(() => (runner.parameter(name, value), null)),
   } as unknown as EngineClient;
@@ -46,6 +48,7 @@ describe("the session", () => {
   let openings: Values[];
   let session: Session;
   let faults: (Fault | null)[];
+  const time = () => session.run!.columns.read(session.lastFrame!.row, "time");
 
   beforeEach(async () => {
     openings = [];
@@ -93,6 +96,85 @@ describe("the session", () => {
     expect(openings.at(-1)).toEqual({ load: true });
     expect(openings.length).toBeLessThanOrEqual(3);
     expect(session.pending()).toEqual([]);
+  });
+
+  it("starts where Start is pressed right after a change, with the value changed", async () => {
+    session.set("load", true);
+    session.start();
+    expect(session.isGoing).toBe(true);
+    await settled();
+    expect(session.status).toBe("running");
+    expect(openings.at(-1)).toEqual({ load: true });
+    await session.advance(0.1);
+    expect(time()).toBeCloseTo(0.1, 9);
+  });
+
+  it("starts after the last of several changes, and not where it was paused again meanwhile", async () => {
+    session.set("load", true);
+    session.start();
+    session.set("load", false);
+    await settled();
+    expect(session.status).toBe("running");
+    expect(openings.at(-1)).toEqual({ load: false });
+    await session.reset();
+    session.set("load", true);
+    session.start();
+    session.pause();
+    expect(session.isGoing).toBe(false);
+    await settled();
+    expect(session.status).toBe("idle");
+  });
+
+  it("steps where Step is pressed right after a change", async () => {
+    session.set("load", true);
+    await session.step();
+    await vi.waitFor(() => expect(time()).toBeCloseTo(0.01, 9));
+    expect(session.status).toBe("paused");
+    expect(openings.at(-1)).toEqual({ load: true });
+  });
+
+  it("starts nothing where the value changed before it is refused", async () => {
+    session.set("load", "no");
+    session.start();
+    await settled();
+    expect(session.status).toBe("idle");
+    expect(session.isGoing).toBe(false);
+  });
+
+  it.each(["pause", "reset"] as const)("leaves a long Step off at once on %s, and steps on from there", async (stop) => {
+    const client = clientOf(openings);
+    const { step } = client;
+    client.step = async () => ({ ...(await step()), isPart: true });
+    session = new Session(client);
+    await session.open(good, {});
+    const stepped = session.step();
+    await vi.waitFor(() => expect(session.status).toBe("stepping"));
+    expect(session.isGoing).toBe(true);
+    await session[stop]();
+    await stepped;
+    expect(session.status).toBe(stop === "pause" ? "paused" : "idle");
+    client.step = step;
+    const before = time();
+    await session.step();
+    expect(time()).toBeGreaterThan(before);
+    expect(session.status).toBe("paused");
+  });
+
+  it("has the hulls' floating reckoned by a second engine, from the state of the first", async () => {
+    const asked: unknown[][] = [];
+    const note = (name: string) => (...of: unknown[]) => Promise.resolve(void asked.push([name, ...of]));
+    const hydrostatics = async () => ({ hulls: [], warnings: [] });
+    const aside = new Aside(() => ({ open: note("open"), restore: note("restore"), hydrostatics }) as unknown as EngineClient);
+    await session.step();
+    await aside.hydrostatics(session);
+    await session.step();
+    const [dropped, newest] = [aside.hydrostatics(session), aside.hydrostatics(session)];
+    expect([await dropped, await newest]).toEqual([null, { hulls: [], warnings: [] }]);
+    expect(asked).toEqual([
+      ["open", "good", "good.yaml", {}, null],
+      ["restore", Uint8Array.of(10)],
+      ["restore", Uint8Array.of(20)],
+    ]);
   });
 
   it("keeps a value for the reset while a run is under way", async () => {
@@ -148,6 +230,69 @@ describe("the session", () => {
     session.start();
     expect(session.status).toBe("stopped");
     await session.reset();
+    expect(session.status).toBe("idle");
+    expect(session.fault).toBeNull();
+  });
+
+  it("goes on where a part of the page fails, tells the others and says so", async () => {
+    const told: number[] = [];
+    const log = vi.spyOn(console, "error").mockImplementation(() => undefined);
+    const other = new Session(clientOf(openings));
+    other.listen({ advanced: () => { throw new Error("no picture"); } });
+    other.listen({ advanced: (run, frame) => told.push(run.columns.read(frame.row, "time")) });
+    await other.open(good, {});
+    await other.step();
+    await other.step();
+    expect(told).toEqual([0.01, 0.02]);
+    expect(other.status).toBe("paused");
+    expect(other.fault).toMatchObject({ kind: "page", message: "no picture. The run goes on." });
+    log.mockRestore();
+  });
+
+  it("begins anew with the same values where the engine is lost under way, and says so", async () => {
+    const client = clientOf(openings);
+    session = new Session(client);
+    await session.open(good, { load: true });
+    session.start();
+    await session.advance(0.1);
+    client.advance = () => Promise.reject({ kind: "engine", message: "The engine gave no answer for 20 s." });
+    await session.advance(0.1);
+    await settled();
+    expect(session.status).toBe("idle");
+    expect(openings.at(-1)).toEqual({ load: true });
+    expect(time()).toBe(0);
+    expect(session.fault).toMatchObject({ kind: "restarted" });
+    await session.step();
+    expect(time()).toBeCloseTo(0.01, 9);
+  });
+
+  it("opens what was asked for at Reset where the engine did not load at first", async () => {
+    const client = clientOf(openings);
+    const { open } = client;
+    session = new Session(client);
+    client.open = () => Promise.reject({ kind: "engine", message: "The engine did not load." });
+    expect(await session.open(good, { load: true })).toBe(false);
+    expect(session.status).toBe("empty");
+    await session.reset();
+    expect(session.status).toBe("empty");
+    client.open = open;
+    await session.reset();
+    expect(session.status).toBe("idle");
+    expect(openings.at(-1)).toEqual({ load: true });
+    expect(session.value("load")).toBe(true);
+  });
+
+  it("does not stop a new run for an answer that belonged to the one before", async () => {
+    const client = clientOf(openings);
+    session = new Session(client);
+    await session.open(good, {});
+    session.start();
+    let reject = (_: Fault) => {};
+    client.advance = () => new Promise((_, no) => (reject = no));
+    const stale = session.advance(0.1);
+    await session.open(good, { load: true });
+    reject({ kind: "internal", message: "too late" });
+    await stale;
     expect(session.status).toBe("idle");
     expect(session.fault).toBeNull();
   });

@@ -35,6 +35,7 @@ pub fn run(error: RunError) -> JsValue {
         RunError::Diverged { .. } | RunError::NoNumber { .. } => "diverged",
         RunError::SingularLoop { .. } => "singular_loop",
         RunError::OpenLoop { .. } => "open_loop",
+        RunError::UndeterminedRope { .. } | RunError::ShortRope { .. } => "rope_constraint",
         RunError::Steering { .. } => "operation",
         RunError::Step(_) | RunError::TooManyEvents { .. } | RunError::EventNotAlone { .. } => "step",
     };

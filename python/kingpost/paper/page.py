@@ -9,7 +9,7 @@ from pathlib import Path
 
 from latex2mathml.converter import convert
 
-from .. import _engine
+from ..engine import engine
 from . import comparison, summary
 from .errata import Erratum, errata, power
 from .figures import Figure
@@ -63,7 +63,7 @@ def html(
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         f"<style>{style}</style></head><body><header><h1>{TITLE}</h1>{_lead()}"
         f"<nav><ul>{links}</ul></nav></header><main>{sections}</main>"
-        f"<footer><p>Written by <code>kingpost paper</code>, version {_engine.__version__}. "
+        f"<footer><p>Written by <code>kingpost paper</code>, version {engine.__version__}. "
         "The pictures, and the numbers of the runs, were computed for it.</p></footer></body></html>\n"
     )
 

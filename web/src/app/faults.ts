@@ -21,6 +21,26 @@ export function faultOfControl(fault: Fault, parameters: readonly ParameterInfo[
   return { kind: "input", message: `${label}: ${found}${unit} is not ${allowed}${/\d$/.test(allowed) ? unit : ""}.` };
 }
 
+/** Values of the address that the scenario does not take, in the words of an address. */
+export function faultOfAddress(fault: Fault): Fault {
+  return { kind: "address", message: `${fault.message.replaceAll(SET, "")}. It opened with its own values.` };
+}
+
+/** A run that was lost with its engine, and begins anew in another. */
+export function faultOfLostRun({ message }: Fault): Fault {
+  return { kind: "restarted", message: `${message} The run begins anew, with the values as they were set.` };
+}
+
+/** What a part of the page threw; the run goes on. */
+export function faultOfPage(thrown: unknown): Fault {
+  return { kind: "page", message: `${thrown instanceof Error ? thrown.message : String(thrown)}. The run goes on.` };
+}
+
+/** What to say where the gallery's list did not come. */
+export function faultOfGallery({ message }: Fault): Fault {
+  return { kind: "network", message: `${message} There are no scenarios to choose from; files can be opened all the same.` };
+}
+
 /** What to say of a hydrodynamic database, or a table, that was opened by itself. */
 export function faultOfDatabase(name: string): Fault {
   return {

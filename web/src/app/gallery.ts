@@ -1,4 +1,6 @@
 import type { Fault } from "../engine/engine";
+import { faultOfNetwork } from "../engine/faults";
+import { fetchText } from "../engine/network";
 
 export interface GalleryEntry {
   name: string;
@@ -21,8 +23,17 @@ export class Gallery {
   ) {}
 
   static async load(base: string): Promise<Gallery> {
-    const text = await fetchText(new URL("scenarios/index.json", base));
-    return new Gallery(base, JSON.parse(text) as GalleryEntry[]);
+    const { href } = new URL("scenarios/index.json", base);
+    const text = await textAt(href);
+    try {
+      return new Gallery(base, JSON.parse(text) as GalleryEntry[]);
+    } catch {
+      throw faultOfNetwork(href, "it is no JSON");
+    }
+  }
+
+  static empty(base: string): Gallery {
+    return new Gallery(base, []);
   }
 
   /** The scenario that the server was started with. */
@@ -33,7 +44,7 @@ export class Gallery {
   async read(name: string): Promise<{ text: string; file: string }> {
     const entry = this.entries.find((known) => known.name === name);
     if (!entry) throw this.unknown(name);
-    return { text: await fetchText(new URL(`scenarios/${entry.file}`, this.base)), file: entry.file };
+    return { text: await textAt(new URL(`scenarios/${entry.file}`, this.base).href), file: entry.file };
   }
 
   private unknown(name: string): Fault {
@@ -48,8 +59,8 @@ export class Gallery {
   }
 }
 
-async function fetchText(url: URL): Promise<string> {
-  const response = await fetch(url);
-  if (!response.ok) throw { kind: "internal", message: `${url.pathname}: ${response.status} ${response.statusText}` };
-  return response.text();
+async function textAt(url: string): Promise<string> {
+  const text = await fetchText(url);
+  if (text === null) throw faultOfNetwork(url, "it is not there");
+  return text;
 }

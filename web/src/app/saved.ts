@@ -1,4 +1,5 @@
 import type { Fault } from "../engine/engine";
+import { isOfEngine } from "../engine/faults";
 import type { Replay } from "../engine/messages";
 import { fixed } from "./format";
 import { yamlOf } from "./yaml";
@@ -45,6 +46,7 @@ function differenceOf({ parameters }: Replay): string | null {
 
 /** Why there is nothing to keep. */
 export function faultOfSaving(fault: Fault): Fault {
+  if (isOfEngine(fault)) return fault;
   if (!fault.message.startsWith("operation:")) return { ...fault, kind: "unsaved" };
   const message =
     "Levers were moved by hand while the scenario's own operation was on, and a file holds one operation. " +

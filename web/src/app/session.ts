@@ -1,40 +1,16 @@
-import { Columns } from "../engine/columns";
 import type { EngineClient } from "../engine/client";
-import type { Channel, DrawnLine, Fault, Hydrostatics, InputInfo, ModelInfo, Value, Values } from "../engine/engine";
+import type { Fault, Value, Values } from "../engine/engine";
+import { isOfEngine } from "../engine/faults";
 import type { Frame, Opened } from "../engine/messages";
-import { Accuracy } from "./accuracy";
-import { faultOfControl } from "./faults";
-import { faultOfSaving, savedFile } from "./saved";
-import type { SavedFile } from "./saved";
+import { faultOfControl, faultOfLostRun } from "./faults";
+import { Listeners } from "./listeners";
+import { runOf } from "./run";
+import type { Listener, Run, Source, Status } from "./run";
+import { faultOfSaving, savedFile, type SavedFile } from "./saved";
+import { Latest, Turns } from "./turns";
+import { SetValues } from "./values";
 
-/** idle: at the start; stopped: the run cannot go on. */
-export type Status = "loading" | "idle" | "running" | "paused" | "stopped";
-
-/** A scenario opened, with all that follows from its channels. */
-export interface Run {
-  model: ModelInfo;
-  lines: DrawnLine[];
-  channels: Channel[];
-  columns: Columns;
-  inputs: InputInfo[];
-  accuracy: Accuracy;
-}
-
-interface Source {
-  text: string;
-  file: string;
-  /** Texts of the files that were opened with it, by their names; left out for a scenario of the gallery. */
-  opened?: Record<string, string>;
-}
-
-export interface Listener {
-  /** A scenario was opened, or the same one reset: everything starts anew. */
-  opened?(run: Run, frame: Frame, isAnother: boolean): void;
-  advanced?(run: Run, frame: Frame): void;
-  statusChanged?(status: Status): void;
-  valuesChanged?(): void;
-  faulted?(fault: Fault | null): void;
-}
+export type { Listener, Run, Status } from "./run";
 
 /** The one state of the page: which scenario, which values, and where the run stands. */
 export class Session {
@@ -44,53 +20,75 @@ export class Session {
   /** What went wrong last, until it is dismissed or something opens. */
   fault: Fault | null = null;
   speed = 1;
-  /** What the controls say. */
-  wanted: Values = {};
-  /** What the run in hand was opened with. */
-  applied: Values = {};
-  private source: Source | null = null;
+  readonly values = new SetValues();
+  /** What Reset opens. */
+  source: Source | null = null;
   private resetDue = false;
   /** Live values on their way to the engine. */
-  private readonly live = new Map<string, Value>();
-  private turn: Promise<unknown> = Promise.resolve();
+  private readonly live = new Latest<Value>((name, value) => this.setLive(name, value));
+  /** Openings and resets under way. */
+  private readonly turns = new Turns(() => this.goOn());
+  /** What was asked for while one was under way, to be done after it. */
+  private due: "start" | "step" | null = null;
   private advancing = false;
-  private readonly listeners: Listener[] = [];
+  private isRecovering = false;
+  private readonly listeners = new Listeners((fault) => this.report(fault));
 
   constructor(private readonly client: EngineClient) {}
 
   listen(listener: Listener): void {
-    this.listeners.push(listener);
+    this.listeners.add(listener);
   }
 
   /** Opens another scenario; one that does not read leaves the run in hand as it was. */
   open(source: Source, overrides: Values): Promise<boolean> {
-    return this.inTurn(async () => {
-      this.pause();
+    this.pause();
+    return this.turns.take(async () => {
       try {
         this.accept(await this.read(source, overrides), { ...overrides }, source);
         return true;
       } catch (fault) {
-        this.report(fault as Fault);
+        this.due = null;
+        this.refuseOpening(source, overrides, fault as Fault);
         return false;
       }
     });
   }
 
-  private read({ text, file, opened }: Source, overrides: Values): Promise<Opened> {
-    return this.client.open(text, file, overrides, opened ?? null);
+  /** Where the engine of a run in hand turns out to be gone, another one is asked. */
+  private async read({ text, file, opened }: Source, overrides: Values): Promise<Opened> {
+    const answer = () => this.client.open(text, file, overrides, opened ?? null);
+    return answer().catch((fault: Fault) => {
+      if (!this.run || !isOfEngine(fault)) throw fault;
+      return answer();
+    });
   }
 
-  /** Back to the start with the values that the controls show. Calls that come together are one. */
-  async reset(): Promise<void> {
+  /** Keeps what could not be opened for Reset where something did not come. */
+  private refuseOpening(source: Source, overrides: Values, fault: Fault): void {
+    if (!this.run) {
+      if (isOfEngine(fault) || fault.kind === "network") [this.source, this.values.wanted] = [source, { ...overrides }];
+      this.become("empty");
+    } else if (isOfEngine(fault)) void this.recover(fault);
+    this.report(fault);
+  }
+
+  /** Back to the start with the values that the controls show. */
+  reset(): Promise<void> {
+    this.pause();
+    return this.reopen();
+  }
+
+  /** Calls together are one. */
+  private async reopen(): Promise<void> {
     if (this.resetDue) return;
     this.resetDue = true;
-    await this.inTurn(async () => {
+    await this.turns.take(async () => {
       this.resetDue = false;
       if (!this.source) return;
-      this.pause();
-      const overrides = { ...this.wanted };
+      const overrides = { ...this.values.wanted };
       try {
-        this.accept(await this.read(this.source, overrides), overrides, null);
+        this.accept(await this.read(this.source, overrides), overrides, this.run ? null : this.source);
       } catch (fault) {
         this.refuse(overrides, fault as Fault);
       }
@@ -99,70 +97,74 @@ export class Session {
 
   /** Sets a value; at the start the picture follows at once, under way a live one does, and another waits for the reset. */
   set(name: string, value: Value): void {
-    this.wanted = { ...this.wanted, [name]: value };
+    this.values.want(name, value);
     this.emit((listener) => listener.valuesChanged?.());
-    if (this.status === "idle") void this.reset();
-    else if (this.run?.model.parameters.some((one) => one.name === name && one.live)) void this.setLive(name, value);
+    if (this.status === "idle") void this.reopen();
+    else if (this.run?.model.parameters.some((one) => one.name === name && one.live)) void this.live.set(name, value);
   }
 
-  /** Hands live values to the run in hand, one after another, of each name the last. One that is refused waits for the reset. */
+  /** A live value that is refused waits for the reset. */
   private async setLive(name: string, value: Value): Promise<void> {
-    const isUnderWay = this.live.size > 0;
-    this.live.set(name, value);
-    if (isUnderWay) return;
-    for (let next = this.live.entries().next(); !next.done; next = this.live.entries().next()) {
-      const [due, given] = next.value;
-      const run = this.run;
-      await this.client.parameter(due, given).then(
-        () => {
-          if (run === this.run) this.applied = { ...this.applied, [due]: given };
-        },
-        (fault: Fault) => this.report(faultOfControl(fault, run?.model.parameters ?? [])),
-      );
-      if (this.live.get(due) === given) this.live.delete(due);
-      this.emit((listener) => listener.valuesChanged?.());
-    }
+    const run = this.run;
+    await this.asked(this.client.parameter(name, value)).then(
+      () => run === this.run && this.values.apply(name, value),
+      (fault: Fault) => this.reportOfRun(faultOfControl(fault, run?.model.parameters ?? [])),
+    );
+    this.emit((listener) => listener.valuesChanged?.());
   }
 
   async setInput(name: string, value: number): Promise<void> {
-    await this.client.input(name, value).catch((fault: Fault) => this.report(fault));
+    await this.asked(this.client.input(name, value)).catch((fault: Fault) => this.reportOfRun(fault));
   }
 
   /** The run in hand as a scenario file; null where it cannot be one, which is reported. */
   async save(): Promise<SavedFile | null> {
     try {
       const { source } = this;
-      const replay = await this.client.replay();
+      const replay = await this.asked(this.client.replay());
       return source && savedFile(source.file, replay, this.pending());
     } catch (fault) {
-      this.report(faultOfSaving(fault as Fault));
+      this.reportOfRun(faultOfSaving(fault as Fault));
       return null;
     }
   }
 
   /** Names of the values that wait for a reset. */
   pending(): string[] {
-    return Object.keys(this.wanted).filter((name) => this.wanted[name] !== this.applied[name]);
+    return this.values.pending();
+  }
+
+  /** Whether it runs, or will as soon as a reset under way is through. */
+  get isGoing(): boolean {
+    return this.status === "running" || this.status === "stepping" || this.due === "start";
   }
 
   start(): void {
-    if (this.status === "idle" || this.status === "paused") this.become("running");
+    if (this.turns.isBusy) this.intend("start");
+    else if (this.status === "idle" || this.status === "paused") this.become("running");
   }
 
-  /** How the hulls float at rest with the crane as it stands. */
-  hydrostatics(): Promise<Hydrostatics> {
-    return this.client.hydrostatics();
+  /** The state of the run in hand, for another engine. */
+  snapshot(): Promise<Uint8Array> {
+    return this.asked(this.client.snapshot());
   }
 
   pause(): void {
-    if (this.status === "running") this.become("paused");
+    if (this.due) this.intend(null);
+    if (this.status === "running" || this.status === "stepping") this.become("paused");
   }
 
   /** One recording interval. */
   async step(): Promise<void> {
-    if (this.status === "stopped" || this.status === "loading") return;
+    if (!this.run || this.status === "stopped" || this.status === "stepping") return;
+    if (this.turns.isBusy) return this.intend("step");
     this.become("paused");
-    await this.take(this.client.step());
+    let frame = await this.take(this.client.step());
+    if (frame?.isPart && this.status === "paused") this.become("stepping");
+    // A pause or a reset may come while an answer is due.
+    const isOn = () => this.status === "stepping";
+    while (frame?.isPart && isOn()) frame = await this.take(this.client.step());
+    if (isOn()) this.become("paused");
   }
 
   /** One frame of a run, `wall_s` after the one before; asks nothing while an answer is due. */
@@ -173,6 +175,12 @@ export class Session {
     this.advancing = false;
   }
 
+  /** There is nothing to open. */
+  beEmpty(fault: Fault): void {
+    this.become("empty");
+    this.report(fault);
+  }
+
   dismissFault(): void {
     this.tellFault(null);
   }
@@ -181,45 +189,81 @@ export class Session {
     this.tellFault(fault);
   }
 
+  /** That the engine is gone is said once the run has begun anew. */
+  private reportOfRun(fault: Fault): void {
+    if (!isOfEngine(fault)) this.report(fault);
+  }
+
   private tellFault(fault: Fault | null): void {
     this.fault = fault;
     this.emit((listener) => listener.faulted?.(fault));
   }
 
-  /** Openings and resets wait for one another, so that none answers for another's scenario. */
-  private inTurn<T>(work: () => Promise<T>): Promise<T> {
-    const result = this.turn.then(work);
-    this.turn = result.catch(() => undefined);
-    return result;
+  private intend(due: "start" | "step" | null): void {
+    this.due = due;
+    this.emit((listener) => listener.statusChanged?.(this.status));
   }
 
-  private async take(answer: Promise<Frame>): Promise<void> {
+  private goOn(): void {
+    const { due } = this;
+    if (due) this.intend(null);
+    if (due === "start") this.start();
+    if (due === "step") void this.step();
+  }
+
+  private async take(answer: Promise<Frame | null>): Promise<Frame | null> {
     const run = this.run;
     try {
-      const frame = await answer;
-      if (!run || run !== this.run) return;
-      this.lastFrame = frame;
-      this.emit((listener) => listener.advanced?.(run, frame));
-      if (frame.fault) {
-        this.become("stopped");
-        this.report(frame.fault);
-      }
+      const frame = await this.asked(answer);
+      if (!frame || !run || run !== this.run) return null;
+      this.show(run, frame);
+      return frame;
     } catch (fault) {
-      this.become("stopped");
-      this.report(fault as Fault);
+      if (run === this.run && !isOfEngine(fault)) {
+        this.become("stopped");
+        this.report(fault as Fault);
+      }
+      return null;
     }
   }
 
+  private show(run: Run, frame: Frame): void {
+    this.lastFrame = frame;
+    this.emit((listener) => listener.advanced?.(run, frame));
+    if (!frame.fault) return;
+    this.become("stopped");
+    this.report(frame.fault);
+  }
+
+  /** What the engine answers to something asked of the run in hand; where it is gone, the run begins anew in another. */
+  private async asked<T>(answer: Promise<T>): Promise<T> {
+    return answer.catch((fault: unknown) => {
+      if (isOfEngine(fault)) void this.recover(fault as Fault);
+      throw fault;
+    });
+  }
+
+  private async recover(fault: Fault): Promise<void> {
+    if (this.isRecovering) return;
+    this.isRecovering = true;
+    this.pause();
+    this.live.clear();
+    const { run } = this;
+    await this.reopen();
+    // Values that waited for a reset may have been refused.
+    if (run === this.run && this.status !== "stopped") await this.reopen();
+    this.isRecovering = false;
+    if (run !== this.run) this.report(faultOfLostRun(fault));
+  }
+
   private accept(opened: Opened, overrides: Values, source: Source | null): void {
-    const columns = new Columns(opened.channels);
-    const { model, lines, channels } = opened;
-    const run = { model, lines, channels, columns, inputs: opened.inputs, accuracy: new Accuracy(columns) };
+    const run = runOf(opened);
     this.run = run;
     this.lastFrame = opened.frame;
-    this.applied = { ...valuesOf(opened), ...overrides };
+    this.values.begin(opened, overrides);
     if (source) {
       this.source = source;
-      this.wanted = { ...overrides };
+      this.values.wanted = { ...overrides };
     }
     this.dismissFault();
     this.emit((listener) => listener.opened?.(run, opened.frame, source !== null));
@@ -229,18 +273,19 @@ export class Session {
 
   /** A value that the engine refuses: the controls go back to what the run in hand has. */
   private refuse(tried: Values, fault: Fault): void {
-    const isNewer = Object.keys(this.wanted).some((name) => this.wanted[name] !== tried[name]);
-    if (!isNewer) {
-      const kept = Object.entries(this.wanted).map(([name]) => [name, this.applied[name]]);
-      this.wanted = Object.fromEntries(kept.filter(([, value]) => value !== undefined));
+    if (this.due) this.intend(null);
+    if (isOfEngine(fault)) {
+      this.become(this.run ? "stopped" : "empty");
+      return this.report(fault);
     }
+    this.values.giveUp(tried);
     this.report(faultOfControl(fault, this.run?.model.parameters ?? []));
     this.emit((listener) => listener.valuesChanged?.());
   }
 
   /** What a control shows. */
   value(name: string): Value | undefined {
-    return this.wanted[name] ?? this.applied[name];
+    return this.values.shown(name);
   }
 
   private become(status: Status): void {
@@ -249,18 +294,7 @@ export class Session {
     this.emit((listener) => listener.statusChanged?.(status));
   }
 
-  private emit(tell: (listener: Listener) => void): void {
-    this.listeners.forEach(tell);
+  private emit(message: (listener: Listener) => void): void {
+    this.listeners.tell(message);
   }
-}
-
-/** Every value that a control shows, by parameter name or path. */
-function valuesOf({ model, settings }: Opened): Values {
-  const values: Values = {
-    "simulation.integrator": settings.integrator,
-    "simulation.form": settings.form,
-    "simulation.step_s": settings.step_s,
-  };
-  for (const parameter of model.parameters) values[parameter.name] = parameter.value;
-  return values;
 }

@@ -1,23 +1,34 @@
 import type { Fault, Value, Values } from "./engine";
-import type { Replies, Reply, Request } from "./messages";
+import { faultOfBreakdown, faultOfSilence, isOfEngine, UNLOADED } from "./faults";
+import type { FromWorker, Replies, Reply, Request } from "./messages";
+
+/** How often the worker is asked for a sign of life while an answer is due, ms. */
+const LOOK_EVERY_MS = 1000;
+/** Looks without one after which the worker counts as dead; the engine gives none within one step or one opening. */
+const MOST_SILENT_LOOKS = 20;
 
 interface Waiting {
   resolve(value: never): void;
   reject(fault: Fault): void;
 }
 
-/** The engine in its worker, seen from the page: each request answers with a promise, in order. */
+/**
+ * The engine in its worker, seen from the page: each request answers with a promise, in order. A worker that fails or falls
+ * silent is ended, what waited is rejected with a fault of the kind `engine`, and the next request starts another.
+ */
 export class EngineClient {
   private readonly waiting = new Map<number, Waiting>();
+  private worker: Worker | null = null;
   private lastId = 0;
+  private silentLooks = 0;
+  private timer: ReturnType<typeof setInterval> | undefined;
 
   /** The files that scenarios name are looked for in a folder, by its address. */
   constructor(
-    private readonly worker: Worker,
+    private readonly startWorker: () => Worker,
     private readonly folder: string,
   ) {
-    worker.onmessage = (event: MessageEvent<Reply>) => this.settle(event.data);
-    worker.onerror = (event) => this.fail({ kind: "internal", message: event.message || "the engine did not load" });
+    this.employed();
   }
 
   /** `opened` are the texts of the files that came with it, by their names; null for a scenario of the gallery. */
@@ -50,23 +61,67 @@ export class EngineClient {
     return this.ask({ kind: "replay" });
   }
 
+  snapshot(): Promise<Uint8Array> {
+    return this.ask({ kind: "snapshot" });
+  }
+
+  restore(snapshot: Uint8Array): Promise<null> {
+    return this.ask({ kind: "restore", snapshot });
+  }
+
   private ask<K extends Request["kind"]>(request: Request & { kind: K }): Promise<Replies[K]> {
     const id = ++this.lastId;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
-      this.worker.postMessage({ id, request });
+      this.watch();
+      this.employed().postMessage({ id, request });
     });
   }
 
+  private employed(): Worker {
+    if (this.worker) return this.worker;
+    const worker = this.startWorker();
+    worker.onmessage = (event: MessageEvent<FromWorker>) => this.worker === worker && this.hear(event.data);
+    worker.onerror = ({ message }) => this.worker === worker && this.lose(message ? faultOfBreakdown(message) : UNLOADED);
+    this.worker = worker;
+    return worker;
+  }
+
+  private hear(message: FromWorker): void {
+    this.silentLooks = 0;
+    if ("id" in message) this.settle(message);
+  }
+
   private settle(reply: Reply): void {
+    if ("fault" in reply && isOfEngine(reply.fault)) return this.lose(reply.fault);
     const waiting = this.waiting.get(reply.id);
     this.waiting.delete(reply.id);
+    if (this.waiting.size === 0) this.stopWatching();
     if ("fault" in reply) waiting?.reject(reply.fault);
     else waiting?.resolve(reply.value as never);
   }
 
-  private fail(fault: Fault): void {
-    for (const waiting of this.waiting.values()) waiting.reject(fault);
+  /** A worker that was ended says nothing, and one that computes cannot: looks are counted, for a page that slept makes none. */
+  private watch(): void {
+    this.timer ??= setInterval(() => {
+      this.silentLooks += 1;
+      if (this.silentLooks > MOST_SILENT_LOOKS) this.lose(faultOfSilence((MOST_SILENT_LOOKS * LOOK_EVERY_MS) / 1000));
+      else this.worker?.postMessage({ isThere: true });
+    }, LOOK_EVERY_MS);
+  }
+
+  private stopWatching(): void {
+    clearInterval(this.timer);
+    this.timer = undefined;
+    this.silentLooks = 0;
+  }
+
+  private lose(fault: Fault): void {
+    this.worker?.terminate();
+    this.worker = null;
+    this.stopWatching();
+    const lost = [...this.waiting.values()];
     this.waiting.clear();
+    for (const { reject } of lost) reject(fault);
   }
 }

@@ -18,6 +18,7 @@ import type {
 } from "../generated/model";
 import type { HydrostaticReport } from "../generated/hydrostatics";
 import type { SimulationSettings } from "../generated/scenario";
+import { faultOfBreakdown } from "./faults";
 
 export type { Channel, DrawnLine, Warning };
 export type Hydrostatics = HydrostaticReport;
@@ -109,12 +110,17 @@ export interface Engine {
   replay_json(): string;
   /** Sets a live parameter from the next step on; throws where the run would have to begin anew. */
   set_parameter(name: string, valueJson: string): void;
+  snapshot(): Uint8Array;
+  /** Continues from a snapshot of a run of the same scenario. */
+  restore(snapshot: Uint8Array): void;
   free(): void;
 }
 
 export type OpenEngine = (text: string, file: string, overridesJson: string, filesJson: string) => Engine;
 
 export function asFault(thrown: unknown): Fault {
+  // The engine's memory cannot be trusted after this.
+  if (thrown instanceof WebAssembly.RuntimeError) return faultOfBreakdown(thrown.message);
   if (typeof thrown === "object" && thrown !== null && "message" in thrown) {
     const { message } = thrown;
     if ("kind" in thrown && typeof thrown.kind === "string") {

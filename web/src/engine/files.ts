@@ -1,4 +1,4 @@
-/** Fetches a file's text; null where there is none. */
+/** Fetches a file's text; null where there is none, and a fault where that cannot be known. */
 export type FetchText = (url: string) => Promise<string | null>;
 
 /** Texts of files by their names. */
@@ -76,23 +76,26 @@ export class ScenarioFiles {
   private async text(name: string): Promise<string | null> {
     const known = this.texts.get(name) ?? this.fetch(name);
     this.texts.set(name, known);
-    const text = await known;
+    const text = await known.catch((fault: unknown) => {
+      this.texts.delete(name);
+      throw fault;
+    });
     if (text === null) this.texts.delete(name);
     return text;
   }
 
   /** A name leads nowhere but into the folder. */
   private async fetch(name: string): Promise<string | null> {
-    try {
-      const { href } = new URL(name, this.folder);
-      return href.startsWith(this.folder) ? await this.fetchText(href) : null;
-    } catch {
-      return null;
-    }
+    const href = addressOf(name, this.folder);
+    return href.startsWith(this.folder) ? this.fetchText(href) : null;
   }
 }
 
-export async function fetchText(url: string): Promise<string | null> {
-  const response = await fetch(url);
-  return response.ok ? response.text() : null;
+/** Empty where the name is none that an address can have. */
+function addressOf(name: string, folder: string): string {
+  try {
+    return new URL(name, folder).href;
+  } catch {
+    return "";
+  }
 }

@@ -19,6 +19,8 @@ export type Request =
   | { kind: "hydrostatics" }
   | { kind: "input"; name: string; value: number }
   | { kind: "replay" }
+  | { kind: "snapshot" }
+  | { kind: "restore"; snapshot: Uint8Array }
   | { kind: "parameter"; name: string; value: Value };
 
 /** What a stretch of simulation produced. */
@@ -35,6 +37,8 @@ export interface Frame {
   surface: Surface | null;
   /** What a person should know of the rows so far. */
   warnings: Warning[];
+  /** Whether the recording time that was asked for lies further on: there is more to compute than one frame has time for. */
+  isPart: boolean;
   /** Why the run cannot go on. */
   fault: Fault | null;
 }
@@ -65,12 +69,21 @@ export interface Replay {
 
 export interface Replies {
   open: Opened;
-  advance: Frame;
+  /** Null where no step was due: nothing is other than it was. */
+  advance: Frame | null;
   step: Frame;
   hydrostatics: Hydrostatics;
   input: null;
   parameter: null;
   replay: Replay;
+  snapshot: Uint8Array;
+  restore: null;
 }
+
+/** Everything that goes to the worker. */
+export type ToWorker = { id: number; request: Request } | { isThere: true };
+
+/** A sign of life beside the answers. */
+export type FromWorker = Reply | { isAlive: true };
 
 export type Reply = { id: number; value: unknown } | { id: number; fault: Fault };

@@ -7,8 +7,9 @@ import { SurfaceGrid } from "./surface";
 const LONGEST_WALL_S = 0.25;
 /** Longest time that one frame may compute, ms. */
 const BUDGET_MS = 40;
-/** Steps between two looks at the clock. */
+/** Most steps between two looks at the clock, and how long they may take, ms. */
 const STEPS_AT_ONCE = 64;
+const MS_AT_ONCE = 8;
 
 /** Owns the engine: opens scenarios, steps to the wall clock, records rows. */
 export class Runner {
@@ -16,6 +17,7 @@ export class Runner {
   private grid: SurfaceGrid | null = null;
   private steps = 0;
   private stepsPerRecord = 1;
+  private stepsAtOnce = 1;
   private owed_s = 0;
   private fault: Fault | null = null;
 
@@ -45,21 +47,31 @@ export class Runner {
     };
   }
 
-  /** Advances by `wall_s` times `speed`, as far as the budget of one frame goes. */
-  advance(wall_s: number, speed: number): Frame {
+  /** Advances by `wall_s` times `speed`, as far as the budget of one frame goes; null where no step is due. */
+  advance(wall_s: number, speed: number): Frame | null {
     const engine = this.current();
     const step_s = engine.step_s();
     this.owed_s += Math.min(wall_s, LONGEST_WALL_S) * speed;
     const wanted = Math.floor(this.owed_s / step_s + 1e-9);
     const done = this.take(wanted, this.now_ms() + BUDGET_MS);
     this.owed_s = done.steps < wanted ? 0 : this.owed_s - wanted * step_s;
-    return this.frame(done.rows);
+    return done.steps > 0 || this.fault ? this.frame(done.rows) : null;
   }
 
-  /** Steps to the next recording time. */
+  /** Steps towards the next recording time, as far as the budget of one frame goes. */
   step(): Frame {
     this.owed_s = 0;
-    return this.frame(this.take(this.toNextRecord(), Infinity).rows);
+    const wanted = this.toNextRecord();
+    const done = this.take(wanted, this.now_ms() + BUDGET_MS);
+    return { ...this.frame(done.rows), isPart: done.steps < wanted && !this.fault };
+  }
+
+  snapshot(): Uint8Array {
+    return this.current().snapshot();
+  }
+
+  restore(snapshot: Uint8Array): void {
+    this.current().restore(snapshot);
   }
 
   /** How the hulls float at rest with the crane as it stands; a hull that cannot float is a warning. */
@@ -104,8 +116,8 @@ export class Runner {
     const engine = this.current();
     const rows: Float64Array[] = [];
     let left = this.fault ? 0 : wanted;
-    while (left > 0 && this.now_ms() < deadline_ms) {
-      const n = Math.min(left, this.toNextRecord(), STEPS_AT_ONCE);
+    for (let from_ms = this.now_ms(); left > 0 && from_ms < deadline_ms; from_ms = this.now_ms()) {
+      const n = Math.min(left, this.toNextRecord(), this.stepsAtOnce);
       try {
         engine.step(n);
       } catch (thrown) {
@@ -115,9 +127,16 @@ export class Runner {
       }
       this.steps += n;
       left -= n;
+      this.pace(n, this.now_ms() - from_ms);
       if (this.steps % this.stepsPerRecord === 0) rows.push(engine.row());
     }
     return { steps: wanted - left, rows };
+  }
+
+  /** As many steps at once as leave room for looks at the clock. */
+  private pace(steps: number, took_ms: number): void {
+    const fits = took_ms > 0 ? Math.floor((MS_AT_ONCE * steps) / took_ms) : STEPS_AT_ONCE;
+    this.stepsAtOnce = Math.max(1, Math.min(fits, 2 * this.stepsAtOnce, STEPS_AT_ONCE));
   }
 
   private frame(rows: Float64Array[]): Frame {
@@ -128,6 +147,6 @@ export class Runner {
     const poses = engine.poses();
     const surface = this.grid?.surface(engine, poses) ?? null;
     const warnings = JSON.parse(engine.warnings_json()) as Warning[];
-    return { rows: flat, row, poses, line_points: engine.line_points(), surface, warnings, fault: this.fault };
+    return { rows: flat, row, poses, line_points: engine.line_points(), surface, warnings, isPart: false, fault: this.fault };
   }
 }

@@ -1,22 +1,36 @@
 import init, { file_names, Simulation } from "./pkg/kingpost_wasm.js";
 import moduleUrl from "./pkg/kingpost_wasm_bg.wasm?url";
 import { asFault } from "./engine";
-import { fetchText, gathered, isOfGallery, ScenarioFiles, textsOf } from "./files";
-import type { Frame, OpenRequest, Replay, Reply, Request } from "./messages";
+import { faultOfLoading } from "./faults";
+import { gathered, isOfGallery, ScenarioFiles, textsOf } from "./files";
+import type { FromWorker, Frame, OpenRequest, Replay, Request, ToWorker } from "./messages";
+import { fetched, fetchText, said } from "./network";
 import { Runner } from "./runner";
 
 /** The part of a worker's global scope that is used here. */
 interface WorkerScope {
-  onmessage: ((event: MessageEvent<{ id: number; request: Request }>) => void) | null;
-  postMessage(message: Reply, transfer?: Transferable[]): void;
+  onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
+  postMessage(message: FromWorker, transfer?: Transferable[]): void;
 }
 
 const scope = self as unknown as WorkerScope;
-const ready = init({ module_or_path: moduleUrl });
+const ready = load();
+// Whoever asks first is told.
+ready.catch(() => undefined);
 const runner = new Runner(
   (text, file, overrides, files) => new Simulation(text, file, overrides, files),
   () => performance.now(),
 );
+
+async function load(): Promise<void> {
+  try {
+    const response = await fetched(moduleUrl);
+    if (!response.ok) throw new Error(said(response));
+    await init({ module_or_path: response });
+  } catch (thrown) {
+    throw faultOfLoading(asFault(thrown).message.replace(/\.$/, ""));
+  }
+}
 
 const files = new Map<string, ScenarioFiles>();
 
@@ -53,6 +67,11 @@ async function answer(request: Request): Promise<unknown> {
       return null;
     case "replay":
       return replay();
+    case "snapshot":
+      return runner.snapshot();
+    case "restore":
+      runner.restore(request.snapshot);
+      return null;
     case "parameter":
       runner.parameter(request.name, request.value);
       return null;
@@ -72,16 +91,17 @@ function buffersOf(value: unknown): Transferable[] {
 let turn: Promise<void> = Promise.resolve();
 
 // In turn: a request that waits for a file keeps the next from another's scenario.
-scope.onmessage = (event) => {
-  turn = turn.then(() => settle(event.data));
+scope.onmessage = ({ data }) => {
+  if ("isThere" in data) scope.postMessage({ isAlive: true });
+  else turn = turn.then(() => settle(data));
 };
 
 async function settle({ id, request }: { id: number; request: Request }): Promise<void> {
   try {
     await ready;
     const value = await answer(request);
-    scope.postMessage({ id, value } satisfies Reply, buffersOf(value));
+    scope.postMessage({ id, value }, buffersOf(value));
   } catch (thrown) {
-    scope.postMessage({ id, fault: asFault(thrown) } satisfies Reply);
+    scope.postMessage({ id, fault: asFault(thrown) });
   }
 }

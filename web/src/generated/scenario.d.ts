@@ -2263,12 +2263,11 @@ export type CatenaryLine = {
   seabed?: boolean;
 };
 /**
- * An elastic rope without mass that runs over sheaves: a hoist, a sling, a tugger line. It pulls where its path is longer
- * than the rope, else it is slack.
+ * A rope without inertia that runs over sheaves: a hoist, a sling, a tugger line. It pulls where its path is longer than the rope,
+ * else it is slack. Without a stiffness it is inextensible: it comes taut without a rebound, and its tension there is none that
+ * a load could be sized by.
  */
 export type Rope = {
-  [k: string]: unknown;
-} & {
   /**
    * Whether it is there.
    */
@@ -2282,13 +2281,13 @@ export type Rope = {
    */
   unstretched_length_m?: number | null;
   /**
-   * EA: tension per strain, N.
+   * EA: tension per strain, N; without it, the rope itself does not stretch.
    */
-  axial_stiffness_N?: number;
+  axial_stiffness_N?: number | null;
   /**
    * The same as `axial_stiffness_N`, in the unit of this name.
    */
-  axial_stiffness_kN?: number;
+  axial_stiffness_kN?: number | null;
   /**
    * Stiffness of what gives way in series with the rope, the crane's boom and foundation say, N/m; without it, nothing
    * does.
@@ -2303,6 +2302,14 @@ export type Rope = {
    * to 0.02 s.
    */
   damping_time_s?: number;
+  /**
+   * Its mass, kg/m, which is weight alone; without it, the rope weighs nothing. Its legs stay straight.
+   */
+  mass_kg_per_m?: number | null;
+  /**
+   * Diameter of the circle that displaces as much water as the rope below the still water line, m; without it, none.
+   */
+  diameter_m?: number | null;
   /**
    * Tension at which the rope parts, N; without it, it does not.
    */
@@ -3468,14 +3475,77 @@ export type Cylinder = {
   stop_dissipation_s_per_m?: number;
 };
 /**
- * What measures at its own ticks.
+ * What measures: a motion reference unit at its own ticks, the others in every row of the results.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
  */
-export type Sensor = {
-  motion_reference_unit: MotionReferenceUnit;
+export type Sensor =
+  | {
+      motion_reference_unit: MotionReferenceUnit;
+    }
+  | {
+      clearance: Clearance;
+    }
+  | {
+      air_gap: AirGap;
+    };
+/**
+ * What it is to stay clear of.
+ */
+export type ClearanceFrom = {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The name of one of the body's `points`.
+   */
+  point?: string | null;
+  /**
+   * The point, a point of the plane, or the centre of the solid, in the body's drawing frame, m; from the named point,
+   * where there is one.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The solid's axes in the body's: roll, pitch, yaw, rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  /**
+   * The solid; without it, the point.
+   */
+  shape?: ClearanceShape | null;
 };
+/**
+ * What a point is to stay clear of.
+ */
+export type ClearanceShape =
+  | "own"
+  | {
+      plane: ContactPlane;
+    }
+  | {
+      box: BoxShape;
+    }
+  | {
+      cylinder: CylinderShape;
+    }
+  | {
+      sphere: SphereShape;
+    };
 /**
  * What ends a step of an operation.
  */
@@ -4283,6 +4353,10 @@ export interface Submerged {
    * Drag of the wind on what is dry.
    */
   wind?: SubmergedWind | null;
+  /**
+   * Water inside, that comes in and drains through holes.
+   */
+  entrained_water?: EntrainedWater | null;
 }
 /**
  * Added mass over the share of the volume that is under water: a smooth curve through points.
@@ -4319,6 +4393,32 @@ export interface SubmergedWind {
    * Height above the still water whose wind counts, m.
    */
   height_m?: number;
+}
+/**
+ * Water that an object holds inside, in an upright space of constant section about the centre of the solid, with holes at its
+ * floor and open to the air above: it comes in and drains by Torricelli's law. What stands higher than the sea is carried.
+ */
+export interface EntrainedWater {
+  /**
+   * Volume of water that it holds when full, m^3; beside the displaced volume in the solid.
+   */
+  volume_m3: number;
+  /**
+   * Height of the space along the body's z axis, m.
+   */
+  height_m: number;
+  /**
+   * A_h: area of the holes, m^2.
+   */
+  hole_area_m2: number;
+  /**
+   * C_d: what the jet through the holes is of their area times Torricelli's speed; about 0.6 of sharp edges.
+   */
+  discharge_coefficient?: number;
+  /**
+   * Share of the volume that is water where a run begins; without it, as high as the sea stands.
+   */
+  initial_filling?: number | null;
 }
 /**
  * One end: the fairlead, say.
@@ -4433,9 +4533,13 @@ export interface RopeDrum {
    */
   joint: string;
   /**
-   * To the middle of the rope, m.
+   * To the middle of the rope that it pays out at the start, m.
    */
   radius_m: number;
+  /**
+   * Where the rope lies on it in layers; without them it is paid out at one radius.
+   */
+  layers?: DrumLayers | null;
   /**
    * The rate of the joint that pays out rope. The rope leaves the drum on the side that moves along with it then.
    */
@@ -4448,6 +4552,23 @@ export interface RopeDrum {
    * The torque that holds the rope over its tension times the radius while it is paid out.
    */
   efficiency_lowering?: number;
+}
+/**
+ * Layers of rope on a drum: its radius falls by the height of a layer for the turns of one.
+ */
+export interface DrumLayers {
+  /**
+   * Turns of rope side by side.
+   */
+  turns_per_layer: number;
+  /**
+   * Of a layer, m: the diameter of a rope that lies on top of the one below, 0.87 of it in the grooves between.
+   */
+  height_m: number;
+  /**
+   * To the middle of the rope in the innermost layer, m. The radius falls no further, and an event says so.
+   */
+  innermost_radius_m: number;
 }
 /**
  * A body that hangs on a rope.
@@ -4782,6 +4903,63 @@ export interface MotionReferenceUnit {
    * By how many samples what it shows is late: 0 to 1000.
    */
   delay_samples?: number;
+}
+/**
+ * The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside of a
+ * solid. Nothing keeps the two apart.
+ */
+export interface Clearance {
+  /**
+   * Whether it is measured.
+   */
+  enabled?: boolean;
+  first: OwnPoint;
+  second: ClearanceFrom;
+}
+/**
+ * The point.
+ */
+export interface OwnPoint {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The name of one of the body's `points`.
+   */
+  point?: string | null;
+  /**
+   * The point in the body's drawing frame, m; from the named one, where there is one.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+}
+/**
+ * The height of a point above the surface of the incident waves where the point is, as `air_gap` (m) in the results; over
+ * the still water where there are none. Negative under water.
+ */
+export interface AirGap {
+  /**
+   * Whether it is measured.
+   */
+  enabled?: boolean;
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The name of one of the body's `points`.
+   */
+  point?: string | null;
+  /**
+   * The point in the body's drawing frame, m; from the named one, where there is one.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
 }
 /**
  * An input that takes a sampled output, from each sample to the next. Both have the same unit.

@@ -4,10 +4,14 @@ import { make, setText } from "../ui/dom";
 import { History } from "./history";
 import { decimalsOf, PER_RADIAN, scaleOf } from "./quantities";
 import type { FigureKey, PlotKind, Unit } from "./quantities";
+import { rowsOf } from "./table";
 import { timeRange, wrapPlaces } from "./window";
 
 /** Room for the half of the last time on the axis that stands out, pixels. */
 const LAST_TICK_PX = 24;
+
+/** Least time between two tables of the same plot, ms. */
+const TABLE_EVERY_MS = 1000;
 
 interface Legend {
   value: HTMLElement;
@@ -35,6 +39,10 @@ export class Plot {
   private kind: PlotKind = { title: "", quantities: [], units: { deg: "", rad: "" }, turns: true, wraps: false };
   private history = new History(1, 1);
   private scaled: Float64Array[] = [];
+  /** The same in numbers, for those who do not see it. */
+  private readonly table = make("table");
+  private tabledAt_ms = -Infinity;
+  private isTabled = false;
 
   constructor(
     figure: HTMLElement,
@@ -45,7 +53,7 @@ export class Plot {
     this.choice.addEventListener("change", () => this.show(this.choice.selectedIndex));
     this.area = make("div", { class: "plot-area", role: "img" });
     const head = make("span", { class: "plot-head" }, this.choice, this.unitLabel, this.at);
-    figure.replaceChildren(make("figcaption", {}, head, this.legend), this.area);
+    figure.replaceChildren(make("figcaption", {}, head, this.legend), this.area, make("div", { class: "visually-hidden" }, this.table));
     new ResizeObserver(() => this.resize()).observe(this.area);
   }
 
@@ -99,7 +107,21 @@ export class Plot {
     this.stale = true;
   }
 
+  private drawTable(): void {
+    const now = performance.now();
+    if (this.isTabled || now - this.tabledAt_ms < TABLE_EVERY_MS) return;
+    [this.isTabled, this.tabledAt_ms] = [true, now];
+    const [times, ...lines] = this.scaledData() as unknown as Float64Array[];
+    const write = (value: number) => fixed(value, decimalsOf(this.kind, this.unit));
+    const heads = ["", ...this.kind.quantities.map(({ label }) => `${label}, ${this.kind.units[this.unit]}`)];
+    const row = ([head, ...cells]: string[]) => make("tr", {}, make("th", { scope: "row" }, head), ...cells.map((cell) => make("td", {}, cell)));
+    const head = make("tr", {}, ...heads.map((name) => (name ? make("th", { scope: "col" }, name) : make("td"))));
+    this.table.replaceChildren(make("caption", {}, `${this.kind.title} over time`), head, ...rowsOf(times, lines, write).map(row));
+  }
+
   draw(): void {
+    if (this.stale) this.isTabled = false;
+    this.drawTable();
     if (!this.stale || this.area.clientWidth < 40 || this.area.clientHeight < 40) return this.drawLegend();
     this.stale = false;
     this.chart ??= this.makeChart();

@@ -1,11 +1,12 @@
 import { afloat } from "../app/afloat";
+import type { Aside } from "../app/aside";
 import { fixed } from "../app/format";
 import type { Run, Session } from "../app/session";
 import type { Hydrostatics } from "../engine/engine";
 import type { Frame } from "../engine/messages";
 import { byId, byTestId, make, setText } from "./dom";
 
-/** Hydrostatics are asked for once the controls have been left alone for so long, ms: they cost more than a frame. */
+/** Hydrostatics are asked for once the controls have been left alone for so long, ms: they cost more than many frames. */
 const CALM_MS = 250;
 
 /** How the ship floats, over the picture: heel, trim, draught, the wave and the metacentric height, where there is a hull. */
@@ -14,7 +15,10 @@ export class Floating {
   private readonly warnings = byId("floating-warnings");
   private timer = 0;
 
-  constructor(private readonly session: Session) {
+  constructor(
+    private readonly session: Session,
+    private readonly aside: Aside,
+  ) {
     session.listen({
       opened: (run, frame) => {
         this.show(run, frame);
@@ -41,8 +45,8 @@ export class Floating {
     const { run } = this.session;
     if (!run || run.model.hulls.length === 0) return;
     this.timer = window.setTimeout(async () => {
-      const found = await this.session.hydrostatics().catch(() => null);
-      if (this.session.run === run) this.showAtRest(found);
+      const found = await this.aside.hydrostatics(this.session).catch(() => null);
+      if (this.session.run === run && found) this.showAtRest(found);
     }, CALM_MS);
   }
 

@@ -53,8 +53,9 @@ export function number({ name, label, unit, range }: Numeric, set: (value: numbe
   const head = make("div", { class: "item-head" }, make("label", { for: id(name) }, text), box);
   const element = make("div", { class: "item item-number" }, head);
   const slider = range && sliderFor(name, text, range);
-  if (slider) {
-    element.append(slider);
+  if (slider && range) {
+    const [low, high] = range.map((end) => make("span", { class: "slider-end", "aria-hidden": "true" }, withoutRounding(end).replace("-", "−")));
+    element.append(make("div", { class: "slider" }, low, slider, high));
     slider.addEventListener("input", () => set(slider.valueAsNumber));
   }
   let shown = "";

@@ -3,13 +3,16 @@ import type { Run, Session } from "../app/session";
 import { duration, fixed, integratorName, scientific } from "../app/format";
 import { byTestId, setText } from "./dom";
 
-/** The numbers that are always in sight: time, step, integrator, energy and momentum error. */
+/** The time, always in sight, and how it is computed with which errors, in one line that opens. */
 export class Readouts {
   private readonly time = byTestId("time");
   private readonly energy = byTestId("energy-error");
   private readonly momentum = byTestId("momentum-error");
   private readonly energyAbsolute = byTestId("energy-error-absolute");
   private readonly momentumAbsolute = byTestId("momentum-error-absolute");
+
+  private readonly summary = byTestId("numerics-summary");
+  private how = "";
 
   constructor(session: Session) {
     session.listen({
@@ -18,6 +21,7 @@ export class Readouts {
         setText(byTestId("step-size"), duration(run.model.step_s));
         setText(byTestId("integrator"), name.replace(/ \(.*/, ""));
         byTestId("integrator").title = name;
+        this.how = `${name.replace(/ \(.*/, "")}, ${duration(run.model.step_s)}`;
         setText(byTestId("title"), run.model.title);
         this.show(run, frame);
       },
@@ -33,10 +37,10 @@ export class Readouts {
     setText(this.time, `${fixed(run.columns.read(frame.row, "time"), 2)} s`);
     setText(this.energy, relative(errors.energy, errors.energy_J, `${scientific(errors.energy_J)} J`));
     setText(this.momentum, relative(errors.momentum, errors.momentum_N_m_s, "–"));
-    this.energy.title = `${scientific(errors.energy_J)} J`;
-    this.momentum.title = `${scientific(errors.momentum_N_m_s)} N m s`;
-    setText(this.energyAbsolute, this.energy.title);
-    setText(this.momentumAbsolute, this.momentum.title);
+    setText(this.energyAbsolute, `${scientific(errors.energy_J)} J`);
+    setText(this.momentumAbsolute, `${scientific(errors.momentum_N_m_s)} N m s`);
+    const worst = Math.max(errors.energy || 0, errors.momentum || 0);
+    setText(this.summary, `${this.how}; errors ${worst > 0 ? scientific(worst) : "none"}`);
   }
 }
 

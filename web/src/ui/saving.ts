@@ -12,7 +12,7 @@ export function enableSaving(session: Session): void {
       if (file.differs) session.report({ kind: "saved", message: file.differs });
     });
   });
-  session.listen({ statusChanged: (status) => (button.disabled = status === "loading") });
+  session.listen({ statusChanged: (status) => (button.disabled = status === "loading" || status === "empty") });
 }
 
 function download({ name, text }: SavedFile): void {

@@ -27,20 +27,20 @@ export class Transport {
   }
 
   private toggle(): void {
-    if (this.session.status === "running") this.session.pause();
+    if (this.session.isGoing) this.session.pause();
     else this.session.start();
   }
 
   private show(status: Status): void {
-    const running = status === "running";
-    const dead = status === "stopped" || status === "loading";
+    const running = this.session.isGoing;
+    const dead = status === "stopped" || status === "loading" || status === "empty";
     setText(byId("start-label"), running ? "Pause" : status === "paused" ? "Resume" : "Start");
     byId("start-icon").setAttribute("d", running ? PAUSE : PLAY);
     this.start.disabled = dead;
     this.step.disabled = dead;
-    this.reset.disabled = status === "loading";
-    const pending = status !== "idle" && this.session.pending().length > 0;
-    this.reset.classList.toggle("is-due", pending || status === "stopped");
+    this.reset.disabled = status === "loading" || this.session.source === null;
+    const pending = status !== "idle" && status !== "empty" && this.session.pending().length > 0;
+    this.reset.classList.toggle("is-due", pending || status === "stopped" || (status === "empty" && !this.reset.disabled));
     setText(this.hint, pending ? "Reset to apply the changes." : this.line(status));
     document.documentElement.dataset.status = status;
   }
@@ -48,6 +48,7 @@ export class Transport {
   private line(status: Status): string {
     const { run, lastFrame } = this.session;
     if (status === "loading") return "Loading the engine…";
+    if (status === "empty") return this.session.source ? "Reset tries again." : "Open a scenario.";
     if (!run || !lastFrame || status !== "stopped") return "";
     return `Stopped at ${fixed(run.columns.read(lastFrame.row, "time"), 3)} s. Reset to start again.`;
   }

@@ -1,7 +1,7 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { cornersOf, fitDistance, frame, unit } from "./fit";
-import type { Box, Vec3 } from "./fit";
+import { cornersOf, fitDistance, frame, roomIn, unit } from "./fit";
+import type { Area, Box, Vec3 } from "./fit";
 
 /** From the starboard quarter and above: the crane near, the bow away. */
 const FIRST_VIEW: Vec3 = [-0.62, -1, 0.62];
@@ -24,12 +24,18 @@ export class Eye {
   private poses: ArrayLike<number> = [];
   private root: Vec3 = [0, 0, 0];
   private last_ms = 0;
+  private width = 1;
+  private height = 1;
+  /** The part of the picture that nothing covers. */
+  private room: Area = { left: 0, top: 0, right: 1, bottom: 1 };
   /** Whether the person has turned or zoomed the view; then it stays theirs until the next fit. */
   isTaken = false;
 
   constructor(
     canvas: HTMLCanvasElement,
     private readonly moved: () => void,
+    /** What stands on the picture. */
+    private readonly covers: () => Area[],
   ) {
     this.camera.up.set(...UP);
     this.orbit = new OrbitControls(this.camera, canvas);
@@ -63,14 +69,25 @@ export class Eye {
   }
 
   resize(width: number, height: number): void {
+    [this.width, this.height] = [width, height];
     this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
-    if (!this.isTaken) this.fit();
+    if (this.isTaken) this.makeRoom(cornersOf(this.poses, this.boxes));
+    else this.fit();
+  }
+
+  /** Puts what is looked at in the middle of that part of the picture which nothing covers and where it is seen largest. */
+  private makeRoom(points: readonly Vec3[]): void {
+    const { width, height } = this;
+    const nearness = (area: Area) => 1 / frame(points, unit(FIRST_VIEW), UP, this.lensOf(area)).distance;
+    this.room = roomIn(width, height, this.covers(), points.length > 0 ? nearness : undefined);
+    const { left, top, right, bottom } = this.room;
+    this.camera.setViewOffset(width, height, (width - left - right) / 2, (height - top - bottom) / 2, width, height);
   }
 
   fit(): void {
     this.isTaken = false;
     const points = cornersOf(this.poses, this.boxes);
+    this.makeRoom(points);
     if (points.length === 0) return;
     this.stopSwinging();
     const back = unit(FIRST_VIEW);
@@ -104,7 +121,13 @@ export class Eye {
   }
 
   private lens() {
-    return { fov: this.fov, aspect: this.camera.aspect };
+    return this.lensOf(this.room);
+  }
+
+  /** A part of the picture as if it were the whole. */
+  private lensOf({ left, top, right, bottom }: Area) {
+    const share = (bottom - top) / this.height;
+    return { fov: 2 * Math.atan(share * Math.tan(this.fov / 2)), aspect: (right - left) / (bottom - top) };
   }
 
   /** Without damping an update drops what is left of a drag. */

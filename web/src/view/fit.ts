@@ -92,3 +92,37 @@ export function fitDistance(points: readonly Vec3[], target: Vec3, back: Vec3, u
     return Math.max(distance, needed);
   }, 0);
 }
+
+/** A rectangle on the screen, pixels; y downwards. */
+export interface Area {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+/** The part of a picture of this size that nothing covers and that is best: the largest where nothing else is said. */
+export function roomIn(width: number, height: number, covers: readonly Area[], worth: (area: Area) => number = sizeOf): Area {
+  const edges = (ends: number[], of: (cover: Area) => number) => [...ends, ...covers.map(of)];
+  const covered = (area: Area) => covers.some((one) => one.left < area.right && one.right > area.left && one.top < area.bottom && one.bottom > area.top);
+  const whole: Area = { left: 0, top: 0, right: width, bottom: height };
+  let best: Area | undefined;
+  let most = 0;
+  for (const left of edges([0], (cover) => cover.right)) {
+    for (const right of edges([width], (cover) => cover.left)) {
+      for (const top of edges([0], (cover) => cover.bottom)) {
+        for (const bottom of edges([height], (cover) => cover.top)) {
+          const area = { left, top, right, bottom };
+          if (sizeOf(area) === 0 || covered(area)) continue;
+          const found = worth(area);
+          if (found > most) [best, most] = [area, found];
+        }
+      }
+    }
+  }
+  return best ?? whole;
+}
+
+function sizeOf({ left, top, right, bottom }: Area): number {
+  return Math.max(0, right - left) * Math.max(0, bottom - top);
+}

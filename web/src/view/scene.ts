@@ -15,6 +15,7 @@ export function createScene(session: Session): { draw(): void } {
     message.textContent = "This browser offers no WebGL, so there is no picture; the numbers and plots run.";
     return { draw() {} };
   }
+  showLosses(byId("canvas"), view);
   const frames = byId<HTMLButtonElement>("frames");
   frames.addEventListener("click", () => {
     const shown = frames.getAttribute("aria-pressed") !== "true";
@@ -36,6 +37,19 @@ export function createScene(session: Session): { draw(): void } {
     },
   });
   return { draw: () => view.draw() };
+}
+
+/** A browser may take the graphics away, and gives them back empty. */
+function showLosses(canvas: HTMLElement, view: View): void {
+  const message = byId("scene-message");
+  canvas.addEventListener("webglcontextlost", () => {
+    message.hidden = false;
+    message.textContent = "The browser took the graphics away: the picture comes back with them. The numbers and plots run.";
+  });
+  canvas.addEventListener("webglcontextrestored", () => {
+    message.hidden = true;
+    view.repaint();
+  });
 }
 
 /** What the picture shows of water. */

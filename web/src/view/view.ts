@@ -5,6 +5,7 @@ import type { ModelInfo } from "../engine/engine";
 import type { Frame } from "../engine/messages";
 import type { Surface } from "../engine/surface";
 import { Eye } from "./camera";
+import type { Area } from "./fit";
 import { Ground } from "./ground";
 import { Linkages } from "./linkages";
 import { DrawnLines } from "./lines";
@@ -52,7 +53,7 @@ export class View {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.eye = new Eye(canvas, () => (this.stale = true));
+    this.eye = new Eye(canvas, () => (this.stale = true), () => coversOf(canvas));
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0005;
@@ -169,7 +170,8 @@ export class View {
     this.sky.position.set(0, 0, 1);
   }
 
-  private repaint(): void {
+  /** Makes everything that is drawn anew. */
+  repaint(): void {
     this.palette = readPalette();
     this.light();
     if (this.run) this.build(this.run, this.frame, false);
@@ -191,6 +193,16 @@ export class View {
     this.world.traverse(dispose);
     this.world.clear();
   }
+}
+
+/** What of the page stands on the picture, in its pixels. */
+function coversOf(canvas: HTMLCanvasElement): Area[] {
+  const picture = canvas.getBoundingClientRect();
+  const parts = [...document.querySelectorAll(".floating, .scene-tools, .scene-note, .frames-legend, .readouts")];
+  return parts
+    .map((part) => part.getBoundingClientRect())
+    .map(({ left, top, right, bottom }) => ({ left: left - picture.left, top: top - picture.top, right: right - picture.left, bottom: bottom - picture.top }))
+    .filter(({ left, top, right, bottom }) => right > left && left < picture.width && right > 0 && top < picture.height && bottom > 0);
 }
 
 function shapedHull(model: ModelInfo, body: string): ShapedHull | undefined {

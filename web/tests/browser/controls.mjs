@@ -14,9 +14,58 @@ export default {
     assert.equal(time_s, 0);
     assert.deepEqual([poses[TOWER], poses[TOWER + 1]], [8, -5]);
     assert.equal(await item(page, "crane_x_m").inputValue(), "8");
+    const ends = page.locator(".slider", { has: page.getByTestId("slider-crane_x_m") }).locator(".slider-end");
+    assert.deepEqual(await ends.allTextContents(), ["−10", "10"]);
     await page.waitForTimeout(500);
     const after = await look(page);
     assert.notDeepEqual(after, before);
+    await close();
+  },
+
+  async "starts where Start is clicked at once after a value was typed"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_moored" });
+    const name = "parameter-load_t";
+    for (const more of [1, 2]) {
+      const value = Number(await page.getByTestId(name).inputValue());
+      await page.getByTestId(name).fill(String(value + more));
+      await page.getByTestId("start").click();
+      await page.waitForFunction(() => window.kingpost.sample().time_s > 0);
+      assert.deepEqual((await sample(page)).pending, []);
+      assert.equal(Number(await page.getByTestId(name).inputValue()), value + more);
+      await page.getByTestId("reset").click();
+      await settle(page);
+    }
+    await close();
+  },
+
+  async "leaves a Step of very many steps off when it is paused or reset"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=paper&simulation.step_s=1e-7" });
+    await page.getByTestId("step").click();
+    await page.waitForFunction(() => window.kingpost.sample().status === "stepping");
+    assert.equal(await page.locator("#start-label").textContent(), "Pause");
+    await page.getByTestId("start").click();
+    await page.waitForFunction(() => window.kingpost.sample().status === "paused");
+    const { time_s } = await sample(page);
+    assert.ok(time_s > 0 && time_s < 0.01, `${time_s}`);
+    await page.getByTestId("step").click();
+    await page.waitForFunction(() => window.kingpost.sample().status === "stepping");
+    await page.getByTestId("reset").click();
+    await settle(page);
+    assert.equal((await sample(page)).time_s, 0);
+    await close();
+  },
+
+  async "shows a lever where a reset puts it"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch" });
+    const lever = item(page, "input-hoist");
+    const before = await lever.inputValue();
+    await stepTo(page, 0.1);
+    await page.getByTestId("slider-input-hoist").fill("-10");
+    assert.equal(await lever.inputValue(), "-10");
+    await page.getByTestId("reset").click();
+    await settle(page);
+    assert.equal(await lever.inputValue(), before);
+    assert.equal(await page.getByTestId("slider-input-hoist").inputValue(), before);
     await close();
   },
 

@@ -5,6 +5,10 @@ import { DESKTOP, look, openApp, PHONE, settle, stepTo } from "./app.mjs";
 
 const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 const SCREENS = { phone: PHONE, "narrow phone": { width: 340, height: 640 }, "phone on its side": { width: 844, height: 390 }, desktop: DESKTOP };
+/** Where the page was too small for its parts, or for the lines of its plots. */
+const SMALL = { "window at 400 %": { width: 320, height: 256 }, "short phone": { width: 390, height: 460 }, tablet: { width: 1024, height: 768 }, "small window": { width: 1000, height: 640 } };
+/** Least height of the lines of a plot, pixels. */
+const PLOT_PX = 130;
 
 /** What a finger meets: a checkbox counts with its label. */
 function targets() {
@@ -20,11 +24,12 @@ function targets() {
 }
 
 async function assertUncropped(page, screen) {
+  const scrolls = await page.evaluate(() => getComputedStyle(document.body).overflowY === "auto");
   const size = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
-  assert.ok(size[0] <= screen.width && size[1] <= screen.height, `the page is ${size}, the screen ${screen.width}`);
+  assert.ok(size[0] <= screen.width && (scrolls || size[1] <= screen.height), `the page is ${size}, the screen ${screen.width}`);
   for (const { name, left, right, top, bottom, height, width, fixed } of await page.evaluate(targets)) {
     assert.ok(left >= -0.5 && right <= screen.width + 0.5, `${name} ends at ${left}, ${right}`);
-    if (fixed) assert.ok(top >= -0.5 && bottom <= screen.height + 0.5, `${name} ends at ${top}, ${bottom}`);
+    if (fixed && !scrolls) assert.ok(top >= -0.5 && bottom <= screen.height + 0.5, `${name} ends at ${top}, ${bottom}`);
     assert.ok(height >= 43.5 && width >= 43.5, `${name} is ${width} x ${height}`);
   }
   const cropped = await page.evaluate(() =>
@@ -35,7 +40,26 @@ async function assertUncropped(page, screen) {
   assert.deepEqual(cropped, [], "texts that do not fit");
 }
 
-const layouts = Object.entries(SCREENS).map(([name, viewport]) => [
+/** Lines have room, and at least two heights are named. */
+async function assertPlotted(page) {
+  const areas = await page.evaluate(() => [...document.querySelectorAll(".plot-area")].map(({ clientWidth, clientHeight }) => [clientWidth, clientHeight]));
+  for (const [width, height] of areas) assert.ok(width >= 260 && height >= PLOT_PX, `a plot is ${width} x ${height}`);
+}
+
+/** Fit leaves the ship in what nothing on the picture covers. */
+async function assertInSight(page) {
+  const covers = await page.evaluate(() => {
+    const picture = document.getElementById("canvas").getBoundingClientRect();
+    const parts = [...document.querySelectorAll(".floating, .scene-tools, .readouts")].filter((part) => part.checkVisibility());
+    return parts.map((part) => part.getBoundingClientRect()).map((one) => ({ left: one.left - picture.left, right: one.right - picture.left, top: one.top - picture.top, bottom: one.bottom - picture.top }));
+  });
+  await page.addStyleTag({ content: ".floating, .readouts { visibility: hidden }" });
+  const ship = await look(page);
+  const meets = (cover) => cover.left < ship.right && cover.right > ship.left && cover.top < ship.bottom && cover.bottom > ship.top;
+  assert.deepEqual(covers.filter(meets), [], `the ship is at ${JSON.stringify(ship)}`);
+}
+
+const layouts = Object.entries({ ...SCREENS, ...SMALL }).map(([name, viewport]) => [
   `crops nothing on a ${name}, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport });
@@ -44,10 +68,12 @@ const layouts = Object.entries(SCREENS).map(([name, viewport]) => [
       await page.getByTestId("show-plots").click();
       await assertUncropped(page, viewport);
     }
+    await assertPlotted(page);
     const seen = await look(page);
     assert.ok(seen.left > 3 && seen.right < seen.width - 4, `the ship is at ${seen.left} to ${seen.right} of ${seen.width}`);
     assert.ok(seen.top > 3 && seen.bottom < seen.height - 4, `the ship is at ${seen.top} to ${seen.bottom} of ${seen.height}`);
     assert.ok(seen.right - seen.left > 0.4 * Math.min(seen.width, 1.5 * seen.height), "the ship fills the picture");
+    await assertInSight(page);
     await close();
   },
 ]);
@@ -60,7 +86,7 @@ const accessible = ["light", "dark"].flatMap((colorScheme) =>
       await stepTo(page, 0.01);
       for (const fold of ["#advanced", "#about"]) await page.locator(`${fold} summary`).click();
       await page.addScriptTag({ path: AXE });
-      const violations = await page.evaluate(async () => (await window.axe.run()).violations);
+      const violations = await page.evaluate(async () => (await window.axe.run({ rules: { "target-size": { enabled: true } } })).violations);
       const found = violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`));
       assert.deepEqual(found, []);
       await close();
@@ -71,6 +97,31 @@ const accessible = ["light", "dark"].flatMap((colorScheme) =>
 export default {
   ...Object.fromEntries(layouts),
   ...Object.fromEntries(accessible),
+
+  async "says the state of the run, and the plots in numbers, to those who do not see them"(host) {
+    const { page, close } = await openApp(host);
+    const says = (words) => page.waitForFunction((text) => document.getElementById("announcer").textContent.startsWith(text), words);
+    await says("Crane ship of Jardim et al. (2019): at the start.");
+    await stepTo(page, 0.05);
+    await says("Paused at 0.05 s.");
+    await page.getByTestId("unit-rad").click();
+    await page.waitForFunction(() => document.querySelector("#plot-rates table").textContent.includes("0.05 s"));
+    const rows = await page.locator("#plot-rates table tr").allTextContents();
+    assert.equal(rows[0], "Pitch, rad/sYaw, rad/sRoll, rad/s");
+    assert.match(rows[1], /^Least/);
+    assert.match(rows[2], /^Greatest/);
+    assert.match(rows.at(-1), /^0\.05 s−?0\.\d{5}/);
+    await page.getByTestId("start").click();
+    await says("Running.");
+    await close();
+  },
+
+  async "has targets that a finger meets on the picture too"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=paper_true_draught", viewport: PHONE });
+    await page.getByTestId("floating-warnings").waitFor();
+    await assertUncropped(page, PHONE);
+    await close();
+  },
 
   async "refits the ship when the window changes"(host) {
     const { page, close } = await openApp(host);

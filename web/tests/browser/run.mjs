@@ -4,10 +4,12 @@ import { availableParallelism } from "node:os";
 import { fileURLToPath } from "node:url";
 import { findBrowser, launch } from "../../scripts/browser.mjs";
 import { serve } from "../../scripts/serve.mjs";
+import addresses from "./address.mjs";
 import controls from "./controls.mjs";
 import faults from "./faults.mjs";
 import gestures from "./gestures.mjs";
 import layout from "./layout.mjs";
+import losses from "./losses.mjs";
 import numbers from "./numbers.mjs";
 import saving from "./saving.mjs";
 import scenarios from "./scenarios.mjs";
@@ -31,7 +33,7 @@ if (!existsSync(DIST)) {
 
 const wanted = process.argv[2] ?? "";
 // The longest, that of the whole gallery, first.
-const tests = Object.entries({ ...scenarios, ...numbers, ...controls, ...gestures, ...faults, ...layout, ...saving, ...sea }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...scenarios, ...numbers, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];

@@ -5,7 +5,7 @@
 //! is from the world's origin.
 
 use super::moving_link::MovingLink;
-use crate::model::{Carrier, LinkInertia, Model};
+use crate::model::{Attachment, Carrier, LinkInertia, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Twist, Vector3};
 use std::sync::OnceLock;
@@ -97,6 +97,11 @@ impl<S: Scalar> LinkKinematics<S> {
     /// World frame of a body.
     pub fn body_frame(&self, model: &Model<S>, body: usize) -> Frame<S> {
         *self.body_frames[body].get_or_init(|| self.body_in_world(model, body))
+    }
+
+    /// World frame of an attachment.
+    pub fn attachment_frame(&self, model: &Model<S>, at: &Attachment<S>) -> Frame<S> {
+        at.body.map_or(at.in_body, |body| self.body_frame(model, body).times(&at.in_body))
     }
 
     fn body_in_world(&self, model: &Model<S>, body: usize) -> Frame<S> {

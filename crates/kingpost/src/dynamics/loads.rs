@@ -1,6 +1,6 @@
 //! What forces, drives and the water hand to the dynamics.
 
-use super::LinkKinematics;
+use super::{LinkKinematics, Restraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
@@ -20,6 +20,8 @@ pub struct Loads<S = f64> {
     /// Acceleration of free fall, world axes, m/s^2: every body's mass weighs, at its centre. A body's wrenches above do not
     /// contain it.
     pub gravity: Option<Vector3<S>>,
+    /// What elements hold, each in the place of its own.
+    pub restraints: Vec<Restraint<S>>,
     /// Who does the work.
     pub power: Power<S>,
 }
@@ -49,6 +51,7 @@ impl<S: Scalar> Loads<S> {
             acceleration: vec![S::ZERO; model.velocity_count],
             added_inertia: Vec::with_capacity(model.bodies.len()),
             gravity: None,
+            restraints: Vec::new(),
             power: Power::default(),
         }
     }
@@ -103,6 +106,7 @@ impl<S: Scalar> Loads<S> {
         self.force.fill(S::ZERO);
         self.added_inertia.clear();
         self.gravity = None;
+        self.restraints.iter_mut().for_each(|restraint| restraint.acts = false);
         self.power = Power::default();
     }
 }

@@ -4,7 +4,8 @@
 //! teaching, for printing, and as the oracle. [`forward`] computes the same accelerations by
 //! recursion, in time linear in the number of bodies. Tests hold them equal.
 //!
-//! Closed loops are [`loops`]: multipliers over the recursion, and the bordered system as its oracle.
+//! Closed loops are [`loops`]: multipliers over the recursion, and the bordered system as its oracle. What elements hold, a
+//! [`Restraint`] each, stands beside them.
 //!
 //! Nothing here knows where loads come from: they arrive as one struct, [`Loads`].
 
@@ -21,8 +22,10 @@ pub mod loops;
 pub mod moving_frame;
 mod moving_link;
 pub mod pivots;
+mod restraint;
 
 pub use clock::Clock;
 pub use kinematics::Kinematics;
 pub use link_kinematics::LinkKinematics;
 pub use loads::{Loads, Power};
+pub use restraint::Restraint;

@@ -26,6 +26,8 @@ pub struct Declaration {
     pub keeps_states: bool,
     /// Whether it prescribes the motion of coordinates.
     pub prescribes: bool,
+    /// Whether it may hold a constraint.
+    pub holds: bool,
     /// Whether runs of it are stepped one by one, not in lanes side by side: its law changes in each at a time of its own.
     pub goes_alone: bool,
     /// The columns of a row that it [reads](super::Element::steer) at the start of every step, of the model or of any element.

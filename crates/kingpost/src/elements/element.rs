@@ -1,7 +1,7 @@
 //! The one contract of everything that acts on the model or reads it.
 
 use super::{AnyWatcher, Declaration, Moment, RegularWaves};
-use crate::dynamics::{Clock, Loads};
+use crate::dynamics::{Clock, Loads, Restraint};
 use crate::scalar::Scalar;
 use crate::world::World;
 use core::any::Any;
@@ -24,6 +24,7 @@ use core::fmt::Debug;
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
 /// | what a row shows is to be warned of | [`watchers`](Self::watchers), once |
 /// | a picture | [`draw`](Self::draw) |
+/// | it holds a constraint | [`holding`](Self::holding), in every evaluation and after every step |
 /// | an equilibrium is sought | [`loads`](Self::loads) in another [`Situation`](super::Situation), [`settling`](Self::settling) |
 pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// Its name in the scenario; empty where it declares nothing that needs one.
@@ -106,6 +107,16 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 
+    /// The constraint that it holds at times; asked where [`Declaration::holds`].
+    fn holding(&self) -> Option<&dyn Holding<S>> {
+        None
+    }
+
+    /// The same, to evaluate it.
+    fn holding_mut(&mut self) -> Option<&mut dyn Holding<S>> {
+        None
+    }
+
     /// What watches the rows of a run for what a person should know of it.
     fn watchers(&self) -> Vec<AnyWatcher> {
         Vec::new()
@@ -163,6 +174,21 @@ pub trait Settling<S: Scalar = f64> {
 
     /// The share that holding the model there takes of what the element can give.
     fn utilisation(&self, at: &Moment<'_, S>) -> S;
+}
+
+/// An element that holds a constraint, one way and while its mode says so: an inextensible rope.
+pub trait Holding<S: Scalar = f64> {
+    /// Whether it holds, by its modes.
+    fn holds(&self, modes: &[i64]) -> bool;
+
+    /// Writes the constraint where the bodies are. Sees no entries of its own.
+    fn restrain(&mut self, at: &Moment<'_, S>, held: &mut Restraint<S>);
+
+    /// Takes what it carries, as the accelerations were found, N; zero where it does not hold.
+    fn carry(&mut self, multiplier: S);
+
+    /// Lets go: what it carries would be less than nothing.
+    fn let_go(&mut self, modes: &mut [i64]);
 }
 
 /// What every element can do because it is `Clone` and `'static`; nothing to write.

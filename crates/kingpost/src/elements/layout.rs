@@ -112,6 +112,8 @@ pub struct Layout {
     pub watched: Vec<Watched>,
     /// The elements that prescribe motions.
     pub prescribing: Vec<usize>,
+    /// The elements that may hold a constraint.
+    pub holding: Vec<usize>,
     /// Inputs that take a sampled output.
     pub wires: Vec<Wire>,
     /// The elements that steer.
@@ -169,6 +171,7 @@ impl Layout {
                 |(event, of): (usize, &super::Event)| Watched { element, event, what: of.what, crossing: of.crossing };
             layout.watched.extend(declared.events.iter().enumerate().map(watched));
             layout.prescribing.extend(declared.prescribes.then_some(element));
+            layout.holding.extend(declared.holds.then_some(element));
         }
         layout.lay_wires();
         layout

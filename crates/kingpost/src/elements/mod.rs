@@ -4,6 +4,8 @@
 //! and shows it [declares](Declaration); the [`Layout`] of all elements gives each its place in the state, in the
 //! results, in snapshots, in A and B. Nothing else names a kind.
 
+mod air_gap;
+mod clearance;
 pub mod contact;
 mod coulomb_friction;
 mod damped_against;
@@ -35,6 +37,8 @@ pub mod submerged;
 mod viscous_damping;
 mod watcher;
 
+pub use air_gap::AirGap;
+pub use clearance::Clearance;
 pub use contact::Contact;
 pub use coulomb_friction::CoulombFriction;
 pub use damped_against::DampedAgainst;
@@ -42,7 +46,7 @@ pub use declaration::{Components, Crossing, Declaration, Event, Frame, Input, Ke
 pub use delay::Delay;
 pub use drawing::{DrawnLine, LineStyle};
 pub use dynamic_positioning::DynamicPositioning;
-pub use element::{AnyElement, Boxed, Element, HOLD_IT, Own, Settling, of_kind, of_kind_mut};
+pub use element::{AnyElement, Boxed, Element, HOLD_IT, Holding, Own, Settling, of_kind, of_kind_mut};
 pub use flow::{Flow, FlowLoad};
 pub use gravity::Gravity;
 pub use hull::Hull;

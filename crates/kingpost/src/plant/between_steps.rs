@@ -22,6 +22,7 @@ impl<S: Scalar> Plant<S> {
         for i in 0..self.elements.len() {
             self.change(i, time_s, state, |element, at, own, _| element.begin(at, own));
         }
+        self.take_hold(time_s, state);
         self.sample(time_s, state);
         self.open_ledger(time_s, state);
     }
@@ -31,6 +32,7 @@ impl<S: Scalar> Plant<S> {
         for i in 0..self.elements.len() {
             self.change(i, time_s, state, |element, at, own, _| element.renew(at, own));
         }
+        self.take_hold(time_s, state);
     }
 
     /// Sets an input; its element may set its modes by it.
@@ -46,6 +48,7 @@ impl<S: Scalar> Plant<S> {
             let changed = core::mem::replace(&mut state.m, modes);
             let before = self.totals(instant(time_s, state));
             state.m = changed;
+            self.take_hold(time_s, state);
             self.book_jump(&before, time_s, state);
         }
     }
@@ -130,6 +133,7 @@ impl<S: Scalar> Plant<S> {
 
     /// Writes every witness at a stage.
     pub fn witnesses(&mut self, at: Stage<'_, S>, values: &mut [S]) {
+        self.load_restraints(at);
         self.links.update(&self.model, at.q, at.v);
         let Self { model, world, links, layout, situation, elements, .. } = self;
         let mut scene = Scene::new(layout, world, model, links, *situation, at);
@@ -147,6 +151,7 @@ impl<S: Scalar> Plant<S> {
         self.change(watched.element, time_s, state, |element, at, own, v| {
             element.respond(watched.event, at, own, v);
         });
+        self.take_hold(time_s, state);
         self.book_jump(&before, time_s, state);
     }
 
@@ -186,7 +191,7 @@ impl<S: Scalar> Plant<S> {
 }
 
 /// A state at one time, as a stage.
-fn instant<S>(time_s: f64, state: &State<S>) -> Stage<'_, S> {
+pub(super) fn instant<S>(time_s: f64, state: &State<S>) -> Stage<'_, S> {
     let State { q, v, s, d, m, .. } = state;
     Stage { time_s, interval: Interval { start_s: time_s, end_s: time_s }, q, v, s, d, m }
 }

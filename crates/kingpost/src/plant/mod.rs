@@ -1,6 +1,7 @@
 //! The right-hand side: model, world and elements put together for an integrator.
 
 mod between_steps;
+mod holding;
 mod observation;
 mod scene;
 mod settling;
@@ -10,9 +11,9 @@ pub use observation::{Extent, Observation, Totals};
 use scene::Scene;
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
-use crate::dynamics::loops::{LoopFault, LoopSolver, Projection};
+use crate::dynamics::loops::{LoopFault, LoopSolver};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
-use crate::dynamics::{Clock, Kinematics, LinkKinematics, Loads, energy, forward, inverse::InverseDynamics};
+use crate::dynamics::{Clock, Kinematics, LinkKinematics, Loads, Restraint, energy, forward, inverse::InverseDynamics};
 use crate::elements::{AnyElement, Layout, Situation};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
@@ -55,6 +56,8 @@ pub struct Plant<S: Scalar = f64> {
     outputs: Vec<S>,
     /// Rates that elements prescribe beside the accelerations, which a stage does not need.
     prescribed_rates: Vec<S>,
+    /// Accelerations that no one else asks for.
+    scratch: Vec<S>,
     /// The state as it was before an element changes it.
     seen: State<S>,
     rotation_rates: Vec<bool>,
@@ -86,15 +89,18 @@ impl<S: Scalar> Plant<S> {
         let rotation_rates = model.tree.nodes.iter().flat_map(turns).collect();
         let layout = Layout::new(&elements, ledger::COUNT);
         let outputs = layout.outputs.iter().map(|(_, output)| output.len()).sum();
+        let mut loads = Loads::with_room_for(&model, 2 * (elements.len() + model.constraint_count()));
+        loads.restraints = layout.holding.iter().map(|&i| Restraint::new(&layout.names[i])).collect();
         Self {
             links: LinkKinematics::new(&model),
             bodies: Kinematics::new(&model.tree),
-            loads: Loads::with_room_for(&model, 2 * (elements.len() + model.constraint_count())),
+            loops: LoopSolver::new(&model, loads.restraints.len()),
+            loads,
             work: forward::Workspace::new(&model),
             inverse: InverseDynamics::new(&model),
-            loops: LoopSolver::new(&model),
             outputs: Vec::with_capacity(outputs),
             prescribed_rates: vec![S::ZERO; model.velocity_count],
+            scratch: Vec::new(),
             seen: State::default(),
             rotation_rates,
             evaluations: 0,
@@ -146,6 +152,7 @@ impl<S: Scalar> Plant<S> {
         } else {
             loads.acceleration.fill(S::ZERO);
         }
+        self.evaluate_restraints(at);
     }
 
     /// Accelerations of all coordinates under the loads that were evaluated last.
@@ -153,8 +160,8 @@ impl<S: Scalar> Plant<S> {
         match self.solve_matrices {
             None => {
                 forward::forward_dynamics(&self.model, &self.links, &self.loads, &mut self.work, v_dot);
-                if !self.model.loops.is_empty() {
-                    self.loops.accelerate(&self.model, &self.links, &mut self.work, v_dot);
+                if self.constrains() {
+                    self.loops.accelerate(&self.model, &self.links, &self.loads, &mut self.work, v_dot);
                     self.loops.apply(&self.model, &self.links, &mut self.loads);
                 }
             }
@@ -164,6 +171,9 @@ impl<S: Scalar> Plant<S> {
                 self.inverse.update(&self.model, &self.bodies, v, v_dot, &self.loads);
             }
         }
+        if !self.layout.holding.is_empty() {
+            self.hand_out_multipliers();
+        }
     }
 
     /// What there is to see at a state, for the results.
@@ -171,6 +181,7 @@ impl<S: Scalar> Plant<S> {
         let totals = match extent {
             Extent::Everything => self.observe_forces(at, v_dot),
             Extent::MotionAnd(_) => {
+                self.load_restraints(at);
                 self.links.update(&self.model, at.q, at.v);
                 self.bodies.update(&self.model.tree, at.q, at.v);
                 Totals::default()
@@ -235,9 +246,8 @@ impl<S: Scalar> Plant<S> {
     /// against where they stand here.
     pub fn watch_loops(&mut self, q: &[S], v: &[S]) {
         if !self.model.loops.is_empty() {
-            let Self { model, links, work, loads, loops, .. } = self;
-            loads.clear();
-            loops.begin_at(&mut Projection { model, links, work, loads }, q, v);
+            self.loads.clear();
+            self.project(|solver, on| solver.begin_at(on, q, v));
         }
     }
 
@@ -257,11 +267,10 @@ impl<S: Scalar> Plant<S> {
     /// After a step: brings the closed loops back to where they are closed, and tells where that is
     /// not possible. Allocates nothing.
     pub fn close_loops(&mut self, q: &mut [S], v: &mut [S]) -> Result<(), LoopFault> {
-        if self.model.loops.is_empty() {
+        if !self.constrains() {
             return Ok(());
         }
-        let Self { model, links, work, loads, loops, .. } = self;
-        loops.close(&mut Projection { model, links, work, loads }, q, v)
+        self.project(|solver, on| solver.close(on, q, v))
     }
 
     /// Energy and momentum at a stage.
@@ -372,8 +381,8 @@ impl Plant {
         for (k, &i) in matrices.free.iter().enumerate() {
             v_dot[i] = solved.as_ref().map_or(f64::NAN, |(a, _)| a[k]);
         }
-        if let Some((_, multipliers)) = solved.filter(|_| !self.model.loops.is_empty()) {
-            self.loops.take_over(&self.model, &self.links, multipliers.iter().copied());
+        if let Some((_, multipliers)) = solved.filter(|_| self.constrains()) {
+            self.loops.take_over(&self.model, &self.links, &self.loads, multipliers.iter().copied());
             self.loops.apply(&self.model, &self.links, &mut self.loads);
         }
     }
@@ -409,7 +418,7 @@ impl<S: Scalar> System<S> for Plant<S> {
     /// A loop that cannot be closed is told of after the step.
     fn close(&mut self, q: &mut [S], v: &mut [S]) -> bool {
         let _ = self.close_loops(q, v);
-        !self.model.loops.is_empty()
+        self.constrains()
     }
 
     fn retract(&self, q: &[S], xi: &[S], out: &mut [S]) {

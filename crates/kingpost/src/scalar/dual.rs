@@ -13,62 +13,70 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 /// let y = x * x * x + x.sin_cos().0;
 /// assert!((y.derivative[0] - (3.0 * 4.0 + 2.0_f64.cos())).abs() < 1e-15);
 /// ```
+///
+/// Over another scalar it is a derivative beside what that one carries: a rate in time of a dual number, say.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dual<const N: usize> {
+pub struct Dual<const N: usize, S = f64> {
     /// The value.
-    pub value: f64,
+    pub value: S,
     /// Derivatives along the directions.
-    pub derivative: [f64; N],
+    pub derivative: [S; N],
 }
 
-impl<const N: usize> Dual<N> {
+impl<const N: usize, S: Scalar> Dual<N, S> {
     /// The number itself as the variable of direction `k`.
     ///
     /// # Panics
     /// When there is no direction `k`.
-    pub fn variable(value: f64, k: usize) -> Self {
-        let mut derivative = [0.0; N];
-        derivative[k] = 1.0;
+    pub fn variable(value: S, k: usize) -> Self {
+        let mut derivative = [S::ZERO; N];
+        derivative[k] = S::ONE;
         Self { value, derivative }
+    }
+
+    /// The number itself, which no direction moves.
+    #[inline]
+    pub fn still(value: S) -> Self {
+        Self { value, derivative: [S::ZERO; N] }
     }
 
     /// A function's value here, where its slope is known.
     #[inline]
-    fn chain(self, value: f64, slope: f64) -> Self {
+    fn chain(self, value: S, slope: S) -> Self {
         Self { value, derivative: self.derivative.map(|d| slope * d) }
     }
 
     /// A function's value here, where its slopes in both arguments are known.
     #[inline]
-    fn combine(self, other: Self, value: f64, slopes: [f64; 2]) -> Self {
+    fn combine(self, other: Self, value: S, slopes: [S; 2]) -> Self {
         let along = |k: usize| slopes[0] * self.derivative[k] + slopes[1] * other.derivative[k];
         Self { value, derivative: core::array::from_fn(along) }
     }
 }
 
-impl<const N: usize> Default for Dual<N> {
+impl<const N: usize, S: Scalar> Default for Dual<N, S> {
     fn default() -> Self {
         Self::ZERO
     }
 }
 
-impl<const N: usize> Add for Dual<N> {
+impl<const N: usize, S: Scalar> Add for Dual<N, S> {
     type Output = Self;
     #[inline]
     fn add(self, b: Self) -> Self {
-        self.combine(b, self.value + b.value, [1.0, 1.0])
+        self.combine(b, self.value + b.value, [S::ONE, S::ONE])
     }
 }
 
-impl<const N: usize> Sub for Dual<N> {
+impl<const N: usize, S: Scalar> Sub for Dual<N, S> {
     type Output = Self;
     #[inline]
     fn sub(self, b: Self) -> Self {
-        self.combine(b, self.value - b.value, [1.0, -1.0])
+        self.combine(b, self.value - b.value, [S::ONE, -S::ONE])
     }
 }
 
-impl<const N: usize> Mul for Dual<N> {
+impl<const N: usize, S: Scalar> Mul for Dual<N, S> {
     type Output = Self;
     #[inline]
     fn mul(self, b: Self) -> Self {
@@ -76,121 +84,129 @@ impl<const N: usize> Mul for Dual<N> {
     }
 }
 
-impl<const N: usize> Div for Dual<N> {
+impl<const N: usize, S: Scalar> Div for Dual<N, S> {
     type Output = Self;
     #[inline]
     fn div(self, b: Self) -> Self {
         let quotient = self.value / b.value;
-        self.combine(b, quotient, [1.0 / b.value, -quotient / b.value])
+        self.combine(b, quotient, [S::ONE / b.value, -quotient / b.value])
     }
 }
 
-impl<const N: usize> Neg for Dual<N> {
+impl<const N: usize, S: Scalar> Neg for Dual<N, S> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        self.chain(-self.value, -1.0)
+        self.chain(-self.value, -S::ONE)
     }
 }
 
-impl<const N: usize> AddAssign for Dual<N> {
+impl<const N: usize, S: Scalar> AddAssign for Dual<N, S> {
     #[inline]
     fn add_assign(&mut self, b: Self) {
         *self = *self + b;
     }
 }
 
-impl<const N: usize> SubAssign for Dual<N> {
+impl<const N: usize, S: Scalar> SubAssign for Dual<N, S> {
     #[inline]
     fn sub_assign(&mut self, b: Self) {
         *self = *self - b;
     }
 }
 
-impl<const N: usize> Scalar for Dual<N> {
+impl<const N: usize, S: Scalar> Scalar for Dual<N, S> {
+    const LANES: usize = S::LANES;
     const HAS_DERIVATIVES: bool = true;
-    const ZERO: Self = Self { value: 0.0, derivative: [0.0; N] };
-    const ONE: Self = Self { value: 1.0, derivative: [0.0; N] };
+    const ZERO: Self = Self { value: S::ZERO, derivative: [S::ZERO; N] };
+    const ONE: Self = Self { value: S::ONE, derivative: [S::ZERO; N] };
 
     #[inline]
     fn constant(value: f64) -> Self {
-        Self { value, derivative: [0.0; N] }
+        Self::still(S::constant(value))
     }
 
     #[inline]
     fn value(self) -> f64 {
-        self.value
+        self.value.value()
     }
 
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = Scalar::sin_cos(self.value);
+        let (sin, cos) = self.value.sin_cos();
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 
     fn sin_cos_of_turns(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos_of_turns();
-        (self.chain(sin, TAU * cos), self.chain(cos, -TAU * sin))
+        let tau = S::constant(TAU);
+        (self.chain(sin, tau * cos), self.chain(cos, -(tau * sin)))
     }
 
     fn cos_of_turns(self) -> Self {
-        self.chain(self.value.cos_of_turns(), -TAU * self.value.sin_cos_of_turns().0)
+        self.chain(self.value.cos_of_turns(), S::constant(-TAU) * self.value.sin_cos_of_turns().0)
     }
 
     fn power_of_two(self) -> Self {
         let power = self.value.power_of_two();
-        self.chain(power, LN_2 * power)
+        self.chain(power, S::constant(LN_2) * power)
     }
 
     fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
-        self.combine(x, libm::atan2(self.value, x.value), [x.value / square, -self.value / square])
+        self.combine(x, self.value.atan2(x.value), [x.value / square, -self.value / square])
     }
 
     /// At zero the slope is infinite where the argument moves, and taken as zero where it rests.
     #[inline]
     fn sqrt(self) -> Self {
-        let root = libm::sqrt(self.value);
-        let slope = |d: f64| if d == 0.0 { 0.0 } else { d / (2.0 * root) };
+        let root = self.value.sqrt();
+        let slope = |d: S| if d == S::ZERO { S::ZERO } else { d / (root + root) };
         Self { value: root, derivative: self.derivative.map(slope) }
     }
 
     fn exp(self) -> Self {
-        let power = libm::exp(self.value);
+        let power = self.value.exp();
         self.chain(power, power)
     }
 
     fn ln_1p(self) -> Self {
-        self.chain(libm::log1p(self.value), 1.0 / (1.0 + self.value))
+        self.chain(self.value.ln_1p(), S::ONE / (S::ONE + self.value))
     }
 
     fn exp_m1(self) -> Self {
-        self.chain(libm::expm1(self.value), libm::exp(self.value))
+        self.chain(self.value.exp_m1(), self.value.exp())
     }
 
     fn ln(self) -> Self {
-        self.chain(libm::log(self.value), 1.0 / self.value)
+        self.chain(self.value.ln(), S::ONE / self.value)
     }
 
     fn pow(self, exponent: Self) -> Self {
-        let power = libm::pow(self.value, exponent.value);
-        self.combine(exponent, power, [exponent.value * power / self.value, power * libm::log(self.value)])
+        let power = self.value.pow(exponent.value);
+        self.combine(exponent, power, [exponent.value * power / self.value, power * self.value.ln()])
     }
 
     fn from_values<const K: usize, const M: usize>(
         arguments: [Self; K],
         function: impl Fn([f64; K]) -> [f64; M],
     ) -> [Self; M] {
-        function(arguments.map(Self::value)).map(Self::constant)
+        S::from_values(arguments.map(|argument| argument.value), function).map(Self::still)
     }
 
     #[inline]
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
-        if self.value < limit.value { below() } else { above() }
+        if S::LANES == 1 {
+            return if self.value.value() < limit.value.value() { below() } else { above() };
+        }
+        let (below, above) = (below(), above());
+        let select = |below: S, above: S| self.value.select_less(limit.value, || below, || above);
+        let derivative = core::array::from_fn(|k| select(below.derivative[k], above.derivative[k]));
+        Self { value: select(below.value, above.value), derivative }
     }
 
     #[inline]
     fn all(self, test: impl Fn(f64) -> bool) -> bool {
-        test(self.value)
+        self.value.all(test)
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod axes;
 mod bodies;
+mod clearances;
 mod columns;
 mod contacts;
 mod cylinders;
@@ -196,6 +197,7 @@ fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     };
     let named = owner(scenario.forces.keys().map(|name| name.as_str()).collect(), "forces")
         .or_else(|| owner(scenario.drives.keys().map(|name| name.as_str()).collect(), "drives"))
+        .or_else(|| owner(scenario.sensors.keys().map(|name| name.as_str()).collect(), "sensors"))
         .or_else(|| owner(scenario.bodies.keys().map(|name| name.as_str()).collect(), "bodies"))
         // Energy alone: what is stored in a force.
         .or_else(|| bad.first().map(|found| ("forces".to_owned(), *found)));

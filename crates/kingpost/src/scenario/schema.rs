@@ -4,6 +4,7 @@
 
 mod axes;
 mod bodies;
+mod clearances;
 mod contacts;
 mod controlled_drives;
 mod cylinder;
@@ -49,6 +50,7 @@ pub use bodies::{
     Body, BoxShape, CylinderShape, Inertia, InertiaTensor, Point, PointShape, PrincipalAxis, RadiiOfGyration, Shape,
     SphereShape,
 };
+pub use clearances::{AirGap, Clearance, ClearanceFrom, ClearanceShape, OwnPoint};
 pub use contacts::{Contact, ContactLoad, ContactPlane, ContactPoints, ContactSurface, LoadShape, SurfaceShape};
 pub use controlled_drives::{
     AngleSetPoint, AngleSetPoints, ControlledDrive, ExtensionSetPoint, ForceSetPoint, LengthSetPoints,
@@ -80,12 +82,14 @@ pub use mounting::Mounting;
 pub use moved_by_waves::MovedByWaves;
 pub use operation::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
-pub use ropes::{CarriedByRope, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine};
+pub use ropes::{CarriedByRope, DrumLayers, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine};
 pub use sea::Sea;
 pub use sensors::{MotionReferenceUnit, Sensor, Wire};
 pub use slack_tank::SlackTank;
 pub use soft_hold::SoftHold;
-pub use submerged::{Submerged, SubmergedAddedMass, SubmergedDrag, SubmergedGrowth, SubmergedShape, SubmergedWind};
+pub use submerged::{
+    EntrainedWater, Submerged, SubmergedAddedMass, SubmergedDrag, SubmergedGrowth, SubmergedShape, SubmergedWind,
+};
 pub(super) use top::is_top_field;
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,

@@ -2,7 +2,7 @@
 
 use crate::dynamics::loops::{LARGEST_GAP, LoopFault, SMALLEST_PIVOT};
 use crate::integrate::{StepError, shown};
-use crate::model::Model;
+use crate::plant::Plant;
 use crate::scalar::Scalar;
 use thiserror::Error;
 
@@ -97,6 +97,39 @@ pub enum RunError {
         /// End of the step that it is in, s.
         time_s: f64,
     },
+    /// An inextensible rope carries what others carry already, or nothing that could move.
+    #[error(
+        "not determined at {} s: how much the inextensible rope {name} carries, for other ropes or loops hold the same, or nothing \
+         that could move hangs on it (its share of its own size is {pivot:.1e}), allowed: more than {allowed:e}, or a rope with \
+         axial_stiffness_N",
+        shown(*time_s)
+    )]
+    UndeterminedRope {
+        /// When, s.
+        time_s: f64,
+        /// The rope.
+        name: String,
+        /// Its pivot.
+        pivot: f64,
+        /// The smallest pivot that is not singular.
+        allowed: f64,
+    },
+    /// An inextensible rope is shorter than its path, and nothing on it can give way.
+    #[error(
+        "too short at {} s: the inextensible rope {name} is {gap:.3e} m shorter than its path, and what it holds cannot follow, \
+         allowed: less than {allowed:e} m",
+        shown(*time_s)
+    )]
+    ShortRope {
+        /// When, s.
+        time_s: f64,
+        /// The rope.
+        name: String,
+        /// By how much, m.
+        gap: f64,
+        /// The largest that counts as taut, m.
+        allowed: f64,
+    },
     /// An element that steers cannot go on: a step of an operation does not end within its time.
     #[error("{element} at {} s: {why}", shown(*time_s))]
     Steering {
@@ -113,8 +146,10 @@ pub enum RunError {
 }
 
 impl RunError {
-    /// A loop's fault by the names of the model.
-    pub(super) fn of_loop<S: Scalar>(time_s: f64, model: &Model<S>, fault: LoopFault) -> Self {
+    /// The fault of a loop by the names of the model; behind the loops stand the ropes that hold.
+    pub(super) fn of_loop<S: Scalar>(time_s: f64, plant: &Plant<S>, fault: LoopFault) -> Self {
+        let model = &plant.model;
+        let rope = |constraint: usize| plant.holds_behind_loops(constraint).map(str::to_owned);
         let named = |constraint: usize| {
             let mut all = model.loops.iter().flat_map(|closed| closed.constraints.iter().map(move |c| (closed, c)));
             let (closed, (name, constraint)) = all.nth(constraint).expect("a fault is of a constraint");
@@ -122,10 +157,16 @@ impl RunError {
         };
         match fault {
             LoopFault::Singular { constraint, pivot } => {
+                if let Some(name) = rope(constraint) {
+                    return Self::UndeterminedRope { time_s, name, pivot, allowed: SMALLEST_PIVOT };
+                }
                 let (name, constraint, _) = named(constraint);
                 Self::SingularLoop { time_s, name, constraint, pivot, allowed: SMALLEST_PIVOT }
             }
             LoopFault::Open { constraint, gap } => {
+                if let Some(name) = rope(constraint) {
+                    return Self::ShortRope { time_s, name, gap: -gap, allowed: LARGEST_GAP };
+                }
                 let (name, constraint, unit) = named(constraint);
                 Self::OpenLoop { time_s, name, constraint, gap, unit, allowed: LARGEST_GAP }
             }
@@ -135,10 +176,13 @@ impl RunError {
     /// Where it happened and by how much, where that is one number: the body or loop, its coordinate or constraint, the
     /// number, and its limit.
     pub fn place(&self) -> Option<(String, String, f64, f64)> {
+        let length = "length".to_owned();
         let (name, part, value, limit) = match self {
             Self::Diverged { body, coordinate, value, limit, .. } => (body, coordinate, value, limit),
             Self::SingularLoop { name, constraint, pivot, allowed, .. } => (name, constraint, pivot, allowed),
             Self::OpenLoop { name, constraint, gap, allowed, .. } => (name, constraint, gap, allowed),
+            Self::UndeterminedRope { name, pivot, allowed, .. } => (name, &length, pivot, allowed),
+            Self::ShortRope { name, gap, allowed, .. } => (name, &length, gap, allowed),
             Self::NoNumber { .. }
             | Self::TooManyEvents { .. }
             | Self::EventNotAlone { .. }
@@ -155,6 +199,8 @@ impl RunError {
             | Self::NoNumber { time_s, .. }
             | Self::SingularLoop { time_s, .. }
             | Self::OpenLoop { time_s, .. }
+            | Self::UndeterminedRope { time_s, .. }
+            | Self::ShortRope { time_s, .. }
             | Self::TooManyEvents { time_s, .. }
             | Self::EventNotAlone { time_s }
             | Self::Steering { time_s, .. }

@@ -182,7 +182,7 @@ impl<S: Scalar> Simulation<S> {
     pub fn close_loops(&mut self) -> Result<(), RunError> {
         let (time_s, State { q, v, .. }) = (self.state.steps as f64 * self.settings.step_s, &mut self.state);
         self.plant.begin_step();
-        self.plant.close_loops(q, v).map_err(|fault| RunError::of_loop(time_s, &self.plant.model, fault))
+        self.plant.close_loops(q, v).map_err(|fault| RunError::of_loop(time_s, &self.plant, fault))
     }
 
     /// The complete state.
@@ -254,7 +254,7 @@ impl<S: Scalar> Simulation<S> {
             from = self.step_to_event(interval, edge_s)?;
             let State { q, v, .. } = &mut self.state;
             let closed = self.plant.close_loops(q, v);
-            closed.map_err(|fault| RunError::of_loop(end_s, &self.plant.model, fault))?;
+            closed.map_err(|fault| RunError::of_loop(end_s, &self.plant, fault))?;
             self.plant.sample(from, &mut self.state);
         }
         Ok(())

@@ -117,7 +117,8 @@ impl Simulation {
     /// Anal. 35, 1998): `(1/delta - A) dx = v'`, where delta grows as the accelerations vanish. So it
     /// begins downhill, towards a stable equilibrium, and ends with Newton's own convergence; along
     /// zero modes, such as the heading of a free ship, nothing moves. Where there are closed loops
-    /// the moves are tangent to them, `J dx = 0` by multipliers, and each ends with the loops closed.
+    /// the moves are tangent to them, `J dx = 0` by multipliers, and each ends with the loops closed. So with inextensible
+    /// ropes, each while it is taut and pulls.
     ///
     /// What an integral holds rests where it is to be: what holds it there is found by the method of
     /// multipliers (each time the model rests, it is handed over to the integral).
@@ -152,6 +153,11 @@ impl Simulation {
         loop {
             let linear = self.linear_here(&free);
             let residual = if free.is_empty() { 0.0 } else { linear.acceleration.amax() };
+            if residual < AT_REST && iterations < MOST_ITERATIONS && self.plant.let_go_at_rest(&mut self.state) {
+                last = None;
+                iterations += 1;
+                continue;
+            }
             if residual < AT_REST && iterations < MOST_ITERATIONS && self.take_over(&still) {
                 last = Some(LastMove { delta: linear.largest_delta(), acceleration: f64::MAX });
                 iterations += 1;
@@ -269,7 +275,11 @@ impl Simulation {
             let share = 0.5_f64.powi(halvings);
             let part: Vec<f64> = xi.iter().map(|xi| share * xi).collect();
             let q = self.moved(&from.q, &part);
-            self.set_state(&q, &still, Some(&from.s)).is_ok() && self.close_loops().is_ok()
+            if self.set_state(&q, &still, Some(&from.s)).is_err() {
+                return false;
+            }
+            self.plant.keep_hold(&from.m, &mut self.state);
+            self.close_loops().is_ok()
         })
     }
 }
@@ -308,6 +318,9 @@ impl Linear {
     /// The fastest motion tangent to the loops' J that grows: v' = A x with an eigenvalue 1 / T^2 of A.
     fn growth(&self, frame: &MovingFrame, names: &[String]) -> Option<Instability> {
         let tangents = tangents(&frame.j, names.len());
+        if tangents.ncols() == 0 {
+            return None;
+        }
         let a = tangents.transpose() * &self.stiffness * &tangents;
         let size = a.amax();
         let squares = a.clone().try_schur(f64::EPSILON, 0)?.complex_eigenvalues();

@@ -3,18 +3,22 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod clearances;
 mod contact_friction;
 mod contact_mistakes;
 mod contact_motions;
 mod contacts;
 mod controlled_drives;
 mod cylinders;
+mod entrained_water;
+mod inextensible_ropes;
 mod operations;
 mod replays;
 mod rope_leads;
 mod rope_mistakes;
 mod rope_motions;
 mod rope_release_and_tuggers;
+mod rope_weight;
 mod ropes;
 mod sensors;
 mod submerged;

@@ -7,7 +7,7 @@ use common::{simulation, values};
 /// A ship, a boom that luffs on a spring, a drum and a load in free space, all turning: the rope goes from the drum over the
 /// boom's tip and the load's sheave, which turns the other way and is out of the plane, back to the boom. Short steps: where an
 /// event is located, the scheme's dense output is of order 4 only.
-fn crane_in_space(rope: &str) -> String {
+pub fn crane_in_space(rope: &str) -> String {
     format!(
         "version: 1
 title: A crane in free space
@@ -53,7 +53,7 @@ drives: {{winch: {{motor: {{joint: winch, torque_N_m: -300}}}}}}
 }
 
 /// The ledger's errors over the energy, and the events.
-fn ledger(text: &str, steps: usize) -> (f64, Vec<String>) {
+pub fn ledger(text: &str, steps: usize) -> (f64, Vec<String>) {
     let mut moving = simulation(text);
     moving.step(steps).expect("a motion");
     let scale = values(&mut moving, "kinetic_energy")[0];

@@ -37,7 +37,7 @@ impl Case {
             let model = model.with_loops(loops);
             let ((q, v), loads) = (random.state(&model), random.loads(&model));
             let (links, work) = (LinkKinematics::new(&model), Workspace::new(&model));
-            let (solver, v_dot, open) = (LoopSolver::new(&model), vec![0.0; v.len()], vec![0.0; v.len()]);
+            let (solver, v_dot, open) = (LoopSolver::new(&model, 0), vec![0.0; v.len()], vec![0.0; v.len()]);
             let mut case = Self { model, loads, links, work, solver, q, v, v_dot, open };
             case.solver.begin();
             case.accelerate();
@@ -52,7 +52,7 @@ impl Case {
         self.links.update(&self.model, &self.q, &self.v);
         forward_dynamics(&self.model, &self.links, &self.loads, &mut self.work, &mut self.v_dot);
         self.open.copy_from_slice(&self.v_dot);
-        self.solver.accelerate(&self.model, &self.links, &mut self.work, &mut self.v_dot);
+        self.solver.accelerate(&self.model, &self.links, &self.loads, &mut self.work, &mut self.v_dot);
     }
 
     fn matrices(&self) -> MovingFrame {

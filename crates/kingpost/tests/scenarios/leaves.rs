@@ -160,7 +160,7 @@ struct Moved {
 fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) -> Vec<Moved> {
     let whole: Value = serde_json::from_str(&case.text).expect("the resolved scenario is JSON");
     let mut found = Vec::new();
-    for name in ["simulation", "bodies", "loops", "sea", "wind", "forces", "drives"] {
+    for name in ["simulation", "bodies", "loops", "sea", "wind", "forces", "drives", "sensors"] {
         leaves(&whole[name], name, &mut found);
     }
     let mut all = Vec::new();

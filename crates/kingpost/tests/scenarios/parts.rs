@@ -221,7 +221,10 @@ fn a_part_that_floats_stands_on_the_world() {
 #[test]
 fn every_crane_of_the_gallery_stands_on_every_hull() {
     let hulls = BTreeMap::from([("offshore_hull", "hull"), ("barge_hull", "ship"), ("crane_barge_hull", "hull")]);
-    let cranes = names("parts").into_iter().filter(|name| !hulls.contains_key(name.as_str()));
+    // Rigging moves freely: it stands on the world.
+    let rigging = ["four_leg_sling", "spreader_bar"];
+    let is_crane = |name: &String| !hulls.contains_key(name.as_str()) && !rigging.contains(&name.as_str());
+    let cranes = names("parts").into_iter().filter(is_crane);
     let cranes: Vec<String> = cranes.collect();
     assert!(cranes.len() >= 4);
     for crane in &cranes {

@@ -35,8 +35,16 @@ fn is_column(field: &str) -> bool {
 
 #[test]
 fn every_field_that_names_something_of_the_scenario_is_prefixed_in_a_part() {
-    // The name and the mounting of what parts do not prefix below their sections; an operation is the whole's.
-    let elsewhere = BTreeSet::from(["Parameter.name", "Mounting.on", "InputMove.input"]);
+    // The name and the mounting of what parts do not prefix below their sections; an operation is the whole's; a point is named
+    // beside its body.
+    let elsewhere = BTreeSet::from([
+        "Parameter.name",
+        "Mounting.on",
+        "InputMove.input",
+        "OwnPoint.point",
+        "ClearanceFrom.point",
+        "AirGap.point",
+    ]);
     let names: BTreeSet<String> = properties(&json_schema())
         .into_iter()
         .filter(|(_, field, property)| is_text(property, true) || is_column(field))

@@ -91,6 +91,35 @@ fn a_drive_in_a_joint_that_is_held_or_prescribed_is_refused() {
 }
 
 #[test]
+fn a_second_drive_that_follows_a_set_point_in_a_joint_is_refused() {
+    let servo = |name: &str, rest: &str| {
+        format!(
+            "  {name}: {{servo: {{joint: slew, target_rad: 0, stiffness_N_m_per_rad: 1, damping_N_m_s_per_rad: 1, \
+             torque_limit_N_m: 1{rest}}}}}\n"
+        )
+    };
+    let drives = |rest: &str| changed("drives:\n", &format!("drives:\n{}{rest}", servo("first", "")));
+    let controlled = "  other: {controlled_drive: {set_point: {torque: {torque_N_m: 1}}, speed_limit_rad_s: 1, \
+                      acceleration_limit_rad_s2: 1, torque_limit_N_m: 1, stiffness_N_m_per_rad: 1, damping_N_m_s_per_rad: 1, \
+                      joint: slew}}\n";
+    for (second, name, kind) in
+        [(servo("second", ""), "second", "servo"), (controlled.to_owned(), "other", "controlled_drive")]
+    {
+        let found = error_of(&drives(&second));
+        let expected = format!(
+            "drives.{name}.{kind}.joint: found slew, which both first and {name} drive, allowed: one drive that follows a \
+             set-point and is on for each joint; motors and brakes may stand beside it"
+        );
+        assert!(found.ends_with(&expected) && found.starts_with("paper.yaml:"), "{found}");
+    }
+    // The motor of the slewing joint is there already; what is off drives nothing.
+    let brake = "  brake: {brake: {joint: slew, torque_N_m: 100, smoothing_rad_s: 0.01}}\n";
+    for accepted in [servo("second", ", enabled: false"), brake.to_owned()] {
+        assert!(read(&drives(&accepted), "paper.yaml", &[]).is_ok(), "{accepted}");
+    }
+}
+
+#[test]
 fn a_negative_mass_is_refused() {
     refuses(MASS, "mass_kg: -5", "-5\n    colour", "bodies.ship.mass_kg: found -5, allowed: a number greater than 0");
 }

@@ -1,4 +1,4 @@
-//! What wrenches on links alone make of the accelerations: M^-1 times a column of J^T.
+//! What wrenches on links and loads along joints make of the accelerations: M^-1 times a column of J^T.
 //!
 //! The second half of the recursion once more, without velocities and other loads, over the
 //! articulated inertias that [`forward_dynamics`](super::forward_dynamics) left behind. It is linear
@@ -16,6 +16,8 @@ use crate::spatial::{Twist, Vector3, Wrench};
 pub struct Response<S = f64> {
     /// By link: less the wrench, with what comes down the branch.
     bias: Vec<Wrench<S>>,
+    /// Loads along the axes of joints, by coordinate of v.
+    force: Vec<S>,
     /// By link.
     acceleration: Vec<Twist<S>>,
     /// By coordinate of v.
@@ -28,14 +30,22 @@ impl<S: Scalar> Response<S> {
         let n = model.plan.len();
         Self {
             bias: vec![Wrench::zero(); n],
+            force: vec![S::ZERO; model.velocity_count],
             acceleration: vec![Twist::zero(); n],
             rates: vec![S::ZERO; model.velocity_count],
         }
     }
 
-    /// Takes all wrenches off.
+    /// Takes all wrenches and loads off.
     pub fn clear(&mut self) {
         self.bias.fill(Wrench::zero());
+        self.force.fill(S::ZERO);
+    }
+
+    /// Puts a load along a coordinate of a joint of one axis, with its reaction on the parent.
+    #[inline]
+    pub fn add_along(&mut self, coordinate: usize, load: S) {
+        self.force[coordinate] += load;
     }
 
     /// Puts a wrench on a link, about its root's origin in root axes; on the world it does nothing.
@@ -54,7 +64,10 @@ impl<S: Scalar> Response<S> {
             let (link, bias) = (&work.links[i], self.bias[i]);
             let passed = match plan.joint {
                 LinkJoint::Ball => Ball::new(plan, &moving.in_root).passes(&link.inertia(moving), &bias),
-                _ if plan.mode == Mode::Free => bias - link.gain * (bias.dot(&moving.axis) * link.compliance),
+                _ if plan.mode == Mode::Free => {
+                    let drive = self.force[plan.velocities] - bias.dot(&moving.axis);
+                    bias + link.gain * (drive * link.compliance)
+                }
                 _ => bias,
             };
             self.bias[parent] += passed;
@@ -73,7 +86,8 @@ impl<S: Scalar> Response<S> {
                     ball.respond(&link.inertia(moving), bias, &carried, &mut self.rates)
                 }
                 LinkJoint::Hinge | LinkJoint::Slide => {
-                    let free = -(bias.dot(&moving.axis) + link.gain.dot(&carried)) * link.compliance;
+                    let drive = self.force[at] - bias.dot(&moving.axis);
+                    let free = (drive - link.gain.dot(&carried)) * link.compliance;
                     self.rates[at] = if plan.mode == Mode::Free { free } else { S::ZERO };
                     carried + moving.axis * self.rates[at]
                 }

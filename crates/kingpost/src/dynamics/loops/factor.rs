@@ -39,6 +39,11 @@ impl<S: Scalar> Factor<S> {
         }
     }
 
+    /// Begins with so many constraints, no more than there is room for.
+    pub fn begin(&mut self, count: usize) {
+        self.count = count;
+    }
+
     /// Writes an entry of the lower triangle.
     #[inline]
     pub fn set(&mut self, row: usize, column: usize, value: S) {
@@ -89,12 +94,12 @@ impl<S: Scalar> Factor<S> {
 
     /// Pivots over their references.
     pub fn pivots(&self) -> &[S] {
-        &self.pivots
+        &self.pivots[..self.count]
     }
 
     /// The first constraint whose pivot is too small, in any lane.
     pub fn dependent(&self) -> Option<usize> {
-        self.pivots.iter().position(|pivot| !pivot.all(|pivot| pivot > SMALLEST_PIVOT))
+        self.pivots().iter().position(|pivot| !pivot.all(|pivot| pivot > SMALLEST_PIVOT))
     }
 
     /// The constraints before `row` that it is made of, where it depends on them.

@@ -13,7 +13,10 @@
 //! scheme does not: after each step q and v are moved back by the least change that M knows, so
 //! that phi and phi' vanish ([`LoopSolver::close`]). Two ships that are tied keep their common
 //! momentum through it.
+//!
+//! What elements hold for a while, each a [`Restraint`](super::Restraint), stands behind the loops in the same system.
 
+mod column;
 mod factor;
 mod project;
 mod rows;
@@ -23,14 +26,20 @@ pub use project::{LARGEST_GAP, LoopFault, Projection};
 pub use rows::Row;
 
 use super::forward::{Response, Workspace};
-use super::{LinkKinematics, Loads};
+use super::{LinkKinematics, Loads, Restraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
+use column::Column;
 
 /// Working memory for the loops of a model.
 #[derive(Clone, Debug)]
 pub struct LoopSolver<S = f64> {
+    /// Of the loops.
     rows: Vec<Row<S>>,
+    /// Room for all constraints; those of the loops and of the restraints that act come first.
+    columns: Vec<Column<S>>,
+    /// How many act.
+    count: usize,
     factor: Factor<S>,
     response: Response<S>,
     multipliers: Vec<S>,
@@ -45,11 +54,13 @@ pub struct LoopSolver<S = f64> {
 }
 
 impl<S: Scalar> LoopSolver<S> {
-    /// Room for a model.
-    pub fn new(model: &Model<S>) -> Self {
-        let count = model.constraint_count();
+    /// Room for a model, and for so many restraints.
+    pub fn new(model: &Model<S>, restraints: usize) -> Self {
+        let count = model.constraint_count() + restraints;
         Self {
-            rows: Vec::with_capacity(count),
+            rows: Vec::with_capacity(model.constraint_count()),
+            columns: vec![Column::new(); count],
+            count: 0,
             factor: Factor::new(count),
             response: Response::new(model),
             multipliers: vec![S::ZERO; count],
@@ -61,25 +72,56 @@ impl<S: Scalar> LoopSolver<S> {
         }
     }
 
-    /// Evaluates every constraint.
+    /// Evaluates every constraint of the loops.
     pub fn update_rows(&mut self, model: &Model<S>, links: &LinkKinematics<S>) {
         rows::update(model, links, &mut self.rows);
     }
 
-    /// Every constraint where it was evaluated last.
+    /// The same, and puts the restraints that act beside them.
+    fn update_columns(&mut self, model: &Model<S>, links: &LinkKinematics<S>, restraints: &[Restraint<S>]) {
+        self.update_rows(model, links);
+        let mut columns = self.columns.iter_mut();
+        for (row, column) in self.rows.iter().zip(columns.by_ref()) {
+            column.take_row(row);
+        }
+        let acting = restraints.iter().filter(|restraint| restraint.acts);
+        self.count = self.rows.len();
+        for (column, restraint) in columns.zip(acting) {
+            column.take_restraint(model, links, restraint);
+            self.count += 1;
+        }
+    }
+
+    /// The constraints that act.
+    fn acting(&self) -> &[Column<S>] {
+        &self.columns[..self.count]
+    }
+
+    /// Every constraint of the loops where it was evaluated last.
     pub fn rows(&self) -> &[Row<S>] {
         &self.rows
     }
 
     /// The multipliers of the last accelerations: forces, N, and moments, N m, that the constraints
-    /// put on the second bodies.
+    /// put on the second bodies; behind them those of the restraints that act.
     pub fn multipliers(&self) -> &[S] {
-        &self.multipliers
+        &self.multipliers[..self.count]
+    }
+
+    /// Those of the restraints that act.
+    pub fn of_restraints(&self) -> &[S] {
+        self.multipliers().get(self.rows.len()..).unwrap_or_default()
     }
 
     /// Takes over the multipliers that another form of the equations has found.
-    pub fn take_over(&mut self, model: &Model<S>, links: &LinkKinematics<S>, multipliers: impl Iterator<Item = S>) {
-        self.update_rows(model, links);
+    pub fn take_over(
+        &mut self,
+        model: &Model<S>,
+        links: &LinkKinematics<S>,
+        loads: &Loads<S>,
+        multipliers: impl Iterator<Item = S>,
+    ) {
+        self.update_columns(model, links, &loads.restraints);
         self.multipliers.iter_mut().zip(multipliers).for_each(|(own, given)| *own = given);
     }
 
@@ -120,13 +162,14 @@ impl<S: Scalar> LoopSolver<S> {
         &mut self,
         model: &Model<S>,
         links: &LinkKinematics<S>,
+        loads: &Loads<S>,
         work: &mut Workspace<S>,
         v_dot: &mut [S],
     ) {
-        self.update_rows(model, links);
+        self.update_columns(model, links, &loads.restraints);
         self.factor_here(model, links, work);
-        for (right, row) in self.multipliers.iter_mut().zip(&self.rows) {
-            *right = -(row.times(|link| work.acceleration(links, link)) + row.drift);
+        for (right, column) in self.multipliers.iter_mut().zip(&self.columns[..self.count]) {
+            *right = -column.acceleration(|link| work.acceleration(links, link), v_dot);
         }
         self.respond(model, links, work);
         self.response.add_to(work, v_dot);
@@ -134,13 +177,15 @@ impl<S: Scalar> LoopSolver<S> {
 
     /// Factors J M^-1 J^T over the articulated inertias that stand, a column at a time.
     fn factor_here(&mut self, model: &Model<S>, links: &LinkKinematics<S>, work: &Workspace<S>) {
-        for (k, row) in self.rows.iter().enumerate() {
+        let columns = &self.columns[..self.count];
+        self.factor.begin(columns.len());
+        for (k, column) in columns.iter().enumerate() {
             self.response.clear();
-            self.response.add(row.first, &row.on_first);
-            self.response.add(row.second, &row.on_second);
+            column.press(S::ONE, &mut self.response);
             self.response.update(model, links, work);
-            for (j, other) in self.rows.iter().enumerate().skip(k) {
-                self.factor.set(j, k, other.times(|link| *self.response.acceleration(link)));
+            let response = &self.response;
+            for (j, other) in columns.iter().enumerate().skip(k) {
+                self.factor.set(j, k, other.times(|link| *response.acceleration(link), response.rates()));
             }
         }
         if core::mem::take(&mut self.begins) {
@@ -148,6 +193,8 @@ impl<S: Scalar> LoopSolver<S> {
                 self.factor.take_reference(k, row.motion(model, links));
             }
         }
+        // A restraint comes and goes: it is measured where it acts.
+        (self.rows.len()..self.count).for_each(|k| self.factor.take_reference(k, S::ONE));
         self.factor.factor();
         for (lowest, pivot) in self.lowest[1].iter_mut().zip(self.factor.pivots()) {
             *lowest = pivot.select_less(*lowest, || *pivot, || *lowest);
@@ -156,16 +203,15 @@ impl<S: Scalar> LoopSolver<S> {
 
     /// From the right-hand side in `multipliers`: the multipliers, and the response to them.
     fn respond(&mut self, model: &Model<S>, links: &LinkKinematics<S>, work: &Workspace<S>) {
-        self.factor.solve(&mut self.multipliers);
+        self.factor.solve(&mut self.multipliers[..self.count]);
         self.response.clear();
-        for (row, lambda) in self.rows.iter().zip(&self.multipliers) {
-            self.response.add(row.first, &(row.on_first * *lambda));
-            self.response.add(row.second, &(row.on_second * *lambda));
+        for (column, lambda) in self.columns[..self.count].iter().zip(&self.multipliers) {
+            column.press(*lambda, &mut self.response);
         }
         self.response.update(model, links, work);
     }
 
-    /// Adds what the loops carry to the loads: no work, but joints and momentum feel it.
+    /// Adds what loops and restraints carry to the loads: no work, but joints and momentum feel it.
     pub fn apply(&self, model: &Model<S>, links: &LinkKinematics<S>, loads: &mut Loads<S>) {
         let constraints = model.loops.iter().flat_map(|closed| closed.constraints.iter().map(move |_| closed));
         for ((closed, row), lambda) in constraints.zip(&self.rows).zip(&self.multipliers) {
@@ -173,5 +219,6 @@ impl<S: Scalar> LoopSolver<S> {
                 loads.add_on_link(model, links, attachment.body, &(*in_root * *lambda));
             }
         }
+        loads.carry(self.of_restraints());
     }
 }

@@ -6,9 +6,10 @@
 //! Wanner, *Solving Ordinary Differential Equations II*, 1996, sec. VII.2.) Coordinates that are
 //! held or prescribed do not move.
 
-use super::{LoopSolver, Row, SMALLEST_PIVOT};
+use super::column::Column;
+use super::{LoopSolver, SMALLEST_PIVOT};
 use crate::dynamics::forward::{Workspace, forward_dynamics};
-use crate::dynamics::{LinkKinematics, Loads};
+use crate::dynamics::{LinkKinematics, Loads, Restraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 
@@ -56,9 +57,14 @@ pub struct Projection<'a, S> {
     pub links: &'a mut LinkKinematics<S>,
     /// Working memory of the recursion.
     pub work: &'a mut Workspace<S>,
-    /// Loads, for their added inertia.
-    pub loads: &'a Loads<S>,
+    /// Loads, for their added inertia, and for the restraints that act.
+    pub loads: &'a mut Loads<S>,
+    /// Evaluates those at positions and velocities.
+    pub hold: &'a mut Hold<'a, S>,
 }
+
+/// Writes the restraints that act, at the kinematics, the positions and the velocities.
+pub type Hold<'a, S> = dyn FnMut(&LinkKinematics<S>, &[S], &[S], &mut [Restraint<S>]) + 'a;
 
 impl<S: Scalar> LoopSolver<S> {
     /// Measures pivots against the diagonal of J M^-1 J^T at this state.
@@ -93,12 +99,12 @@ impl<S: Scalar> LoopSolver<S> {
             let singular = LoopFault::Singular { constraint, pivot: pivot.value() };
             (!pivot.all(|pivot| pivot > SMALLEST_PIVOT)).then_some(singular)
         };
-        let open = |(constraint, row): (usize, &Row<S>)| {
-            let open = LoopFault::Open { constraint, gap: row.residual.value() };
-            (!row.residual.all(|gap| gap.is_nan() || gap.abs() < LARGEST_GAP)).then_some(open)
+        let open = |(constraint, column): (usize, &Column<S>)| {
+            let open = LoopFault::Open { constraint, gap: column.residual.value() };
+            (!column.residual.all(|gap| gap.is_nan() || gap.abs() < LARGEST_GAP)).then_some(open)
         };
-        let weak = self.lowest[0].iter().enumerate().find_map(weak);
-        weak.or_else(|| self.rows.iter().enumerate().find_map(open))
+        let weak = self.lowest[0][..self.count].iter().enumerate().find_map(weak);
+        weak.or_else(|| self.acting().iter().enumerate().find_map(open))
     }
 
     /// At the start: closes the loops from where they stand, however far they are open, and takes
@@ -124,12 +130,13 @@ impl<S: Scalar> LoopSolver<S> {
     /// Evaluates the constraints at a state.
     fn look(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &[S]) {
         on.links.update(on.model, q, v);
-        self.update_rows(on.model, on.links);
+        (on.hold)(on.links, q, v, &mut on.loads.restraints);
+        self.update_columns(on.model, on.links, &on.loads.restraints);
     }
 
     /// Largest absolute phi, m or rad.
     fn gap(&self) -> S {
-        self.rows.iter().fold(S::ZERO, |largest, row| larger(largest, row.residual))
+        self.acting().iter().fold(S::ZERO, |largest, column| larger(largest, column.residual))
     }
 
     /// Factors J M^-1 J^T here, over articulated inertias that are computed anew.
@@ -142,8 +149,8 @@ impl<S: Scalar> LoopSolver<S> {
     /// bit, whatever the others need.
     fn correct_positions(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &[S], closed: f64) {
         self.factor_anew(on);
-        for (right, row) in self.multipliers.iter_mut().zip(&self.rows) {
-            *right = -row.residual;
+        for (right, column) in self.multipliers.iter_mut().zip(&self.columns[..self.count]) {
+            *right = -column.residual;
         }
         self.respond(on.model, on.links, on.work);
         let longest = self.response.rates().iter().fold(S::ZERO, |longest, rate| larger(longest, *rate));
@@ -159,11 +166,24 @@ impl<S: Scalar> LoopSolver<S> {
         self.look(on, q, v);
     }
 
+    /// One correction of positions that are closed: it gives the derivatives of a dual number.
+    pub fn follow(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &[S]) {
+        self.look(on, q, v);
+        self.correct_positions(on, q, v, NEVER);
+    }
+
+    /// What stops the opening of all constraints at once, as an impact does: the impulses of the restraints that act, N s.
+    pub fn strike(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &mut [S]) -> &[S] {
+        self.look(on, q, v);
+        self.correct_velocities(on, v);
+        self.of_restraints()
+    }
+
     /// The correction of the velocities: linear, so that one is enough.
     fn correct_velocities(&mut self, on: &mut Projection<'_, S>, v: &mut [S]) {
         self.factor_anew(on);
-        for (right, row) in self.multipliers.iter_mut().zip(&self.rows) {
-            *right = -row.rate;
+        for (right, column) in self.multipliers.iter_mut().zip(&self.columns[..self.count]) {
+            *right = -column.rate;
         }
         self.respond(on.model, on.links, on.work);
         for (v, rate) in v.iter_mut().zip(self.response.rates()) {

@@ -57,13 +57,6 @@ impl<S: Scalar> Row<S> {
         Wrench { moment: self.wrench.moment - self.way.cross(self.wrench.force), ..self.wrench }
     }
 
-    /// `J a`, from the accelerations (or twists) of the links in root axes.
-    #[inline]
-    pub fn times(&self, acceleration: impl Fn(usize) -> Twist<S>) -> S {
-        let along = |wrench: &Wrench<S>, link: Option<usize>| link.map_or(S::ZERO, |i| wrench.dot(&acceleration(i)));
-        along(&self.on_second, self.second) + along(&self.on_first, self.first)
-    }
-
     /// Length of the row of J over the free coordinates, beside that of its wrench: zero where no
     /// coordinate moves the one body against the other.
     pub fn motion(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {

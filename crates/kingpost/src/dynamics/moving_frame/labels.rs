@@ -68,10 +68,22 @@ impl MovingFrame {
             let every = coordinates(ACCELERATIONS, &every);
             all.push(list("q_ddot_given", &every, "acceleration", &self.given_acceleration));
         }
-        if !model.loops.is_empty() {
-            all.push(named("J", &constraint_rates(model), &free(RATES), &self.j));
+        if self.j.nrows() > 0 {
+            all.push(named("J", &self.constraint_rates(model), &free(RATES), &self.j));
         }
         all
+    }
+
+    /// `hook.x`, ...: what the constraints of the closed loops change by, and behind them the paths of ropes.
+    fn constraint_rates(&self, model: &Model) -> Side {
+        let constraints = || model.loops.iter().flat_map(|tie| tie.constraints.iter().map(move |each| (tie, each)));
+        let unit = |turns: bool| RATES[usize::from(turns)];
+        let of_loops = constraints().map(|(tie, (name, _))| format!("{}.{name}", tie.name));
+        let units_of_loops = constraints().map(|(_, (_, of))| unit(matches!(of, Constraint::Perpendicular { .. })));
+        Side {
+            labels: of_loops.chain(self.held_by.iter().map(|name| format!("{name}.length"))).collect(),
+            units: units_of_loops.chain(self.held_by.iter().map(|_| unit(false))).collect(),
+        }
     }
 
     /// E, R, relative E and Omega of each body.
@@ -102,16 +114,6 @@ impl MovingFrame {
             all.push(named(&format!("Omega_{}", body.name), &homogeneous("m/s", "1/s"), &points, &omega));
         }
         all
-    }
-}
-
-/// `hook.x`, ...: what the constraints of the closed loops change by.
-fn constraint_rates(model: &Model) -> Side {
-    let constraints = || model.loops.iter().flat_map(|tie| tie.constraints.iter().map(move |each| (tie, each)));
-    let unit = |turns: bool| RATES[usize::from(turns)];
-    Side {
-        labels: constraints().map(|(tie, (name, _))| format!("{}.{name}", tie.name)).collect(),
-        units: constraints().map(|(_, (_, of))| unit(matches!(of, Constraint::Perpendicular { .. }))).collect(),
     }
 }
 

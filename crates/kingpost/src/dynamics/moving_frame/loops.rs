@@ -5,8 +5,9 @@
 //! rows as wrenches, in other axes.
 
 use super::blocks::{omega_of, x_dot_of};
+use crate::dynamics::Restraint;
 use crate::model::{Attachment, Constraint, Model};
-use crate::spatial::{Frame, Vector3};
+use crate::spatial::{Frame, Twist, Vector3};
 use nalgebra::{DMatrix, DVector, RowDVector};
 
 /// What the rows are made of.
@@ -19,13 +20,14 @@ pub(super) struct Motion<'a> {
     pub x_drift: &'a DVector<f64>,
 }
 
-/// J over all coordinates, and J' q'.
-pub(super) fn rows(motion: &Motion<'_>) -> (DMatrix<f64>, DVector<f64>) {
+/// J over all coordinates, and J' q': of the loops, then of the restraints that act.
+pub(super) fn rows(motion: &Motion<'_>, restraints: &[Restraint]) -> (DMatrix<f64>, DVector<f64>) {
     let constraints = motion.model.loops.iter().flat_map(|closed| {
         let (first, second) = (motion.point(&closed.first), motion.point(&closed.second));
         closed.constraints.iter().map(move |(_, constraint)| row(&first, &second, constraint)).collect::<Vec<_>>()
     });
-    let (rows, drifts): (Vec<RowDVector<f64>>, Vec<f64>) = constraints.unzip();
+    let held = restraints.iter().filter(|restraint| restraint.acts).map(|restraint| motion.held(restraint));
+    let (rows, drifts): (Vec<RowDVector<f64>>, Vec<f64>) = constraints.chain(held).unzip();
     let j = if rows.is_empty() { DMatrix::zeros(0, motion.b.ncols()) } else { DMatrix::from_rows(&rows) };
     (j, DVector::from_vec(drifts))
 }
@@ -46,6 +48,28 @@ struct Point {
 }
 
 impl Motion<'_> {
+    /// The row of a restraint, and its share of J' q'.
+    fn held(&self, restraint: &Restraint) -> (RowDVector<f64>, f64) {
+        let rotation = |body: usize| self.frames[body].rotation;
+        let in_body = |x: &DVector<f64>, body: usize| Twist {
+            angular: omega_of(x, body),
+            linear: rotation(body).transpose_times(x_dot_of(x, body)),
+        };
+        let none = vec![0.0; self.b.ncols()];
+        let row = (0..self.b.ncols()).map(|k| {
+            let (column, mut rates) = (self.b.column(k).into_owned(), none.clone());
+            rates[k] = 1.0;
+            restraint.times(|body| in_body(&column, body), &rates)
+        });
+        let row = RowDVector::from_iterator(self.b.ncols(), row);
+        // The acceleration of a point less omega x its velocity is that of the twist.
+        let spatial = |body: usize| {
+            let (own, rate) = (in_body(self.x_dot, body), in_body(self.x_drift, body));
+            Twist { linear: rate.linear - own.angular.cross(own.linear), ..rate }
+        };
+        (row, restraint.times(spatial, &none) + restraint.drift)
+    }
+
     fn point(&self, attachment: &Attachment) -> Point {
         let none = DMatrix::zeros(3, self.b.ncols());
         let Some(body) = attachment.body else {

@@ -10,7 +10,7 @@
 //! | `d` | D (eq. 57), what the restricted variation of omega adds (eqs. 55, 58) |
 //! | `f` | {F} (eq. 59, there {Q}), motors as couples on the child and back on the parent |
 //! | `m_star`, `n_star`, `f_star` | M*, N*, F* (eqs. 60a-60c) |
-//! | `j`, `j_drift` | not in the paper: J and J' q' of closed loops, which border M* |
+//! | `j`, `j_drift` | not in the paper: J and J' q' of closed loops and of inextensible ropes, which border M* |
 //!
 //! Rotors add their inertia to the diagonal of M*. For a full 6x6 inertia the block of M turns with the body, so M' enters beside B', and D gets
 //! the term of Kirchhoff's equations that moves momentum: both vanish for the paper's bodies.
@@ -74,10 +74,12 @@ pub struct MovingFrame {
     pub free: Vec<usize>,
     /// q'' of the prescribed coordinates, over all of them; zero elsewhere.
     pub given_acceleration: DVector<f64>,
-    /// J of the closed loops over the free coordinates, one row a constraint.
+    /// J of the closed loops over the free coordinates, one row a constraint, and of what elements hold behind them.
     pub j: DMatrix<f64>,
     /// What phi'' of the loops has besides J q'': J' q', and what prescribed motions add.
     pub j_drift: DVector<f64>,
+    /// Names of the elements that hold the last rows of J.
+    pub held_by: Vec<String>,
 }
 
 impl MovingFrame {
@@ -116,7 +118,9 @@ impl MovingFrame {
         let free_velocity = DVector::from_iterator(free.len(), free.iter().map(|&i| v[i]));
         let x_drift = &b_dot * &velocity;
         let motion = loops::Motion { model, frames: &frames, b: &b, x_dot: &x_dot, x_drift: &x_drift };
-        let (j_all, own_drift) = loops::rows(&motion);
+        let (j_all, own_drift) = loops::rows(&motion, &loads.restraints);
+        let acting = loads.restraints.iter().filter(|restraint| restraint.acts);
+        let held_by = acting.map(|restraint| restraint.name.clone()).collect();
         let (j, j_drift) = (j_all.select_columns(&free), own_drift + &j_all * &given_acceleration);
         Self {
             frames,
@@ -136,6 +140,7 @@ impl MovingFrame {
             given_acceleration,
             j,
             j_drift,
+            held_by,
         }
     }
 

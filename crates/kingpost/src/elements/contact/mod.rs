@@ -115,7 +115,11 @@ impl<S: Scalar> Element<S> for Contact<S> {
                 number("contact_friction_force", "sum of the friction of a contact's points, each by its size", &["N"]),
                 number("contact_impulse", "normal force of a contact, integrated over time", &["N s"]),
                 number("contact_penetration", "depth of the deepest point in touch; 0 without touch", &["m"]),
-                number("contact_gap", "least clearance of a contact; negative: penetration", &["m"]),
+                number(
+                    "contact_gap",
+                    "least distance of a load's corners, or of its round surface, from its contact; negative: penetration",
+                    &["m"],
+                ),
                 number("contact_points", "points of a contact in touch", &["1"]),
             ],
             goes_alone: true,

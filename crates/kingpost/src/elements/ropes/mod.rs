@@ -1,24 +1,32 @@
 //! Ropes over sheaves: hoists, luffing ropes, slings, tuggers.
 
+mod drum;
+mod inextensible;
 mod leads;
 mod path;
 mod station;
+mod stretch;
 mod tugger_line;
+mod weight;
 
+pub use drum::{Drum, Layers};
+pub use inextensible::Inextensible;
 pub use path::{Extent, Path};
 pub use station::{Efficiency, Round, Station};
 pub use tugger_line::TuggerLine;
+pub use weight::RopeWeight;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    Crossing, Declaration, DrawnLine, Element, Event, Input, LineStyle, Moment, Output, Own, Situation,
+    Crossing, Declaration, DrawnLine, Element, Event, Holding, Input, LineStyle, Moment, Output, Own,
 };
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
+use stretch::condition;
 
-/// An elastic rope without mass over a [`Path`], which pulls and never pushes.
+/// A rope without inertia over a [`Path`], which pulls and never pushes: elastic, or inextensible where nothing gives way.
 ///
-/// With the length l of the path, the unstretched length L that lies on it, the stretch e = l - L and
+/// Of an elastic rope, with the length l of the path, the unstretched length L that lies on it, the stretch e = l - L and
 /// 1/k = L/EA + 1/k_s, where k_s is the stiffness of all that gives way in series with it (the crane's own, as the *simple wire coupling* of
 /// SIMO has it),
 ///
@@ -27,7 +35,7 @@ use crate::spatial::Vector3;
 /// V = k e^2 / 2,       -dV/dL = k e + (k e)^2 / (2 EA)
 /// ```
 ///
-/// A drum that turns by theta pays out L = L0 +- R theta. Its torque is R times the tension and R (k e)^2 / (2 EA): what is
+/// A [`Drum`] that turns by theta pays out R theta, R its radius there. Its torque is R times the tension and R (k e)^2 / (2 EA): what is
 /// wound on stores strain energy, and without this term the rope would make or lose energy as it is paid out under
 /// tension. At the sheaves and at the drum friction takes its share; damping and friction are heat.
 #[derive(Clone, Debug)]
@@ -40,7 +48,7 @@ pub struct Rope<S = f64> {
     pub drum: Option<Drum<S>>,
     /// L at the start, m.
     pub unstretched_length: S,
-    /// EA, N.
+    /// EA, N; infinite where the rope itself does not stretch.
     pub axial_stiffness: S,
     /// 1/k_s, m/N.
     pub series_compliance: S,
@@ -52,37 +60,10 @@ pub struct Rope<S = f64> {
     pub carried_mass: Option<S>,
     /// Whether an input of its name releases it.
     pub can_be_released: bool,
-}
-
-/// A drum: a coordinate that a rope is wound up by.
-#[derive(Clone, Copy, Debug)]
-pub struct Drum<S = f64> {
-    /// Index in q.
-    pub position: usize,
-    /// Index in v.
-    pub coordinate: usize,
-    /// Rope paid out per angle, m: the radius, negative where positive rates haul in.
-    pub paid_out: S,
-    /// Its angle at the start, rad.
-    pub start: S,
-}
-
-/// A rope at a moment.
-#[derive(Clone, Copy, Debug)]
-struct Stretched<S> {
-    /// L, m, and its rate, m/s.
-    unstretched: S,
-    paid_out: S,
-    /// e, m, and its rate, m/s.
-    stretch: S,
-    rate: S,
-    /// k e and T at the last end, N; both 0 where it is slack.
-    elastic: S,
-    tension: S,
-    /// (k e)^2 / (2 EA), N: strain energy of the rope that the drum takes up, per length.
-    carried: S,
-    /// rad.
-    range_left: S,
+    /// Its weight; without it, it has none.
+    pub weight: Option<RopeWeight<S>>,
+    /// What a rope has in place of its elasticity where nothing lets it stretch.
+    pub inextensible: Option<Inextensible<S>>,
 }
 
 /// The one mode: how the rope is, which events change, so that no step mixes two laws. Runs side by side that begin
@@ -95,18 +76,20 @@ const PARTED: i64 = 3;
 /// How far a taut rope may be short of its length before it goes slack, m: rounding.
 const ROUNDING_M: f64 = 1e-10;
 /// Events, in the order of [`Rope::declare`].
-const EVENTS: [Event; 5] = [
+const EVENTS: [Event; 6] = [
     Event { what: "goes slack", crossing: Crossing::Falling },
     Event { what: "comes taut", crossing: Crossing::Rising },
     Event { what: "is hauled in to its end", crossing: Crossing::Falling },
     Event { what: "leaves its range at a sheave or drum, or two places of its path meet", crossing: Crossing::Falling },
+    Event { what: "is paid out to the innermost layer of its drum", crossing: Crossing::Falling },
     Event { what: "parts", crossing: Crossing::Rising },
 ];
 const GOES_SLACK: usize = 0;
 const COMES_TAUT: usize = 1;
 const HAULED_IN: usize = 2;
 const LEAVES_RANGE: usize = 3;
-const PARTS: usize = 4;
+const INNERMOST_LAYER: usize = 4;
+const PARTS: usize = 5;
 /// L, of that at the start, below which a rope is hauled in to its end: its stiffness stays that of this length.
 const SHORTEST: f64 = 1e-3;
 /// The lever at which a rope is released.
@@ -140,7 +123,10 @@ impl<S: Scalar> Element<S> for Rope<S> {
             number("rope_daf", what, &["1"])
         });
         let points = 2 * self.path.stations().len().saturating_sub(2) + POINTS_OF_LAST_LEG;
+        let holds = self.inextensible.is_some();
         Declaration {
+            holds,
+            goes_alone: holds,
             modes: vec!["condition".to_owned()],
             inputs: self.can_be_released.then(|| Input::lever(&self.name, 0.0, 0.0)).into_iter().collect(),
             outputs: [
@@ -169,10 +155,12 @@ impl<S: Scalar> Element<S> for Rope<S> {
     }
 
     fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
-        let pull = self.stretched(at).pull_length(self.damping_time);
+        let now = self.stretched(at);
+        let pull = self.pull_length(&now);
         let released = at.inputs.first().is_some_and(|lever| lever.all(|lever| lever >= RELEASES));
         own.modes[0] = match (pull.all(|pull| pull >= 0.0), pull.all(|pull| pull < 0.0)) {
             _ if released => PARTED,
+            _ if self.inextensible.is_some() => self.held_at_start(at),
             (true, _) => TAUT,
             (_, true) => SLACK,
             _ => BY_STRETCH,
@@ -191,43 +179,51 @@ impl<S: Scalar> Element<S> for Rope<S> {
     /// Adds the pulls at all stations, the torque on the drum, and the heat.
     fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
         let now = self.stretched(at);
+        self.weigh(at, &now, loads);
+        if self.inextensible.is_some() {
+            return;
+        }
         let [first, mut power] = self.path.pull(now.tension, now.rate, |station, wrench| {
             loads.wrenches.extend(station.on_body(at, wrench));
         });
         if let Some(drum) = &self.drum {
-            let held = first * self.path.ratio_at_drum(now.paid_out) + now.carried;
-            loads.force[drum.coordinate] += drum.paid_out * held;
-            power += now.paid_out * held;
+            let held = first * self.path.ratio_at_drum(now.paid_out.rate) + now.carried;
+            loads.force[drum.coordinate] += now.paid_out.per_angle * held;
+            power += now.paid_out.rate * held;
         }
-        let stored = now.elastic * now.rate - now.carried * now.paid_out;
+        let stored = now.elastic * now.rate - now.carried * now.paid_out.rate;
         loads.power.dissipated += -(power + stored);
     }
 
     fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
         let now = self.stretched(at);
-        now.elastic * now.stretch * S::constant(0.5)
+        self.energy_of_weight(at, &now) + now.elastic * now.stretch * S::constant(0.5)
     }
 
     fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let now = self.stretched(at);
-        let [first, _] = self.path.pull(now.tension, now.rate, |_, _| {});
-        out.extend([now.tension, first, now.unstretched, now.paid_out, now.stretch]);
+        let ([first, last], _) = self.tensions(at, &now);
+        out.extend([last, first, now.unstretched, now.paid_out.rate, now.stretch]);
         out.extend(self.path.leads().into_iter().flatten());
-        let of_rest = |weight: S| weight.select_below(f64::MIN_POSITIVE, || S::ZERO, || now.tension / weight);
+        let of_rest = |weight: S| weight.select_below(f64::MIN_POSITIVE, || S::ZERO, || last / weight);
         out.extend(self.carried_mass.map(|mass| of_rest(mass * at.world.gravity)));
     }
 
     fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
         let now = self.stretched(at);
-        let (mode, pull) = (condition(at), now.pull_length(self.damping_time));
+        let (mode, pull) = (condition(at), self.pull_length(&now));
+        let holds = self.inextensible.is_some();
         let of_event = |event| match (event, self.breaking_load) {
+            (GOES_SLACK, _) if mode == TAUT && holds => now.tension,
+            (COMES_TAUT, _) if mode == SLACK && holds => now.stretch - S::constant(ROUNDING_M),
             (GOES_SLACK, _) if mode == TAUT => pull + S::constant(ROUNDING_M),
             (GOES_SLACK | COMES_TAUT, _) if mode == BY_STRETCH => pull,
             (GOES_SLACK, _) => S::ONE,
             (COMES_TAUT, _) if mode == SLACK => pull,
             (HAULED_IN, _) => now.unstretched - self.shortest(),
             (LEAVES_RANGE, _) => now.range_left,
-            (PARTS, Some(load)) if mode != PARTED => self.largest(&now) - load,
+            (INNERMOST_LAYER, _) => now.paid_out.left,
+            (PARTS, Some(load)) if mode != PARTED => self.tensions(at, &now).1 - load,
             _ => -S::ONE,
         };
         values.iter_mut().enumerate().for_each(|(event, value)| *value = of_event(event));
@@ -267,87 +263,15 @@ impl<S: Scalar> Element<S> for Rope<S> {
         self.path.ties()
     }
 
+    fn holding(&self) -> Option<&dyn Holding<S>> {
+        self.inextensible.is_some().then_some(self)
+    }
+
+    fn holding_mut(&mut self) -> Option<&mut dyn Holding<S>> {
+        self.inextensible.is_some().then_some(self)
+    }
+
     fn keeps_station(&self) -> Option<[Option<usize>; 2]> {
         self.ties().into_iter().find(|[first, second]| first != second)
-    }
-}
-
-/// The mode of a rope; at rest one that has not parted goes by its stretch.
-fn condition<S>(at: &Moment<'_, S>) -> i64 {
-    let mode = at.modes.first().copied().unwrap_or(BY_STRETCH);
-    if at.situation == Situation::Running || mode == PARTED { mode } else { BY_STRETCH }
-}
-
-impl<S: Scalar> Stretched<S> {
-    /// Positive where both the spring and the spring with its damper pull, m.
-    fn pull_length(&self, damping_time: S) -> S {
-        self.stretch + damping_time * self.rate.select_below(0.0, || self.rate, || S::ZERO)
-    }
-}
-
-impl<S: Scalar> Rope<S> {
-    /// Where a run begins, before an equilibrium is sought: counts the drum's wrap and the rope that it pays out from here.
-    /// Returns the length of the path, m.
-    pub fn begin_at(&mut self, at: &Moment<'_, S>) -> S {
-        self.path.begin(at);
-        if let Some(drum) = &mut self.drum {
-            drum.start = at.q[drum.position];
-        }
-        self.path.extent(at).length
-    }
-
-    /// The tension that a stretch of a length at rest makes, N; negative for one that is short.
-    pub fn tension_at_rest(&self, stretch: S) -> S {
-        stretch / (self.unstretched_length / self.axial_stiffness + self.series_compliance)
-    }
-
-    /// The mode of a rope that pulls: the damper alone may pull it apart as it comes taut.
-    fn taut_or_parted(&mut self, at: &Moment<'_, S>) -> i64 {
-        let now = self.stretched(&Moment { modes: &[TAUT], ..*at });
-        let parts = self.breaking_load.is_some_and(|load| (self.largest(&now) - load).all(|beyond| beyond > 0.0));
-        if parts { PARTED } else { TAUT }
-    }
-
-    /// The larger of the tensions at both ends where the bodies are, N.
-    pub fn tension_here(&mut self, at: &Moment<'_, S>) -> S {
-        let now = self.stretched(at);
-        self.largest(&now)
-    }
-
-    fn stretched(&mut self, at: &Moment<'_, S>) -> Stretched<S> {
-        let Extent { length, rate, range_left } = self.path.extent(at);
-        let (turned, turning) =
-            self.drum.map_or((S::ZERO, S::ZERO), |drum| (at.q[drum.position] - drum.start, at.v[drum.coordinate]));
-        let per_angle = self.drum.map_or(S::ZERO, |drum| drum.paid_out);
-        let (unstretched, paid_out) = (self.unstretched_length + per_angle * turned, per_angle * turning);
-        let (stretch, rate) = (length - unstretched, rate - paid_out);
-        let shortest = self.shortest();
-        let elastic_length = unstretched.select_less(shortest, || shortest, || unstretched);
-        let stiffness = S::ONE / (elastic_length / self.axial_stiffness + self.series_compliance);
-        let spring = |stretch: S| stiffness * stretch;
-        let pulling = |force: S| force.select_below(0.0, || S::ZERO, || force);
-        let (elastic, pull) = (spring(stretch), spring(stretch + self.damping_time * rate));
-        let where_longer = |force: S| stretch.select_below(0.0, || S::ZERO, || force);
-        let (elastic, tension) = match condition(at) {
-            TAUT => (elastic, pull),
-            // Without a damper a slack rope is never longer, but for rounding, which would spoil the energy of a step.
-            SLACK if self.damping_time.all(|time| time == 0.0) => (S::ZERO, S::ZERO),
-            SLACK => (where_longer(elastic), S::ZERO),
-            PARTED => (S::ZERO, S::ZERO),
-            _ => (where_longer(elastic), pulling(where_longer(pull))),
-        };
-        let strain_energy = || elastic * elastic / (self.axial_stiffness + self.axial_stiffness);
-        let carried = unstretched.select_less(shortest, || S::ZERO, strain_energy);
-        Stretched { unstretched, paid_out, stretch, rate, elastic, tension, carried, range_left }
-    }
-
-    /// The larger of the tensions at both ends.
-    fn largest(&self, now: &Stretched<S>) -> S {
-        let [first, _] = self.path.pull(now.tension, now.rate, |_, _| {});
-        first.select_less(now.tension, || now.tension, || first)
-    }
-
-    fn shortest(&self) -> S {
-        self.unstretched_length * S::constant(SHORTEST)
     }
 }

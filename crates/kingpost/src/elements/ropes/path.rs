@@ -30,27 +30,29 @@ pub struct Path<S = f64> {
     /// At least two. The last is a point; the first is a point or a drum.
     stations: Vec<Station<S>>,
     /// Of a drum at the first station.
-    drum: Option<Wrap<S>>,
-    places: Vec<Place<S>>,
+    pub(super) drum: Option<Wrap<S>>,
+    pub(super) places: Vec<Place<S>>,
     legs: Vec<Leg<S>>,
 }
 
 /// How the rope lies on a drum where a run begins.
 #[derive(Clone, Copy, Debug)]
-struct Wrap<S> {
+pub(super) struct Wrap<S> {
     /// The direction that the angle of the wrap is counted from, in the axes of the body that carries the drum.
-    from: Vector3<S>,
+    pub from: Vector3<S>,
     /// Length from there to where the rope leaves the drum, m.
-    length: S,
+    pub length: S,
 }
 
 /// A station where the bodies are; vectors in world axes.
 #[derive(Clone, Copy, Debug)]
-struct Place<S> {
-    motion: Motion<S>,
-    axis: Vector3<S>,
+pub(super) struct Place<S> {
+    pub motion: Motion<S>,
+    pub axis: Vector3<S>,
+    /// Of a drum: the direction that the angle of the wrap is counted from.
+    pub from: Vector3<S>,
     /// Moments on the station's body per tension of the legs before and behind it, m.
-    moments: [Vector3<S>; 2],
+    pub moments: [Vector3<S>; 2],
 }
 
 /// A leg between two stations; vectors in world axes.
@@ -89,7 +91,7 @@ impl<S: Scalar> Path<S> {
     pub fn new(stations: Vec<Station<S>>) -> Self {
         let zero = Vector3::zero();
         let motion = Motion { centre: zero, velocity: zero, angular_velocity: zero };
-        let place = Place { motion, axis: zero, moments: [zero; 2] };
+        let place = Place { motion, axis: zero, from: zero, moments: [zero; 2] };
         let (distance, sine, cosine, rate) = (S::ONE, S::ZERO, S::ONE, S::ZERO);
         let leg = Leg { along: zero, distance, axis: zero, sine, cosine, radii: S::ZERO, gradient: zero, rate };
         let (places, legs) = (vec![place; stations.len()], vec![leg; stations.len().saturating_sub(1)]);
@@ -116,6 +118,17 @@ impl<S: Scalar> Path<S> {
         self.places[station].motion.centre
     }
 
+    /// The way between the centres of a leg's stations, m, and its falls; the same.
+    pub(super) fn line(&self, leg: usize) -> (Vector3<S>, S) {
+        let Leg { along, distance, .. } = self.legs[leg];
+        (along * distance, self.stations[leg + 1].falls)
+    }
+
+    /// The heights of the centres of a leg's stations, m; the same.
+    pub(super) fn heights(&self, leg: usize) -> [S; 2] {
+        [leg, leg + 1].map(|station| self.centre(station)[2])
+    }
+
     /// Where a run begins: the wrap on the drum is counted from here.
     pub fn begin(&mut self, at: &Moment<'_, S>) {
         let Some(drum) = self.stations[0].round else { return };
@@ -135,14 +148,14 @@ impl<S: Scalar> Path<S> {
 
     /// The angles by which the rope turns about its sheaves where the bodies are, each with the number of the station, rad;
     /// after [`extent`](Self::extent).
-    pub fn wraps(&mut self, at: &Moment<'_, S>) -> Vec<(usize, S)> {
+    pub fn wraps(&mut self) -> Vec<(usize, S)> {
         let inner = 1..self.legs.len();
         let of = |i: usize| {
             let round = self.stations[i].round?;
             let (before, behind) = (self.legs[i - 1], self.legs[i]);
             let sense = before.axis.dot(self.places[i].axis);
             let lean = behind.lean() - before.lean() * sense;
-            Some((i, self.turn(i, &round, at) + S::constant(FRAC_PI_2) + lean))
+            Some((i, self.turn(i, &round) + S::constant(FRAC_PI_2) + lean))
         };
         inner.filter_map(of).collect()
     }
@@ -157,6 +170,11 @@ impl<S: Scalar> Path<S> {
     /// Length and rate where the bodies are.
     pub fn extent(&mut self, at: &Moment<'_, S>) -> Extent<S> {
         self.stand(at);
+        self.measure()
+    }
+
+    /// Length and rate with the stations where they stand.
+    pub(super) fn measure(&mut self) -> Extent<S> {
         let mut length = self.drum.map_or(S::ZERO, |wrap| -wrap.length);
         for (k, leg) in self.legs.iter_mut().enumerate() {
             let (behind, lean) = (&self.stations[k + 1], leg.lean());
@@ -171,7 +189,7 @@ impl<S: Scalar> Path<S> {
         let (mut rate, mut range_left) = (S::ZERO, S::constant(FARTHEST));
         for i in 0..self.legs.len() {
             if let Some(round) = self.stations[i].round {
-                let from_middle = self.turn(i, &round, at);
+                let from_middle = self.turn(i, &round);
                 length += round.radius * (from_middle + S::constant(FRAC_PI_2));
                 let left = S::constant(FARTHEST) - from_middle.select_below(0.0, || -from_middle, || from_middle);
                 range_left = left.select_less(range_left, || left, || range_left);
@@ -196,8 +214,16 @@ impl<S: Scalar> Path<S> {
     fn stand(&mut self, at: &Moment<'_, S>) {
         for (place, station) in self.places.iter_mut().zip(&self.stations) {
             let axis = station.round.map_or(Vector3::zero(), |round| station.to_world(at, round.axis));
-            *place = Place { motion: station.motion(at), axis, moments: [Vector3::zero(); 2] };
+            *place = Place { motion: station.motion(at), axis, from: Vector3::zero(), moments: [Vector3::zero(); 2] };
         }
+        if let Some(wrap) = self.drum {
+            self.places[0].from = self.stations[0].to_world(at, wrap.from);
+        }
+        self.lay();
+    }
+
+    /// Ways of the legs between the stations where they stand.
+    pub(super) fn lay(&mut self) {
         for (k, leg) in self.legs.iter_mut().enumerate() {
             let ends = [k, k + 1].map(|i| (self.stations[i].round.map(|round| round.radius), self.places[i].axis));
             let radii = ends.iter().fold(S::ZERO, |sum, (radius, _)| sum + radius.unwrap_or(S::ZERO));
@@ -217,11 +243,11 @@ impl<S: Scalar> Path<S> {
     }
 
     /// beta of a round station less 90 degrees; adds R times its derivatives to the legs beside it, and notes its moments.
-    fn turn(&mut self, i: usize, round: &Round<S>, at: &Moment<'_, S>) -> S {
+    fn turn(&mut self, i: usize, round: &Round<S>) -> S {
         let (axis, behind) = (self.places[i].axis, self.legs[i].along);
         let before = match (i.checked_sub(1), self.drum) {
             (Some(k), _) => self.legs[k].along,
-            (None, Some(wrap)) => self.stations[0].to_world(at, wrap.from),
+            (None, Some(_)) => self.places[0].from,
             (None, None) => return S::constant(-FRAC_PI_2),
         };
         let (cosine, sine) = (before.dot(behind), axis.dot(before.cross(behind)));
@@ -243,12 +269,26 @@ impl<S: Scalar> Path<S> {
     /// sheave as fast as the drum pays out more than the legs before it lengthen; all of them lengthen by `stretch_rate`, m/s, more
     /// than it pays out. So friction never gives energy. Returns the tension at the first end, N, and the power that the
     /// bodies received, W.
-    pub fn pull(&self, tension: S, stretch_rate: S, mut hand: impl FnMut(&Station<S>, &Wrench<S>)) -> [S; 2] {
+    pub fn pull(&self, tension: S, stretch_rate: S, hand: impl FnMut(&Station<S>, &Wrench<S>)) -> [S; 2] {
+        self.hand_on(tension, stretch_rate, |round, speed| round.efficiency.ratio(speed, SMOOTHING_M_S), hand)
+    }
+
+    /// The same without friction.
+    pub(super) fn pull_freely(&self, tension: S, hand: impl FnMut(&Station<S>, &Wrench<S>)) {
+        self.hand_on(tension, S::ZERO, |_, _| S::ONE, hand);
+    }
+
+    fn hand_on(
+        &self,
+        tension: S,
+        stretch_rate: S,
+        ratio: impl Fn(Round<S>, S) -> S,
+        mut hand: impl FnMut(&Station<S>, &Wrench<S>),
+    ) -> [S; 2] {
         let (mut power, mut speed) = (S::ZERO, -stretch_rate);
         let (mut behind, mut by_behind) = (tension, Vector3::zero());
         for (i, (station, place)) in self.stations.iter().zip(&self.places).enumerate().rev() {
-            let ratio = |round: Round<S>| round.efficiency.ratio(speed, SMOOTHING_M_S);
-            let before = behind * station.round.filter(|_| i > 0).map_or(S::ONE, ratio);
+            let before = behind * station.round.filter(|_| i > 0).map_or(S::ONE, |round| ratio(round, speed));
             let leg = i.checked_sub(1).map(|k| &self.legs[k]);
             let by_before = leg.map_or(Vector3::zero(), |leg| leg.gradient * before);
             let force = by_behind - by_before;

@@ -71,6 +71,9 @@ pub(super) struct Immersion<S> {
     pub acceleration: Vector3<S>,
     /// Whether there are waves.
     pub in_waves: bool,
+    /// Elevation of the sea at the solid's centre, m, and its slopes along the world's x and y.
+    elevation: S,
+    slopes: [S; 2],
 }
 
 impl<S: Scalar> Immersion<S> {
@@ -78,6 +81,17 @@ impl<S: Scalar> Immersion<S> {
     pub fn velocity_at_centre(&self) -> Vector3<S> {
         self.twist.linear + self.twist.angular.cross(self.centre)
     }
+
+    /// How far a point of the solid's axes is below the sea, along the vertical, m.
+    pub fn depth(&self, point: Vector3<S>) -> S {
+        depth(&self.frame, point, self.elevation, self.slopes)
+    }
+}
+
+/// How far a point of a frame is below the plane of the sea that has this elevation and these slopes over the frame's origin.
+fn depth<S: Scalar>(frame: &Frame<S>, point: Vector3<S>, elevation: S, [x, y]: [S; 2]) -> S {
+    let off = frame.rotation * point;
+    elevation + x * off[0] + y * off[1] - frame.position[2] - off[2]
 }
 
 /// The surface as the solid sees it: N . r < L is below, with the normal N = (-slopes, 1) in the body's axes; both by the
@@ -136,6 +150,13 @@ impl<S: Scalar> Waters<S> {
         [plane.level + reach, plane.level - reach]
     }
 
+    /// How far a point of the solid's axes is below the sea, along the vertical, m: [`Immersion::depth`].
+    pub(super) fn depth(&mut self, at: &Moment<'_, S>, place: &HullFrame<S>, point: Vector3<S>) -> S {
+        let frame = place.frame(at.model, at.links);
+        let surface = self.surface(at, frame.position.0);
+        depth(&frame, point, surface.elevation, surface.slopes)
+    }
+
     /// How a solid lies in the water; phi is left out.
     pub(super) fn immersion(&mut self, at: &Moment<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> Immersion<S> {
         let motion = place.motion(at);
@@ -168,6 +189,8 @@ impl<S: Scalar> Waters<S> {
             stream,
             acceleration,
             in_waves: self.waves.is_some() && at.situation.has_waves(),
+            elevation: surface.elevation,
+            slopes: surface.slopes,
             frame: motion.frame,
             twist: motion.twist,
         }

@@ -46,11 +46,12 @@ pub(super) struct Parts<S> {
     pub inertia: Wrench<S>,
     pub slamming: Wrench<S>,
     pub wind: Wrench<S>,
+    pub entrained: Wrench<S>,
 }
 
 impl<S: Scalar> Parts<S> {
     pub fn sum(&self) -> Wrench<S> {
-        self.buoyancy + self.drag + self.inertia + self.slamming + self.wind
+        self.buoyancy + self.drag + self.inertia + self.slamming + self.wind + self.entrained
     }
 }
 

@@ -1,19 +1,22 @@
 //! The water on a lifted object: in the splash zone and below.
 
+mod entrained;
 mod growth;
 mod immersion;
 mod loads;
 
+pub use entrained::EntrainedWater;
 pub use growth::{Growth, GrowthError};
 pub use immersion::Waters;
 pub use loads::{AddedMassOf, Drag, WindOnDry};
 
 use super::hull::HullFrame;
-use super::{Components, Crossing, Declaration, Element, Event, Frame, Moment, Output, Own, Situation};
+use super::{Components, Crossing, Declaration, Element, Event, Frame, Kept, Moment, Output, Own, Situation};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::sea::hull::Solid;
 use crate::spatial::{Frame as Axes, Vector3, Wrench};
+use entrained::Levels;
 use immersion::{Immersion, Phase};
 use loads::Parts;
 
@@ -50,6 +53,8 @@ pub struct Submerged<S = f64> {
     pub drag: Drag<S>,
     /// Drag of the wind on the dry share.
     pub wind: Option<WindOnDry<S>>,
+    /// Water inside.
+    pub entrained: Option<EntrainedWater<S>>,
     /// The sea at the solid.
     pub waters: Waters<S>,
 }
@@ -75,20 +80,31 @@ impl<S: Scalar> Element<S> for Submerged<S> {
 
     fn declare(&self) -> Declaration {
         Declaration {
+            states: self.entrained.iter().map(|_| Kept::new("entrained_level", "m")).collect(),
             modes: vec!["phase".to_owned()],
-            outputs: outputs(&self.name),
+            outputs: outputs(&self.name, self.entrained.is_some()),
             events: EVENTS.to_vec(),
             ..Declaration::default()
         }
     }
 
     fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        self.renew(at, own);
+        if let Some(water) = &self.entrained {
+            let depth = self.waters.depth(at, &self.place, water.floor());
+            own.states[0] = water.at_start(water.outside(depth));
+        }
+    }
+
+    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
         let [low, high] = self.waters.margins(at, &self.place, &self.solid);
         own.modes[0] = Phase::of(low, high) as i64;
     }
 
-    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
-        self.begin(at, own);
+    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+        let Some(water) = self.entrained else { return };
+        let outside = water.outside(self.waters.depth(at, &self.place, water.floor()));
+        rates[0] = water.rate(at.world.gravity, &Levels { inside: at.states[0], outside });
     }
 
     /// Adds the loads, the added mass, and who does the work.
@@ -104,6 +120,10 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         if !now.share.all(|share| share == 0.0) {
             let added = self.added_mass.inertia(at.world.water_density, now.factor);
             loads.added_inertia.push((self.place.body, added.to_parent(&Axes::translation(self.place.origin))));
+        }
+        if let Some((water, levels)) = self.inside(at, &now) {
+            let carried = water.inertia(at.world.water_density, &levels);
+            loads.added_inertia.push((self.place.body, carried.to_parent(&Axes::translation(self.place.origin))));
         }
     }
 
@@ -128,6 +148,10 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         out.extend(world(sum.moment).0);
         let factor = at.world.water_density * now.factor;
         out.extend(self.added_mass.linear.0.map(|volume| volume * factor));
+        if let Some((water, levels)) = self.inside(at, &now) {
+            let density = at.world.water_density;
+            out.extend([water.mass(density, &levels), water.mass_above(density * at.world.gravity, &levels)]);
+        }
     }
 
     fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
@@ -179,7 +203,18 @@ impl<S: Scalar> Submerged<S> {
             inertia,
             slamming,
             wind: self.wind.as_ref().map_or(Wrench::zero(), |wind| wind.force(at, now)),
+            entrained: self.inside(at, now).map_or(Wrench::zero(), |(water, levels)| {
+                water.force(at.world.specific_weight(), now.frame.rotation.row(2), &levels)
+            }),
         }
+    }
+
+    /// The water inside, where there may be some. At rest it stands as high as the sea.
+    fn inside(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Option<(EntrainedWater<S>, Levels<S>)> {
+        let water = self.entrained?;
+        let outside = water.outside(now.depth(water.floor()));
+        let inside = if has_phases(at.situation) { *at.states.first()? } else { outside };
+        Some((water, Levels { inside, outside }))
     }
 
     /// rho V (g + a), at the centre of V.
@@ -199,7 +234,7 @@ impl<S: Scalar> Submerged<S> {
 }
 
 /// What it shows, in the order of [`Submerged::outputs`](Element::outputs).
-fn outputs(name: &str) -> Vec<Output> {
+fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
     let number = |variable, description, unit| Output::number(variable, description, "submerged", name, unit);
     let vector = |variable, description, frame, unit| Output {
         components: Components::Axis,
@@ -207,7 +242,7 @@ fn outputs(name: &str) -> Vec<Output> {
         ..number(variable, description, unit)
     };
     let force = |variable, description| vector(variable, description, Frame::World, &["N"]);
-    vec![
+    let mut all = vec![
         number("submerged_share", "volume below the surface over the whole volume", &["1"]),
         force("submerged_buoyancy", "buoyancy with the Froude-Krylov force of the waves"),
         force("submerged_drag", "drag of the water on what is wet"),
@@ -226,7 +261,13 @@ fn outputs(name: &str) -> Vec<Output> {
             Frame::World,
         ),
         vector("submerged_added_mass", "added mass along the body's axes", Frame::Body, &["kg"]),
-    ]
+    ];
+    if holds_water {
+        let what = "weight of the water inside a lifted object that stands above the sea outside; negative: the sea stands higher";
+        all.push(number("entrained_water", "water inside a lifted object", &["kg"]));
+        all.push(number("entrained_weight", what, &["N"]));
+    }
+    all
 }
 
 /// At rest there are no phases: a solid goes by its level.

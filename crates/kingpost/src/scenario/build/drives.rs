@@ -11,6 +11,7 @@ use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Mode, Model};
 use crate::scenario::leaf::Quantity;
 use crate::world::World;
+use indexmap::IndexMap;
 
 /// The drives that are on, of a model that starts at `q`; gives prescribed joints their initial rate in `v`.
 pub fn build<S: Quantity>(
@@ -20,6 +21,7 @@ pub fn build<S: Quantity>(
     (q, v): (&[S], &mut [S]),
 ) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut drives: Vec<AnyElement<S>> = Vec::new();
+    let mut driven = IndexMap::new();
     for (name, drive) in &scenario.drives {
         let Some(parts) = Parts::of(name, drive) else {
             if let Some(cylinder) = cylinders::build(scenario, name, model)? {
@@ -36,6 +38,7 @@ pub fn build<S: Quantity>(
         let Some(coordinate) = model.coordinate(parts.joint).filter(|_| parts.enabled) else { continue };
         let Some((_, position)) = model.axis_coordinate(coordinate) else { continue };
         check_free(&parts, model.modes[coordinate])?;
+        check_alone(&parts, name, driven.entry(coordinate).or_default())?;
         drives.push(match parts.law {
             Law::Motor { effort, history, .. } => {
                 let lever = (history == History::Lever).then(|| name.to_string());
@@ -100,6 +103,24 @@ fn check_free<S: Quantity>(parts: &Parts<'_, S>, mode: Mode) -> Result<(), Field
     };
     let found = format!("{}, which is {mode}", parts.joint);
     Err(FieldError::new(format!("{}.joint", parts.field), found, "a joint whose mode is free, for a drive that is on"))
+}
+
+/// Two drives that follow set-points would fight over one joint. The efforts of motors and brakes add to what is there.
+fn check_alone<'a, S: Quantity>(
+    parts: &Parts<'_, S>,
+    name: &'a str,
+    drives_it: &mut Option<&'a str>,
+) -> Result<(), FieldError> {
+    if matches!(parts.law, Law::Motor { .. } | Law::Brake { .. }) {
+        return Ok(());
+    }
+    let Some(first) = drives_it.replace(name) else { return Ok(()) };
+    let found = format!("{}, which both {first} and {name} drive", parts.joint);
+    Err(FieldError::new(
+        format!("{}.joint", parts.field),
+        found,
+        "one drive that follows a set-point and is on for each joint; motors and brakes may stand beside it",
+    ))
 }
 
 /// A drive of a joint, without the difference between turning and sliding.

@@ -89,6 +89,7 @@ fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), F
     // As a run begins there: a search that began anew would take the place of rest for where friction is nothing.
     plant.begin(0.0, &inputs, &mut state);
     plant.set_situation(Situation::Settling);
+    plant.follow_restraints(0.0, &state, &mut setup.q);
     let State { s, d, m, .. } = state;
     let (mut v_dot, mut s_dot) = (still.clone(), vec![S::ZERO; s.len()]);
     let interval = Interval { start_s: 0.0, end_s: plain.settings.step_s };

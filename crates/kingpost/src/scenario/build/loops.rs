@@ -6,7 +6,7 @@ use super::flexible::carrier_in_model;
 use super::{FieldError, known};
 use crate::dynamics::forward::Workspace;
 use crate::dynamics::loops::{LoopSolver, Projection, Row};
-use crate::dynamics::{LinkKinematics, Loads};
+use crate::dynamics::{LinkKinematics, Loads, Restraint};
 use crate::model::{Attachment, Constraint, Loop, Model, Turn};
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
@@ -89,9 +89,11 @@ pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Resul
     if model.loops.is_empty() {
         return Ok(());
     }
-    let (mut links, mut work, loads) = (LinkKinematics::new(model), Workspace::new(model), Loads::new(model));
-    let mut solver = LoopSolver::new(model);
-    let mut on = Projection { model, links: &mut links, work: &mut work, loads: &loads };
+    let (mut links, mut work, mut loads) = (LinkKinematics::new(model), Workspace::new(model), Loads::new(model));
+    let mut solver = LoopSolver::new(model, 0);
+    // Ropes are laid once the loops are closed.
+    let hold = &mut |_: &LinkKinematics<S>, _: &[S], _: &[S], _: &mut [Restraint<S>]| {};
+    let mut on = Projection { model, links: &mut links, work: &mut work, loads: &mut loads, hold };
     solver.begin_at(&mut on, q, v);
     check_start(scenario, model, solver.rows())?;
     let closed = solver.assemble(&mut on, q, v);

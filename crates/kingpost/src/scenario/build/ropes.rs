@@ -3,7 +3,7 @@
 use super::super::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use super::cylinders::attachment;
 use super::{FieldError, flexible, known};
-use crate::elements::ropes::{Drum, Efficiency, Path, Round, Station};
+use crate::elements::ropes::{Drum, Efficiency, Inextensible, Layers, Path, RopeWeight, Round, Station};
 use crate::elements::{AnyElement, Rope, TuggerLine};
 use crate::model::{Attachment, JointKind, Model};
 use crate::scenario::leaf::Quantity;
@@ -25,20 +25,70 @@ pub fn build<S: Quantity>(
         return Err(FieldError::new(format!("forces.{name}.rope.can_be_released"), found, allowed));
     }
     let Laid { stations, drum } = lay(scenario, &format!("forces.{name}.rope"), &given.path, model)?;
+    let weight = weight(&format!("forces.{name}.rope"), given)?;
     let carried_mass = carried_mass(scenario, &format!("forces.{name}.rope"), given, model)?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
+    let path = Path::new(stations);
+    let gives_way = given.axial_stiffness_n.is_some() || given.series_stiffness_n_per_m.is_some();
+    if !gives_way {
+        check_inextensible(&format!("forces.{name}.rope"), given)?;
+    }
     Ok(Some(Box::new(Rope {
         name: name.to_owned(),
-        path: Path::new(stations),
+        inextensible: (!gives_way).then(|| Inextensible::new(&path)),
+        path,
         drum,
         unstretched_length: given.unstretched_length_m.map_or(S::ZERO, |length| length.get()),
-        axial_stiffness: given.axial_stiffness_n.get(),
+        axial_stiffness: given.axial_stiffness_n.map_or(S::constant(f64::INFINITY), |stiffness| stiffness.get()),
         series_compliance: given.series_stiffness_n_per_m.map_or(S::ZERO, |stiffness| S::ONE / stiffness.get()),
         damping_time: given.damping_time_s.get(),
         breaking_load: given.breaking_load_n.map(|load| load.get()),
         carried_mass,
+        weight,
         can_be_released: given.can_be_released,
     })))
+}
+
+/// What needs a rope that stretches: a damper, a breaking load, for what breaks a rope is its snap, and friction at sheaves and
+/// drum, which goes by the tension.
+fn check_inextensible<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<(), FieldError> {
+    let allowed = |what| {
+        format!("{what} for a rope without axial_stiffness_N and series_stiffness_N_per_m, which does not stretch")
+    };
+    if !given.damping_time_s.get().all(|time| time == 0.0) {
+        return Err(FieldError::new(format!("{of}.damping_time_s"), given.damping_time_s.get(), allowed("0")));
+    }
+    if let Some(load) = &given.breaking_load_n {
+        return Err(FieldError::new(format!("{of}.breaking_load_N"), load.get(), allowed("none")));
+    }
+    for (i, station) in given.path.iter().enumerate() {
+        let efficiencies = match station {
+            RopeStation::Point(_) => continue,
+            RopeStation::Sheave(sheave) => [&sheave.efficiency_hoisting, &sheave.efficiency_lowering],
+            RopeStation::Drum(drum) => [&drum.efficiency_hoisting, &drum.efficiency_lowering],
+        };
+        let named = ["hoisting", "lowering"].into_iter().zip(efficiencies);
+        for (way, efficiency) in named.map(|(way, efficiency)| (way, efficiency.get())) {
+            if !efficiency.all(|efficiency| efficiency == 1.0) {
+                let field = format!("{of}.path.{i}.{}.efficiency_{way}", station.on().0);
+                return Err(FieldError::new(field, efficiency, allowed("1")));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What it weighs; a rope that displaces water and has no mass would float up.
+fn weight<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<Option<RopeWeight<S>>, FieldError> {
+    let diameter = given.diameter_m.as_ref().map(|diameter| diameter.get());
+    match (&given.mass_kg_per_m, diameter) {
+        (None, Some(_)) => {
+            Err(FieldError::new(format!("{of}.mass_kg_per_m"), "none", "a mass for a rope with a diameter_m"))
+        }
+        (mass, diameter) => Ok(mass
+            .as_ref()
+            .map(|mass| RopeWeight { mass_per_length: mass.get(), diameter: diameter.unwrap_or(S::ZERO) })),
+    }
 }
 
 /// The mass whose weight is the rope's tension at rest in air; `None` where none of what it carries is there.
@@ -228,7 +278,19 @@ impl<S: Quantity> Placing<'_, S> {
         let radius = given.radius_m.get();
         let round = Round { axis: hinge.placement().rotation * hinge.axis() * sign, radius, efficiency };
         let centre = self.model.attachment(node.parent, Frame::translation(hinge.placement().position));
-        let drum = Drum { position: node.positions, coordinate, paid_out: radius * sign, start: S::ZERO };
+        let layers = given.layers.as_ref().map(|layers| self.layers(radius, layers)).transpose()?;
+        let drum = Drum { position: node.positions, coordinate, sense: sign, radius, start: S::ZERO, layers };
         Ok(Some((Station { centre, round: Some(round), falls: S::ONE }, drum)))
+    }
+
+    fn layers(&self, radius: S, given: &schema::DrumLayers<S>) -> Result<Layers<S>, FieldError> {
+        let above = radius - given.innermost_radius_m.get();
+        if !above.all(|above| above >= 0.0) {
+            let field = format!("{}.layers.innermost_radius_m", self.field);
+            let allowed = format!("at most radius_m: {radius}");
+            return Err(FieldError::new(field, given.innermost_radius_m.get(), allowed));
+        }
+        let thinning = given.height_m.get() / (given.turns_per_layer.get() * S::constant(core::f64::consts::TAU));
+        Ok(Layers { thinning, innermost_from: above / thinning })
     }
 }

@@ -12,6 +12,9 @@ use crate::world::World;
 /// Strain at the start beyond which a length is a mistake: steel has parted long before.
 const LARGEST_STRAIN: f64 = 0.05;
 
+/// By how much an inextensible rope may be short of its path, m: a length from a file has so many digits.
+const SHORT_BY_ROUNDING_M: f64 = 1e-9;
+
 /// The largest angle about a sheave at the start, degrees: the rope may turn a little farther.
 const LARGEST_WRAP_DEG: f64 = 260.0;
 
@@ -36,7 +39,7 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
             check_apart(&mut line.path, at, &of)?;
             line.path.begin(at);
             check_length(&mut line.path, at, &of)?;
-            check_sides(&mut line.path, at, &of)
+            check_sides(&mut line.path, &of)
         })
     })
 }
@@ -46,9 +49,12 @@ fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Moment<'_, S>) -> Result<(), 
     check_apart(&mut rope.path, at, &of)?;
     let length = rope.begin_at(at);
     check_length(&mut rope.path, at, &of)?;
-    check_sides(&mut rope.path, at, &of)?;
+    check_sides(&mut rope.path, &of)?;
     if rope.unstretched_length.vanishes() {
         rope.unstretched_length = length;
+    }
+    if rope.inextensible.is_some() {
+        return check_inextensible(rope, length, &of);
     }
     let strain = rope.tension_at_rest(length - rope.unstretched_length) / rope.axial_stiffness;
     if !strain.all(|strain| strain <= LARGEST_STRAIN) {
@@ -57,6 +63,17 @@ fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Moment<'_, S>) -> Result<(), 
         return Err(FieldError::new(format!("{of}.unstretched_length_m"), found, allowed));
     }
     Ok(())
+}
+
+/// An inextensible rope is as long as its path or longer.
+fn check_inextensible<S: Quantity>(rope: &Rope<S>, length: S, of: &str) -> Result<(), FieldError> {
+    if (length - rope.unstretched_length).all(|short| short <= SHORT_BY_ROUNDING_M) {
+        return Ok(());
+    }
+    let (field, found) = (format!("{of}.unstretched_length_m"), format!("{} m", rope.unstretched_length));
+    let allowed =
+        format!("at least {length} m, its path, for a rope that does not stretch; without this field, its path");
+    Err(FieldError::new(field, found, allowed))
 }
 
 /// No two places of the path meet, and a drum stands across the rope.
@@ -83,8 +100,8 @@ fn check_length<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -
 }
 
 /// The rope lies against every sheave, on the side that the axis says.
-fn check_sides<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -> Result<(), FieldError> {
-    for (i, wrap) in path.wraps(at) {
+fn check_sides<S: Quantity>(path: &mut Path<S>, of: &str) -> Result<(), FieldError> {
+    for (i, wrap) in path.wraps() {
         let degrees = wrap * S::constant(180.0 / core::f64::consts::PI);
         if !degrees.all(|degrees| (-ROUNDING_DEG..=LARGEST_WRAP_DEG).contains(&degrees)) {
             let found = format!("a rope that turns by {degrees:.1} degrees about the axis");

@@ -1,8 +1,8 @@
 //! Sensors, and wires from what they say.
 
-use super::super::schema::{Drive, Scenario, Sensor};
-use super::FieldError;
+use super::super::schema::{self, Drive, Scenario, Sensor};
 use super::damping::{from_centre, rigid};
+use super::{FieldError, clearances};
 use crate::elements::hull::HullFrame;
 use crate::elements::{AnyElement, Layout, MotionReferenceUnit};
 use crate::model::Model;
@@ -17,22 +17,34 @@ const MOST_DELAY: usize = 1000;
 pub fn build<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Result<Vec<AnyElement<S>>, FieldError> {
     let mut sensors: Vec<AnyElement<S>> = Vec::new();
     for (name, sensor) in &scenario.sensors {
-        let Sensor::MotionReferenceUnit(given) = sensor;
-        let field = |rest: &str| format!("sensors.{name}.motion_reference_unit.{rest}");
-        rigid(scenario, field("body"), &given.body)?;
-        if given.delay_samples > MOST_DELAY {
-            let allowed = format!("a number from 0 to {MOST_DELAY}");
-            return Err(FieldError::new(field("delay_samples"), given.delay_samples, allowed));
-        }
-        let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { continue };
-        sensors.push(Box::new(MotionReferenceUnit {
-            name: name.to_string(),
-            place: HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) },
-            period_s: given.period_s.get(),
-            delay_samples: given.delay_samples,
-        }));
+        sensors.extend(match sensor {
+            Sensor::MotionReferenceUnit(given) => motion_reference_unit(scenario, name, given, model)?,
+            Sensor::Clearance(given) => clearances::clearance(scenario, name, given, model)?,
+            Sensor::AirGap(given) => clearances::air_gap(scenario, name, given, model)?,
+        });
     }
     Ok(sensors)
+}
+
+fn motion_reference_unit<S: Quantity>(
+    scenario: &Scenario<S>,
+    name: &str,
+    given: &schema::MotionReferenceUnit<S>,
+    model: &Model<S>,
+) -> Result<Option<AnyElement<S>>, FieldError> {
+    let field = |rest: &str| format!("sensors.{name}.motion_reference_unit.{rest}");
+    rigid(scenario, field("body"), &given.body)?;
+    if given.delay_samples > MOST_DELAY {
+        let allowed = format!("a number from 0 to {MOST_DELAY}");
+        return Err(FieldError::new(field("delay_samples"), given.delay_samples, allowed));
+    }
+    let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
+    Ok(Some(Box::new(MotionReferenceUnit {
+        name: name.to_owned(),
+        place: HullFrame { body, origin: from_centre(scenario, &given.body, Vector3(given.position_m)) },
+        period_s: given.period_s.get(),
+        delay_samples: given.delay_samples,
+    })))
 }
 
 /// The input that a servo adds to its target; it has it where a wire leads there.

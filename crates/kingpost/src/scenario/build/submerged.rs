@@ -3,7 +3,7 @@
 use super::super::schema::{self, PrincipalAxis, Scenario, SubmergedShape};
 use super::damping::{from_centre, rigid};
 use super::{FieldError, flow, world as worlds};
-use crate::elements::submerged::{AddedMassOf, Drag, Growth, Waters, WindOnDry};
+use crate::elements::submerged::{AddedMassOf, Drag, EntrainedWater, Growth, Waters, WindOnDry};
 use crate::elements::{AnyElement, Submerged, hull::HullFrame};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
@@ -46,12 +46,13 @@ pub fn build<S: Quantity>(
         Ok(WindOnDry { areas: of(&wind.coefficients, areas(&wind.areas_m2)), height, gusts })
     });
     let wind = wind.transpose()?;
+    let entrained = entrained(&field, given, &solid, displaced)?;
     check_world(scenario, &field, world)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     let origin = given.position_m.map_or(Vector3::zero(), |point| from_centre(scenario, &given.body, Vector3(point)));
     let place = HullFrame { body, origin };
     let (name, waters) = (name.to_owned(), Waters::new(world));
-    Ok(Some(Box::new(Submerged { name, place, solid, displaced, added_mass, drag, wind, waters })))
+    Ok(Some(Box::new(Submerged { name, place, solid, displaced, added_mass, drag, wind, entrained, waters })))
 }
 
 fn solid<S: Quantity>(shape: &SubmergedShape<S>) -> Solid<S> {
@@ -81,6 +82,34 @@ fn displaced<S: Quantity>(field: &str, given: &schema::Submerged<S>, solid: &Sol
         return Err(FieldError::new(format!("{field}.displaced_volume_m3"), volume.get(), allowed));
     }
     Ok(share)
+}
+
+/// The space inside, which fits into the solid beside what is displaced.
+fn entrained<S: Quantity>(
+    field: &str,
+    given: &schema::Submerged<S>,
+    solid: &Solid<S>,
+    displaced: S,
+) -> Result<Option<EntrainedWater<S>>, FieldError> {
+    let Some(inside) = &given.entrained_water else { return Ok(None) };
+    let field = |rest: &str| format!("{field}.entrained_water.{rest}");
+    let (volume, height) = (inside.volume_m3.get(), inside.height_m.get());
+    let room = solid.volume() * (S::ONE - displaced);
+    if !(volume - room).all(|beyond| beyond <= ROUNDING) {
+        let allowed = format!("at most what displaced_volume_m3 leaves of the solid, {room:.6} m3");
+        return Err(FieldError::new(field("volume_m3"), volume, allowed));
+    }
+    let whole = solid.reach(Vector3([S::ZERO, S::ZERO, S::ONE])) * S::constant(2.0);
+    if !(height - whole).all(|beyond| beyond <= ROUNDING) {
+        let allowed = format!("at most the height of the solid, {whole:.6} m");
+        return Err(FieldError::new(field("height_m"), height, allowed));
+    }
+    Ok(Some(EntrainedWater {
+        area: volume / height,
+        height,
+        hole: inside.hole_area_m2.get() * inside.discharge_coefficient.get(),
+        filling: inside.initial_filling.map(|filling| filling.get()),
+    }))
 }
 
 fn added_mass<S: Quantity>(

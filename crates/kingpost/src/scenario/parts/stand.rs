@@ -66,7 +66,7 @@ pub fn on_the_mounting(
             None => frames = Err(format!("bodies.{name}.joint.{kind}")),
         }
     }
-    for section in ["loops", "forces", "drives"] {
+    for section in ["loops", "forces", "drives", "sensors"] {
         for (name, entry) in whole.get(section).and_then(Value::as_object).into_iter().flatten() {
             let Some((kind, _)) = entry.as_object().and_then(|entry| entry.iter().next()) else { continue };
             let Some(node) = tree.at(&[section.to_owned(), name.clone()]) else { continue };

@@ -5,8 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::{CoordinateName, Direction, Fraction, Name, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
-/// An elastic rope without mass that runs over sheaves: a hoist, a sling, a tugger line. It pulls where its path is longer
-/// than the rope, else it is slack.
+/// A rope without inertia that runs over sheaves: a hoist, a sling, a tugger line. It pulls where its path is longer than the rope,
+/// else it is slack. Without a stiffness it is inextensible: it comes taut without a rebound, and its tension there is none that
+/// a load could be sized by.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -23,9 +24,9 @@ pub struct Rope<S = f64> {
     /// Length without tension of the rope on its path at the start, m; without it, the rope is just taut at the start.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unstretched_length_m: Option<Positive<S>>,
-    /// EA: tension per strain, N.
-    #[serde(rename = "axial_stiffness_N")]
-    pub axial_stiffness_n: Positive<S>,
+    /// EA: tension per strain, N; without it, the rope itself does not stretch.
+    #[serde(default, rename = "axial_stiffness_N", skip_serializing_if = "Option::is_none")]
+    pub axial_stiffness_n: Option<Positive<S>>,
     /// Stiffness of what gives way in series with the rope, the crane's boom and foundation say, N/m; without it, nothing
     /// does.
     #[serde(default, rename = "series_stiffness_N_per_m", skip_serializing_if = "Option::is_none")]
@@ -34,6 +35,12 @@ pub struct Rope<S = f64> {
     /// to 0.02 s.
     #[serde(default)]
     pub damping_time_s: NonNegative<S>,
+    /// Its mass, kg/m, which is weight alone; without it, the rope weighs nothing. Its legs stay straight.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass_kg_per_m: Option<Positive<S>>,
+    /// Diameter of the circle that displaces as much water as the rope below the still water line, m; without it, none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub diameter_m: Option<Positive<S>>,
     /// Tension at which the rope parts, N; without it, it does not.
     #[serde(default, rename = "breaking_load_N", skip_serializing_if = "Option::is_none")]
     pub breaking_load_n: Option<Positive<S>>,
@@ -156,8 +163,11 @@ pub struct Sheave<S = f64> {
 pub struct RopeDrum<S = f64> {
     /// The revolute joint by which the drum turns, on the body that carries it.
     pub joint: CoordinateName,
-    /// To the middle of the rope, m.
+    /// To the middle of the rope that it pays out at the start, m.
     pub radius_m: Positive<S>,
+    /// Where the rope lies on it in layers; without them it is paid out at one radius.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub layers: Option<DrumLayers<S>>,
     /// The rate of the joint that pays out rope. The rope leaves the drum on the side that moves along with it then.
     #[serde(default)]
     pub pays_out: PaysOut,
@@ -167,6 +177,23 @@ pub struct RopeDrum<S = f64> {
     /// The torque that holds the rope over its tension times the radius while it is paid out.
     #[serde(default = "all::<S>")]
     pub efficiency_lowering: Fraction<S>,
+}
+
+/// Layers of rope on a drum: its radius falls by the height of a layer for the turns of one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "DrumLayers", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct DrumLayers<S = f64> {
+    /// Turns of rope side by side.
+    pub turns_per_layer: Positive<S>,
+    /// Of a layer, m: the diameter of a rope that lies on top of the one below, 0.87 of it in the grooves between.
+    pub height_m: Positive<S>,
+    /// To the middle of the rope in the innermost layer, m. The radius falls no further, and an event says so.
+    pub innermost_radius_m: Positive<S>,
 }
 
 /// The rate of a drum's joint that pays out rope.

@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Name, Positive, SignalName, yes};
+use super::{AirGap, Clearance, Name, Positive, SignalName, yes};
 use crate::scenario::leaf::Leaf;
 
-/// What measures at its own ticks.
+/// What measures: a motion reference unit at its own ticks, the others in every row of the results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(
     feature = "schema",
@@ -16,6 +16,10 @@ use crate::scenario::leaf::Leaf;
 pub enum Sensor<S = f64> {
     /// Roll, pitch, heave, heave rate and angular velocity at a point of a body.
     MotionReferenceUnit(MotionReferenceUnit<S>),
+    /// The distance of a point from another point, or from a solid.
+    Clearance(Clearance<S>),
+    /// The height of a point above the surface of the sea.
+    AirGap(AirGap<S>),
 }
 
 /// Measures the motion of a point of a body, without noise. It shows, as signals for wires, `measured_roll` and

@@ -37,6 +37,37 @@ pub struct Submerged<S = f64> {
     /// Drag of the wind on what is dry.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wind: Option<SubmergedWind<S>>,
+    /// Water inside, that comes in and drains through holes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub entrained_water: Option<EntrainedWater<S>>,
+}
+
+/// Water that an object holds inside, in an upright space of constant section about the centre of the solid, with holes at its
+/// floor and open to the air above: it comes in and drains by Torricelli's law. What stands higher than the sea is carried.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "EntrainedWater", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct EntrainedWater<S = f64> {
+    /// Volume of water that it holds when full, m^3; beside the displaced volume in the solid.
+    pub volume_m3: Positive<S>,
+    /// Height of the space along the body's z axis, m.
+    pub height_m: Positive<S>,
+    /// A_h: area of the holes, m^2.
+    pub hole_area_m2: Positive<S>,
+    /// C_d: what the jet through the holes is of their area times Torricelli's speed; about 0.6 of sharp edges.
+    #[serde(default = "sharp_edges::<S>")]
+    pub discharge_coefficient: Fraction<S>,
+    /// Share of the volume that is water where a run begins; without it, as high as the sea stands.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub initial_filling: Option<Fraction<S>>,
+}
+
+fn sharp_edges<S: Leaf>() -> Fraction<S> {
+    Fraction::literal(0.61)
 }
 
 /// A plain solid.

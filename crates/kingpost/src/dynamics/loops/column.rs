@@ -1,0 +1,68 @@
+//! One constraint as the solver sees it, whether a loop or an element holds it: a column of J^T.
+
+use super::Row;
+use crate::dynamics::forward::Response;
+use crate::dynamics::{LinkKinematics, Restraint};
+use crate::model::Model;
+use crate::scalar::Scalar;
+use crate::spatial::{Twist, Wrench};
+
+/// phi with its derivatives, and what one unit of the multiplier puts on the links.
+#[derive(Clone, Debug)]
+pub(super) struct Column<S> {
+    /// phi, m or rad.
+    pub residual: S,
+    /// phi', 1/s of it.
+    pub rate: S,
+    /// phi'' where no link has a spatial acceleration and no coordinate below another rate.
+    drift: S,
+    /// By link, about its root's origin in root axes.
+    on: Vec<(usize, Wrench<S>)>,
+    /// By index in v.
+    along: Vec<(usize, S)>,
+}
+
+impl<S: Scalar> Column<S> {
+    /// No constraint yet.
+    pub fn new() -> Self {
+        let (on, along) = Default::default();
+        Self { residual: S::ZERO, rate: S::ZERO, drift: S::ZERO, on, along }
+    }
+
+    /// Of a loop.
+    pub fn take_row(&mut self, row: &Row<S>) {
+        (self.residual, self.rate, self.drift) = (row.residual, row.rate, row.drift);
+        self.on.clear();
+        let ends = [(row.second, row.on_second), (row.first, row.on_first)];
+        self.on.extend(ends.into_iter().filter_map(|(link, wrench)| Some((link?, wrench))));
+    }
+
+    /// Of an element.
+    pub fn take_restraint(&mut self, model: &Model<S>, links: &LinkKinematics<S>, held: &Restraint<S>) {
+        (self.residual, self.rate, self.drift) = (held.residual, held.rate, held.drift);
+        held.write_on_links(model, links, &mut self.on);
+        self.along.clone_from(&held.along);
+    }
+
+    /// `J a`, from the spatial accelerations of the links in root axes and those of the coordinates.
+    #[inline]
+    pub fn times(&self, acceleration: impl Fn(usize) -> Twist<S>, rates: &[S]) -> S {
+        let by_links = self.on.iter().fold(S::ZERO, |sum, (link, wrench)| sum + wrench.dot(&acceleration(*link)));
+        self.along.iter().fold(by_links, |sum, (coordinate, load)| sum + *load * rates[*coordinate])
+    }
+
+    /// phi'' under these accelerations.
+    pub fn acceleration(&self, of_links: impl Fn(usize) -> Twist<S>, rates: &[S]) -> S {
+        self.times(of_links, rates) + self.drift
+    }
+
+    /// Puts `multiplier` of it on the links.
+    pub fn press(&self, multiplier: S, response: &mut Response<S>) {
+        for (link, wrench) in &self.on {
+            response.add(Some(*link), &(*wrench * multiplier));
+        }
+        for (coordinate, load) in &self.along {
+            response.add_along(*coordinate, *load * multiplier);
+        }
+    }
+}

@@ -1,0 +1,39 @@
+//! The clearance of a point from another point or from a solid.
+
+use super::contact::Solid;
+use super::lines::place;
+use super::{Declaration, Element, Moment, Output};
+use crate::model::Attachment;
+use crate::scalar::Scalar;
+
+/// Shows how far a point is from a solid, m: d = |x - c|, c the nearest point of its surface; negative inside, where it is
+/// the way to the nearest face. The solid moves with its own axes; a sphere of radius 0 is a second point.
+#[derive(Clone, Debug)]
+pub struct Clearance<S = f64> {
+    /// Name in the results.
+    pub name: String,
+    /// The point.
+    pub point: Attachment<S>,
+    /// The solid's centre and axes.
+    pub place: Attachment<S>,
+    /// What the point is to stay clear of.
+    pub solid: Solid<S>,
+}
+
+impl<S: Scalar> Element<S> for Clearance<S> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn declare(&self) -> Declaration {
+        let what = "distance of a point from another point, or from the surface of a solid; negative: inside of it";
+        let outputs = vec![Output::number("clearance", what, "clearance_sensor", &self.name, &["m"])];
+        Declaration { outputs, ..Declaration::default() }
+    }
+
+    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+        let (point, solid) = (place(&self.point, at.model, at.links), at.links.attachment_frame(at.model, &self.place));
+        let (distance, _) = self.solid.distance(solid.rotation.transpose_times(point - solid.position));
+        out.push(distance);
+    }
+}

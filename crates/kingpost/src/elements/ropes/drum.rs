@@ -1,0 +1,82 @@
+//! A drum: the length that it pays out by its angle.
+//!
+//! With the angle phi from the start, positive as it pays out, and the radius R0 to the middle of the rope there, one layer of
+//! rope pays out R0 phi. In layers of height h with n turns each the radius falls as in a spiral, by c = h / (2 pi n) per angle:
+//!
+//! ```text
+//! R = R0 - c phi,   L = L0 + R0 phi - c phi^2 / 2
+//! ```
+//!
+//! which gives the mean radius of every layer. Rope leaves the drum at R0 for all that: its side of the drum shifts by less than
+//! the height of the layers.
+
+use crate::elements::Moment;
+use crate::scalar::Scalar;
+
+/// A drum: a coordinate that a rope is wound up by.
+#[derive(Clone, Copy, Debug)]
+pub struct Drum<S = f64> {
+    /// Index in q.
+    pub position: usize,
+    /// Index in v.
+    pub coordinate: usize,
+    /// 1 where positive rates of the coordinate pay out, else -1.
+    pub sense: S,
+    /// R0, m.
+    pub radius: S,
+    /// Its angle at the start, rad.
+    pub start: S,
+    /// Without them all rope is paid out at R0.
+    pub layers: Option<Layers<S>>,
+}
+
+/// Rope in layers.
+#[derive(Clone, Copy, Debug)]
+pub struct Layers<S = f64> {
+    /// c, m/rad.
+    pub thinning: S,
+    /// Angle at which the innermost layer is the last, rad; from there on its radius stays.
+    pub innermost_from: S,
+}
+
+/// What a drum has paid out since the start.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PaidOut<S> {
+    /// L - L0, m.
+    pub length: S,
+    /// dL/dq, m.
+    pub per_angle: S,
+    /// L', m/s.
+    pub rate: S,
+    /// L'' where the drum does not accelerate, m/s^2.
+    pub drift: S,
+    /// phi left until the innermost layer, rad.
+    pub left: S,
+}
+
+impl<S: Scalar> Drum<S> {
+    pub(super) fn paid_out(&self, at: &Moment<'_, S>) -> PaidOut<S> {
+        let angle = self.sense * (at.q[self.position] - self.start);
+        let speed = self.sense * at.v[self.coordinate];
+        let radius = self.radius;
+        let one_layer = PaidOut {
+            length: radius * angle,
+            per_angle: self.sense * radius,
+            rate: radius * speed,
+            drift: S::ZERO,
+            left: S::ONE,
+        };
+        let Some(Layers { thinning, innermost_from }) = self.layers else { return one_layer };
+        let left = innermost_from - angle;
+        let spiral = angle.select_less(innermost_from, || angle, || innermost_from);
+        let radius = radius - thinning * spiral;
+        let growth = left.select_below(0.0, || S::ZERO, || thinning);
+        PaidOut {
+            length: radius * angle + thinning * spiral * spiral * S::constant(0.5),
+            per_angle: self.sense * radius,
+            rate: radius * speed,
+            drift: -growth * speed * speed,
+            left,
+        }
+    }
+}

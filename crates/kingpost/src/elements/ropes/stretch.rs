@@ -1,0 +1,117 @@
+//! How far a rope is stretched, and what it pulls with.
+
+use super::drum::PaidOut;
+use super::{BY_STRETCH, Extent, PARTED, Rope, SHORTEST, SLACK, TAUT};
+use crate::elements::{Moment, Situation};
+use crate::scalar::Scalar;
+
+/// A rope at a moment.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretched<S> {
+    /// L, m, and what the drum has paid out of it.
+    pub unstretched: S,
+    pub paid_out: PaidOut<S>,
+    /// e, m, and its rate, m/s.
+    pub stretch: S,
+    pub rate: S,
+    /// k e and T at the last end, N; both 0 where it is slack.
+    pub elastic: S,
+    pub tension: S,
+    /// (k e)^2 / (2 EA), N: strain energy of the rope that the drum takes up, per length.
+    pub carried: S,
+    /// rad.
+    pub range_left: S,
+}
+
+/// The mode of a rope; at rest one that has not parted goes by its stretch.
+pub(super) fn condition<S>(at: &Moment<'_, S>) -> i64 {
+    let mode = at.modes.first().copied().unwrap_or(BY_STRETCH);
+    if at.situation == Situation::Running || mode == PARTED { mode } else { BY_STRETCH }
+}
+
+impl<S: Scalar> Rope<S> {
+    /// Positive where both the spring and the spring with its damper pull, m.
+    pub(super) fn pull_length(&self, now: &Stretched<S>) -> S {
+        now.stretch + self.damping_time * now.rate.select_below(0.0, || now.rate, || S::ZERO)
+    }
+
+    /// Where a run begins, before an equilibrium is sought: counts the drum's wrap and the rope that it pays out from here.
+    /// Returns the length of the path, m.
+    pub fn begin_at(&mut self, at: &Moment<'_, S>) -> S {
+        self.path.begin(at);
+        if let Some(drum) = &mut self.drum {
+            drum.start = at.q[drum.position];
+        }
+        self.path.extent(at).length
+    }
+
+    /// The tension that a stretch of a length at rest makes, N; negative for one that is short.
+    pub fn tension_at_rest(&self, stretch: S) -> S {
+        stretch / (self.unstretched_length / self.axial_stiffness + self.series_compliance)
+    }
+
+    /// The mode of a rope that pulls: the damper alone may pull it apart as it comes taut.
+    pub(super) fn taut_or_parted(&mut self, at: &Moment<'_, S>) -> i64 {
+        if self.inextensible.is_some() {
+            return TAUT;
+        }
+        let now = self.stretched(&Moment { modes: &[TAUT], ..*at });
+        let largest = self.tensions(at, &now).1;
+        let parts = self.breaking_load.is_some_and(|load| (largest - load).all(|beyond| beyond > 0.0));
+        if parts { PARTED } else { TAUT }
+    }
+
+    /// The largest tension on its path where the bodies are, N.
+    pub fn tension_here(&mut self, at: &Moment<'_, S>) -> S {
+        let now = self.stretched(at);
+        self.tensions(at, &now).1
+    }
+
+    /// How it lies, as if nothing pulled.
+    pub(super) fn laid(&mut self, at: &Moment<'_, S>) -> Stretched<S> {
+        let Extent { length, rate, range_left } = self.path.extent(at);
+        let no_drum = PaidOut { length: S::ZERO, per_angle: S::ZERO, rate: S::ZERO, drift: S::ZERO, left: S::ONE };
+        let paid_out = self.drum.map_or(no_drum, |drum| drum.paid_out(at));
+        let unstretched = self.unstretched_length + paid_out.length;
+        let (stretch, rate) = (length - unstretched, rate - paid_out.rate);
+        let [elastic, tension, carried] = [S::ZERO; 3];
+        Stretched { unstretched, paid_out, stretch, rate, elastic, tension, carried, range_left }
+    }
+
+    pub(super) fn stretched(&mut self, at: &Moment<'_, S>) -> Stretched<S> {
+        let laid = self.laid(at);
+        let Stretched { unstretched, stretch, rate, .. } = laid;
+        if let Some(own) = &self.inextensible {
+            let tension = if condition(at) == TAUT { own.tension } else { S::ZERO };
+            return Stretched { tension, ..laid };
+        }
+        let shortest = self.shortest();
+        let elastic_length = unstretched.select_less(shortest, || shortest, || unstretched);
+        let stiffness = S::ONE / (elastic_length / self.axial_stiffness + self.series_compliance);
+        let spring = |stretch: S| stiffness * stretch;
+        let pulling = |force: S| force.select_below(0.0, || S::ZERO, || force);
+        let (elastic, pull) = (spring(stretch), spring(stretch + self.damping_time * rate));
+        let where_longer = |force: S| stretch.select_below(0.0, || S::ZERO, || force);
+        let (elastic, tension) = match condition(at) {
+            TAUT => (elastic, pull),
+            // Without a damper a slack rope is never longer, but for rounding, which would spoil the energy of a step.
+            SLACK if self.damping_time.all(|time| time == 0.0) => (S::ZERO, S::ZERO),
+            SLACK => (where_longer(elastic), S::ZERO),
+            PARTED => (S::ZERO, S::ZERO),
+            _ => (where_longer(elastic), pulling(where_longer(pull))),
+        };
+        let strain_energy = || elastic * elastic / (self.axial_stiffness + self.axial_stiffness);
+        let carried = unstretched.select_less(shortest, || S::ZERO, strain_energy);
+        Stretched { elastic, tension, carried, ..laid }
+    }
+
+    /// The tensions at its first and its last end, and the largest on its path, N.
+    pub(super) fn tensions(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> ([S; 2], S) {
+        let [first, _] = self.path.pull(now.tension, now.rate, |_, _| {});
+        self.with_weight(at, now, [first, now.tension])
+    }
+
+    pub(super) fn shortest(&self) -> S {
+        self.unstretched_length * S::constant(SHORTEST)
+    }
+}

@@ -1,0 +1,158 @@
+//! The weight of a rope, without its inertia.
+//!
+//! Its legs are taken as straight, between the centres of its stations, and its mass as spread evenly over the length l of its
+//! path; what lies on the sheaves is left out. With the weight per length w(z), in air above the still water line z = 0 and less the
+//! displaced water below, W(z) its integral from 0, the n falls and the distance d of each leg, and the length L that lies on
+//! the path, L0 of it at the start,
+//!
+//! ```text
+//! V = L Wm - (L - L0) W(z_1),   Wm = sum n d <W> / l,   <W> = mean of W over the leg
+//! T(z) = T + (L / l) (W(z) - Wm)
+//! ```
+//!
+//! where T is the tension that stretches the rope, its mean, and z_1 the height of the drum, which the rope that it pays out
+//! has left. The forces are -dV/dx, and a drum holds -dV/dL = W(z_1) - Wm beside T: under a drum at rest a rope with a load M
+//! pulls with M g at its last end and with M g + w L at the drum (Irvine, *Cable Structures*, 1981, ch. 1: tension of a taut
+//! cable changes by w per height).
+
+use super::stretch::{Stretched, condition};
+use super::{PARTED, Path, Rope, Station};
+use crate::dynamics::Loads;
+use crate::elements::Moment;
+use crate::scalar::Scalar;
+use crate::spatial::{Vector3, Wrench};
+use core::f64::consts::FRAC_PI_4;
+
+/// Mass and size of a rope per length.
+#[derive(Clone, Copy, Debug)]
+pub struct RopeWeight<S = f64> {
+    /// kg/m.
+    pub mass_per_length: S,
+    /// Of the circle that displaces as much water, m.
+    pub diameter: S,
+}
+
+/// w, N/m.
+#[derive(Clone, Copy, Debug)]
+struct PerLength<S> {
+    in_air: S,
+    in_water: S,
+}
+
+/// How the weight of a rope is spread over its path.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hanging<S> {
+    per_length: PerLength<S>,
+    /// L / l.
+    density: S,
+    /// Wm, N.
+    mean: S,
+}
+
+impl<S: Scalar> RopeWeight<S> {
+    fn per_length(&self, at: &Moment<'_, S>) -> PerLength<S> {
+        let area = self.diameter * self.diameter * S::constant(FRAC_PI_4);
+        let in_air = self.mass_per_length * at.world.gravity;
+        PerLength { in_air, in_water: in_air - at.world.water_density * at.world.gravity * area }
+    }
+
+    fn hanging(&self, at: &Moment<'_, S>, path: &Path<S>, now: &Stretched<S>) -> Hanging<S> {
+        let per_length = self.per_length(at);
+        let length = now.unstretched + now.stretch;
+        let of_leg = |k: usize| {
+            let (way, falls) = path.line(k);
+            way.norm() * falls * per_length.mean(path.heights(k))
+        };
+        let sum = (0..path.stations().len() - 1).fold(S::ZERO, |sum, k| sum + of_leg(k));
+        Hanging { per_length, density: now.unstretched / length, mean: sum / length }
+    }
+}
+
+impl<S: Scalar> PerLength<S> {
+    /// w(z), N/m.
+    fn at(&self, height: S) -> S {
+        height.select_below(0.0, || self.in_water, || self.in_air)
+    }
+
+    /// W(z), N.
+    fn integral(&self, height: S) -> S {
+        self.at(height) * height
+    }
+
+    /// The mean of W between two heights, N.
+    fn mean(&self, [from, to]: [S; 2]) -> S {
+        let half = S::constant(0.5);
+        let on_one_side = || self.integral(from + to) * half;
+        let across = || (self.integral(to) * to - self.integral(from) * from) * half / (to - from);
+        (from * to).select_below(0.0, across, on_one_side)
+    }
+
+    /// The derivatives of the mean by both heights, N/m.
+    fn slopes(&self, [from, to]: [S; 2]) -> [S; 2] {
+        let product = from * to;
+        let on_one_side = || self.at(from + to) * S::constant(0.5);
+        let mean = self.mean([from, to]);
+        let of =
+            |end: S, other: S| product.select_below(0.0, || (self.integral(end) - mean) / (end - other), on_one_side);
+        [of(from, to), of(to, from)]
+    }
+}
+
+impl<S: Scalar> Hanging<S> {
+    /// What the tension at a height is above the mean, N.
+    fn above_mean(&self, height: S) -> S {
+        self.density * (self.per_length.integral(height) - self.mean)
+    }
+}
+
+impl<S: Scalar> Rope<S> {
+    /// Where it weighs something and has not parted; the path has seen the bodies.
+    fn hanging(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> Option<Hanging<S>> {
+        let weight = self.weight.filter(|_| condition(at) != PARTED)?;
+        Some(weight.hanging(at, &self.path, now))
+    }
+
+    /// Adds -dV/dx on the bodies and -dV/dL on the drum.
+    pub(super) fn weigh(&self, at: &Moment<'_, S>, now: &Stretched<S>, loads: &mut Loads<S>) {
+        let Some(Hanging { per_length, density, mean }) = self.hanging(at, now) else { return };
+        let Self { path, drum, .. } = self;
+        path.pull_freely(-density * mean, |station, wrench| loads.wrenches.extend(station.on_body(at, wrench)));
+        let up = |force: S| Vector3([S::ZERO, S::ZERO, force]);
+        let mut hand = |station: &Station<S>, force: Vector3<S>| {
+            loads.wrenches.extend(station.on_body(at, &Wrench { moment: Vector3::zero(), force }));
+        };
+        for (k, ends) in path.stations().windows(2).enumerate() {
+            let (way, falls) = path.line(k);
+            let (heights, length) = (path.heights(k), way.norm());
+            let along = way * (density * falls * per_length.mean(heights) / length);
+            let [by_from, by_to] = per_length.slopes(heights).map(|slope| up(slope * density * falls * length));
+            hand(&ends[0], along - by_from);
+            hand(&ends[1], -along - by_to);
+        }
+        if let Some(drum) = drum {
+            let height = path.centre(0)[2];
+            hand(&path.stations()[0], up(now.paid_out.length * per_length.at(height)));
+            loads.force[drum.coordinate] += now.paid_out.per_angle * (per_length.integral(height) - mean);
+        }
+    }
+
+    /// V, J.
+    pub(super) fn energy_of_weight(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> S {
+        let Some(hanging) = self.hanging(at, now) else { return S::ZERO };
+        now.unstretched * hanging.mean - now.paid_out.length * hanging.per_length.integral(self.path.centre(0)[2])
+    }
+
+    /// The tension at each end with what the weight adds there, and the largest at any place of the path with that of the
+    /// larger end; `tensions` without it, first and last, N. None is below 0.
+    pub(super) fn with_weight(&self, at: &Moment<'_, S>, now: &Stretched<S>, tensions: [S; 2]) -> ([S; 2], S) {
+        let larger = |a: S, b: S| a.select_less(b, || b, || a);
+        let [first, last] = tensions;
+        let largest = larger(first, last);
+        let Some(hanging) = self.hanging(at, now) else { return (tensions, largest) };
+        let end = self.path.stations().len() - 1;
+        let here = |station: usize| hanging.above_mean(self.path.centre(station)[2]);
+        let ends = [first + here(0), last + here(end)].map(|tension| larger(tension, S::ZERO));
+        let highest = (1..=end).fold(here(0), |most, station| larger(most, here(station)));
+        (ends, larger(largest + highest, S::ZERO))
+    }
+}

@@ -1,0 +1,42 @@
+import { Columns } from "../engine/columns";
+import type { Channel, DrawnLine, Fault, InputInfo, ModelInfo } from "../engine/engine";
+import type { Frame, Opened } from "../engine/messages";
+import { Accuracy } from "./accuracy";
+
+/**
+ * empty: nothing could be opened; idle: at the start; stepping: on the way of one long Step; stopped: the run
+ * cannot go on.
+ */
+export type Status = "loading" | "empty" | "idle" | "stepping" | "running" | "paused" | "stopped";
+
+/** A scenario opened, with all that follows from its channels. */
+export interface Run {
+  model: ModelInfo;
+  lines: DrawnLine[];
+  channels: Channel[];
+  columns: Columns;
+  inputs: InputInfo[];
+  accuracy: Accuracy;
+}
+
+/** A scenario as it is handed to the engine. */
+export interface Source {
+  text: string;
+  file: string;
+  /** Texts of the files that were opened with it, by their names; left out for a scenario of the gallery. */
+  opened?: Record<string, string>;
+}
+
+export interface Listener {
+  /** A scenario was opened, or the same one reset: everything starts anew. */
+  opened?(run: Run, frame: Frame, isAnother: boolean): void;
+  advanced?(run: Run, frame: Frame): void;
+  statusChanged?(status: Status): void;
+  valuesChanged?(): void;
+  faulted?(fault: Fault | null): void;
+}
+
+export function runOf({ model, lines, channels, inputs }: Opened): Run {
+  const columns = new Columns(channels);
+  return { model, lines, channels, columns, inputs, accuracy: new Accuracy(columns) };
+}

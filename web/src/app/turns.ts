@@ -1,0 +1,44 @@
+/** Work that is done one after another, so that none answers for another's scenario. */
+export class Turns {
+  private last: Promise<unknown> = Promise.resolve();
+  private left = 0;
+
+  /** Is told when nothing is left to do. */
+  constructor(private readonly through: () => void) {}
+
+  get isBusy(): boolean {
+    return this.left > 0;
+  }
+
+  take<T>(work: () => Promise<T>): Promise<T> {
+    this.left += 1;
+    const result = this.last.then(work).finally(() => {
+      this.left -= 1;
+      if (this.left === 0) this.through();
+    });
+    this.last = result.catch(() => undefined);
+    return result;
+  }
+}
+
+/** Hands values on, one after another, of each name the last. */
+export class Latest<T> {
+  private readonly waiting = new Map<string, T>();
+
+  constructor(private readonly handOn: (name: string, value: T) => Promise<void>) {}
+
+  async set(name: string, value: T): Promise<void> {
+    const isUnderWay = this.waiting.size > 0;
+    this.waiting.set(name, value);
+    if (isUnderWay) return;
+    for (let next = this.waiting.entries().next(); !next.done; next = this.waiting.entries().next()) {
+      const [due, given] = next.value;
+      await this.handOn(due, given);
+      if (this.waiting.get(due) === given) this.waiting.delete(due);
+    }
+  }
+
+  clear(): void {
+    this.waiting.clear();
+  }
+}

@@ -1,0 +1,56 @@
+import type { Value, Values } from "../engine/engine";
+import type { Opened } from "../engine/messages";
+
+/** The values of a scenario: what the controls say, and what the run in hand has. */
+export class SetValues {
+  /** What the controls say over the scenario's own. */
+  wanted: Values = {};
+  /** What of these the run in hand has; the same object until one is set under way. */
+  overrides: Values = {};
+  /** All that the run in hand has. */
+  private applied: Values = {};
+
+  /** A run was opened with these. */
+  begin(opened: Opened, overrides: Values): void {
+    this.overrides = overrides;
+    this.applied = { ...valuesOf(opened), ...overrides };
+  }
+
+  want(name: string, value: Value): void {
+    this.wanted = { ...this.wanted, [name]: value };
+  }
+
+  /** The run in hand took it under way. */
+  apply(name: string, value: Value): void {
+    this.applied = { ...this.applied, [name]: value };
+    this.overrides = { ...this.overrides, [name]: value };
+  }
+
+  /** These were refused: back to what the run in hand has, unless something newer is wanted by now. */
+  giveUp(tried: Values): void {
+    if (Object.keys(this.wanted).some((name) => this.wanted[name] !== tried[name])) return;
+    const kept = Object.keys(this.wanted).map((name) => [name, this.applied[name]]);
+    this.wanted = Object.fromEntries(kept.filter(([, value]) => value !== undefined));
+  }
+
+  /** Names of the values that wait for a reset. */
+  pending(): string[] {
+    return Object.keys(this.wanted).filter((name) => this.wanted[name] !== this.applied[name]);
+  }
+
+  /** What a control shows. */
+  shown(name: string): Value | undefined {
+    return this.wanted[name] ?? this.applied[name];
+  }
+}
+
+/** Every value that a control shows, by parameter name or path. */
+function valuesOf({ model, settings }: Opened): Values {
+  const values: Values = {
+    "simulation.integrator": settings.integrator,
+    "simulation.form": settings.form,
+    "simulation.step_s": settings.step_s,
+  };
+  for (const parameter of model.parameters) values[parameter.name] = parameter.value;
+  return values;
+}

@@ -1,0 +1,26 @@
+import { faultOfNetwork } from "./faults";
+
+/** Longest time that a file may take to come, ms. */
+const LONGEST_MS = 60_000;
+/** What a server answers where there is no such file. */
+const NOT_THERE = [404, 410];
+
+/** The text at an address; null where there is none. Throws where that cannot be known. */
+export async function fetchText(url: string): Promise<string | null> {
+  const response = await fetched(url);
+  if (NOT_THERE.includes(response.status)) return null;
+  if (!response.ok) throw faultOfNetwork(url, said(response));
+  return response.text();
+}
+
+export async function fetched(url: string): Promise<Response> {
+  try {
+    return await fetch(url, { signal: AbortSignal.timeout(LONGEST_MS) });
+  } catch (thrown) {
+    throw faultOfNetwork(url, thrown instanceof Error && thrown.name === "TimeoutError" ? "it took too long" : "the connection failed");
+  }
+}
+
+export function said({ status, statusText }: Response): string {
+  return `the server answered ${status} ${statusText}`.trimEnd();
+}

@@ -1,0 +1,15 @@
+/** Most moments that a table has. */
+const MOST_ROWS = 12;
+
+/** Places of at most so many moments among `length`, evenly and with the last. */
+export function places(length: number, most = MOST_ROWS): number[] {
+  const count = Math.min(length, most);
+  return Array.from({ length: count }, (_, i) => (count === 1 ? length - 1 : Math.round((i * (length - 1)) / (count - 1))));
+}
+
+/** What the lines of a plot show, in numbers: of each its least, its greatest and a few moments. */
+export function rowsOf(times: ArrayLike<number>, lines: readonly ArrayLike<number>[], write: (value: number) => string): string[][] {
+  const moments = places(times.length).map((at) => [`${Number(times[at].toPrecision(6))} s`, ...lines.map((line) => write(line[at]))]);
+  const ends = (of: (a: number, b: number) => number) => lines.map((line) => write(Array.from(line).reduce((so, value) => of(so, value), line[0])));
+  return times.length > 0 ? [["Least", ...ends(Math.min)], ["Greatest", ...ends(Math.max)], ...moments] : [];
+}

@@ -1,0 +1,38 @@
+import { fixed } from "../app/format";
+import type { Session } from "../app/session";
+import { byId, setText } from "./dom";
+
+/** How long nothing changes before it is said, ms: Step pressed many times is one message. */
+const CALM_MS = 400;
+
+/** Says the state of the run to those who do not see it. */
+export function announce(session: Session): void {
+  const region = byId("announcer");
+  let timer = 0;
+  const soon = (): void => {
+    clearTimeout(timer);
+    timer = window.setTimeout(() => setText(region, wordsOf(session)), CALM_MS);
+  };
+  session.listen({
+    opened: soon,
+    statusChanged: soon,
+    valuesChanged: soon,
+    advanced: () => session.status === "paused" && soon(),
+  });
+}
+
+/** In words, without what changes while it runs. */
+function wordsOf(session: Session): string {
+  const { run, lastFrame, status } = session;
+  const time = run && lastFrame ? `${fixed(run.columns.read(lastFrame.row, "time"), 2)} s` : "";
+  const words: Record<typeof status, string> = {
+    loading: "Loading the engine.",
+    empty: "Nothing is open.",
+    idle: `${run?.model.title ?? ""}: at the start.`,
+    stepping: "Stepping.",
+    running: "Running.",
+    paused: `Paused at ${time}.`,
+    stopped: `Stopped at ${time}.`,
+  };
+  return `${words[status]} ${byId("hint").textContent}`.trimEnd();
+}

@@ -1,0 +1,34 @@
+import { byId } from "./dom";
+
+/** Files that are chosen or dropped on the page, handed on together as texts by their names. */
+export function enableFiles(open: (texts: Record<string, string>) => void): void {
+  const take = async (files: File[]) => {
+    if (files.length > 0) open(Object.fromEntries(await Promise.all(files.map(async (file) => [file.name, await file.text()] as const))));
+  };
+  const input = byId<HTMLInputElement>("file");
+  byId("open-file").addEventListener("click", () => input.click());
+  input.addEventListener("change", () => {
+    const files = [...(input.files ?? [])];
+    input.value = "";
+    void take(files);
+  });
+  acceptDrops((files) => void take(files));
+}
+
+function acceptDrops(take: (files: File[]) => void): void {
+  const veil = byId("drop");
+  let depth = 0;
+  const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
+  const show = (change: number) => {
+    depth = Math.max(0, depth + change);
+    veil.hidden = depth === 0;
+  };
+  addEventListener("dragenter", (event) => carriesFile(event) && show(1));
+  addEventListener("dragleave", (event) => carriesFile(event) && show(-1));
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    show(-depth);
+    take([...(event.dataTransfer?.files ?? [])]);
+  });
+}

@@ -1,0 +1,65 @@
+// The address says which scenario is open, and with which values; Back leads from one to the one before.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { item, openApp, openFile, sample, setNumber, settle } from "./app.mjs";
+
+const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
+const OWN = "A ship of mine";
+
+const queryOf = (page) => new URL(page.url()).search;
+const titled = (page, title) => page.waitForFunction((wanted) => document.querySelector("[data-testid=title]").textContent === wanted, title);
+
+export default {
+  async "opens by name what the command line runs, with the file's own values"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=paper" });
+    assert.equal(await item(page, "load").isChecked(), false);
+    assert.equal(await item(page, "torque_history").inputValue(), "constant");
+    await page.waitForTimeout(600);
+    assert.equal(queryOf(page), "?scenario=paper");
+    await close();
+  },
+
+  async "takes parameters from the address, and says which it does not know"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=paper&load=true&crane_x_m=3.5" });
+    assert.equal(await item(page, "load").isChecked(), true);
+    assert.equal(await item(page, "crane_x_m").inputValue(), "3.5");
+    await page.goto(`${host.address}?scenario=paper&nonesuch=3`);
+    await page.getByText("It opened with its own values").waitFor();
+    assert.match(await page.getByTestId("alert").textContent(), /nonesuch: found an unknown name/);
+    assert.equal(queryOf(page), "?scenario=paper");
+    await close();
+  },
+
+  async "writes what is set into the address, which opens the same again"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=paper" });
+    await setNumber(page, "crane_x_m", 7);
+    await page.waitForURL(/crane_x_m=7$/);
+    await page.reload();
+    await page.waitForFunction(() => window.kingpost?.sample());
+    assert.equal((await sample(page)).poses[7], 7);
+    await close();
+  },
+
+  async "keeps a file among the choices, out of the address and within reach of Back"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=paper" });
+    await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, `title: ${OWN}`));
+    await titled(page, OWN);
+    await page.waitForURL(/\/$/);
+    const gallery = page.getByTestId("gallery");
+    assert.equal(await gallery.locator("option:checked").textContent(), "mine.yaml");
+    await gallery.selectOption("chain");
+    await page.waitForURL(/\?scenario=chain$/);
+    await settle(page);
+    await gallery.selectOption({ label: "mine.yaml" });
+    await titled(page, OWN);
+    await page.goBack();
+    await page.waitForFunction(() => document.getElementById("gallery").value === "chain");
+    await page.goBack();
+    await titled(page, OWN);
+    await page.goBack();
+    await page.waitForFunction(() => document.getElementById("gallery").value === "paper");
+    assert.equal(queryOf(page), "?scenario=paper");
+    await close();
+  },
+};

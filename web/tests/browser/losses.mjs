@@ -1,0 +1,68 @@
+// What does not come or breaks down: the engine, its worker, the gallery's list. The page says so and has a way on.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { item, openApp, openFile, sample, setNumber, stepTo } from "./app.mjs";
+
+const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
+
+const alertOf = (page) => page.getByTestId("alert").textContent();
+
+/** Opens the app where some addresses cannot be reached. */
+async function openWithout({ browser, address }, pattern) {
+  const context = await browser.newContext();
+  await context.route(pattern, (route) => route.abort());
+  const page = await context.newPage();
+  page.setDefaultTimeout(60_000);
+  await page.goto(address);
+  await page.getByTestId("alert-message").waitFor();
+  return { page, context };
+}
+
+async function opensAtReset({ page, context }, pattern) {
+  assert.match(await alertOf(page), /The engine did not load/);
+  assert.match(await page.getByTestId("hint").textContent(), /Reset tries again/);
+  assert.equal(await page.getByTestId("start").isDisabled(), true);
+  await context.unroute(pattern);
+  await page.getByTestId("reset").click();
+  await page.waitForFunction(() => window.kingpost.sample()?.status === "idle");
+  assert.equal(await page.getByTestId("alert").textContent(), "");
+  assert.equal(await item(page, "torque_history").inputValue(), "pulse", "with the values asked for");
+  await stepTo(page, 0.01);
+  await context.close();
+}
+
+export default {
+  async "says so when the engine does not load, and loads it at Reset"(host) {
+    await opensAtReset(await openWithout(host, "**/*.wasm"), "**/*.wasm");
+  },
+
+  async "says so when the engine's script is missing, and starts it at Reset"(host) {
+    await opensAtReset(await openWithout(host, "**/worker-*.js"), "**/worker-*.js");
+  },
+
+  async "opens files where the gallery's list did not come"(host) {
+    const { page, context } = await openWithout(host, "**/index.json");
+    assert.match(await alertOf(page), /index\.json could not be fetched/);
+    assert.match(await page.getByTestId("hint").textContent(), /Open a scenario/);
+    await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, "title: A ship of mine"));
+    await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "A ship of mine");
+    assert.equal(await alertOf(page), "");
+    await stepTo(page, 0.01);
+    await context.close();
+  },
+
+  async "starts another engine where it dies under way, with the same values"(host) {
+    const { page, close } = await openApp(host);
+    await setNumber(page, "crane_x_m", 3);
+    await page.getByTestId("start").click();
+    await page.waitForFunction(() => window.kingpost.sample().time_s > 0.05);
+    await page.workers()[0].evaluate(() => self.close());
+    await page.waitForFunction(() => document.getElementById("alert").textContent.includes("begins anew"), null, { timeout: 120_000 });
+    const { status, time_s } = await sample(page);
+    assert.deepEqual([status, time_s], ["idle", 0]);
+    assert.equal(await item(page, "crane_x_m").inputValue(), "3");
+    await stepTo(page, 0.01);
+    await close();
+  },
+};

@@ -1,0 +1,100 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { EngineClient } from "../src/engine/client";
+import type { FromWorker, ToWorker } from "../src/engine/messages";
+
+const SILENT_MS = 30_000;
+
+/** A worker that notes what it hears and says what it is told to. */
+class FakeWorker {
+  static all: FakeWorker[] = [];
+  readonly heard: ToWorker[] = [];
+  isEnded = false;
+  onmessage: ((event: { data: FromWorker }) => void) | null = null;
+  onerror: ((event: { message: string }) => void) | null = null;
+
+  constructor() {
+    FakeWorker.all.push(this);
+  }
+
+  postMessage(message: ToWorker): void {
+    this.heard.push(message);
+  }
+
+  terminate(): void {
+    this.isEnded = true;
+  }
+
+  say(message: FromWorker): void {
+    this.onmessage?.({ data: message });
+  }
+
+  get lastId(): number {
+    return this.heard.flatMap((message) => ("id" in message ? [message.id] : [])).at(-1)!;
+  }
+}
+
+const last = () => FakeWorker.all.at(-1)!;
+const kindOf = (answer: Promise<unknown>) => answer.then(() => "answered", (fault: { kind: string }) => fault.kind);
+
+describe("the engine's client", () => {
+  let client: EngineClient;
+
+  beforeEach(() => {
+    vi.useFakeTimers();
+    FakeWorker.all = [];
+    client = new EngineClient(() => new FakeWorker() as unknown as Worker, "");
+  });
+  afterEach(() => void vi.useRealTimers());
+
+  it("ends a worker that falls silent, says so, and starts another for the next request", async () => {
+    const lost = kindOf(client.step());
+    const first = last();
+    await vi.advanceTimersByTimeAsync(SILENT_MS);
+    expect(await lost).toBe("engine");
+    expect(first.isEnded).toBe(true);
+    const answer = client.step();
+    expect(last()).not.toBe(first);
+    last().say({ id: last().lastId, value: "a frame" });
+    expect(await answer).toBe("a frame");
+  });
+
+  it("waits for a worker that is busy with a long answer and gives signs of life", async () => {
+    const answer = kindOf(client.step());
+    for (let s = 0; s < 120; s++) {
+      await vi.advanceTimersByTimeAsync(1000);
+      if (s % 10 === 0) last().say({ isAlive: true });
+    }
+    last().say({ id: last().lastId, value: null });
+    expect(await answer).toBe("answered");
+    expect(FakeWorker.all.length).toBe(1);
+  });
+
+  it("asks for no sign of life while nothing is asked of it", async () => {
+    await vi.advanceTimersByTimeAsync(10 * SILENT_MS);
+    expect(FakeWorker.all.length).toBe(1);
+    expect(last().heard).toEqual([]);
+  });
+
+  it("says that the engine did not load where its script is missing, and tries again when it is asked again", async () => {
+    // Before anything is asked: the script fails sooner than a scenario is fetched.
+    last().onerror?.({ message: "" });
+    const answer = kindOf(client.step());
+    expect(FakeWorker.all.length).toBe(2);
+    last().onerror?.({ message: "" });
+    expect(await answer).toBe("engine");
+  });
+
+  it("ends an engine that broke down and rejects all that waited for it", async () => {
+    const answers = [kindOf(client.step()), kindOf(client.hydrostatics())];
+    last().say({ id: last().lastId, fault: { kind: "engine", message: "unreachable" } });
+    expect(await Promise.all(answers)).toEqual(["engine", "engine"]);
+    expect(last().isEnded).toBe(true);
+  });
+
+  it("rejects one request alone where the engine refuses it", async () => {
+    const refused = kindOf(client.input("hoist", 1));
+    last().say({ id: last().lastId, fault: { kind: "input", message: "no" } });
+    expect(await refused).toBe("input");
+    expect(last().isEnded).toBe(false);
+  });
+});

@@ -1,0 +1,21 @@
+import { expect, it } from "vitest";
+import { places, rowsOf } from "../src/plots/table";
+
+it("picks moments evenly, the first and the last among them", () => {
+  expect(places(0)).toEqual([]);
+  expect(places(1)).toEqual([0]);
+  expect(places(3)).toEqual([0, 1, 2]);
+  expect(places(1001, 5)).toEqual([0, 250, 500, 750, 1000]);
+});
+
+it("has of each line its least, its greatest and its values at these moments", () => {
+  const rows = rowsOf([0, 0.01, 0.02], [[0, -2, 1], [5, 5, 4]], (value) => value.toFixed(1));
+  expect(rows).toEqual([
+    ["Least", "-2.0", "4.0"],
+    ["Greatest", "1.0", "5.0"],
+    ["0 s", "0.0", "5.0"],
+    ["0.01 s", "-2.0", "5.0"],
+    ["0.02 s", "1.0", "4.0"],
+  ]);
+  expect(rowsOf([], [[]], String)).toEqual([]);
+});
