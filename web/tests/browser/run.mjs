@@ -32,7 +32,6 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-// The longest, that of the whole gallery, first.
 const tests = Object.entries({ ...scenarios, ...numbers, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
