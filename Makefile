@@ -22,6 +22,11 @@ ENGINE := Cargo.toml Cargo.lock $(call sources,crates/kingpost/src crates/kingpo
 # By the Python tests, and by making the WASM module.
 TESTED_ELSEWHERE := --exclude kingpost-py --exclude xtask
 
+# The Python module is built once, for this processor. AVX2 changes no bit: it makes the registers wider.
+THIS_PROCESSOR = $(if $(shell rustc --print cfg -C target-cpu=native | grep '"avx2"'),-C target-feature=+avx2)
+# The Python module for any processor, out of the engine that the engine's tests use: its bits are compared.
+PLAIN := PYO3_BUILD_EXTENSION_MODULE=1 cargo build --quiet --locked --workspace --exclude xtask --all-features --lib
+
 # uv: the one at hand, else from PyPI.
 UV := $(shell uv --version >/dev/null 2>&1 && echo uv || echo $(DONE)/uv/bin/uv)
 UV_FILE := $(filter-out uv,$(UV))
@@ -39,6 +44,7 @@ demo: need-rust need-node need-python $(APP) $(DONE)/run ## run the paper's cran
 
 compile: need-rust need-node need-python $(WASM) $(DONE)/develop ## all that is compiled: the engine for the browser, for Python and for its tests
 	cargo test --locked --workspace $(TESTED_ELSEWHERE) --all-features --no-run
+	$(PLAIN)
 
 test: need-rust need-node need-python need-lint ## every test of every part, and a summary
 	@$(PYTHON) tools/test.py
@@ -53,6 +59,7 @@ test-browser: $(APP) ## the app's tests in Chromium; skipped where there is none
 	cd web && npm run test:browser
 
 test-python: $(DONE)/develop $(APP) ## the Python package's tests
+	$(PLAIN)
 	$(BIN)/pytest --numprocesses auto --maxprocesses 4 --dist loadfile
 
 bench: need-rust need-node need-python $(DONE)/develop $(WASM) ## compare speed with other engines
@@ -66,7 +73,7 @@ wheel: $(APP) $(UV_FILE) | need-python need-rust ## a Python wheel with the app 
 	$(PYTHON) tools/wheel.py $(UV) build --quiet --wheel --out-dir dist
 	@ls -1 dist/*.whl
 
-develop: $(DONE)/develop ## .venv with the package as it stands here, and what its tests want
+develop: $(DONE)/develop ## .venv with the package as it stands here, and what its tests need
 
 schema: $(NODE_MODULES) | need-rust ## the scenario's JSON schema and TypeScript types, from the Rust types
 	cargo run --quiet --locked --package kingpost --features schema --example write_schema
@@ -89,15 +96,16 @@ $(DONE)/uv/bin/uv: | need-python
 	$(PYTHON) -m venv $(DONE)/uv
 	$(DONE)/uv/bin/pip install --quiet --disable-pip-version-check uv
 
-# What a run wants.
+# What a run needs.
 $(DONE)/run: $(PYTHON_SIDE) | need-python need-rust
-	$(UV) sync --locked --inexact --no-default-groups
+	RUSTFLAGS="$(THIS_PROCESSOR)" $(UV) sync --locked --inexact --no-default-groups
+	@rm -rf python/kingpost/avx2
 	@mkdir -p $(DONE) && touch $@
 
-# What the tests want besides. Two builds side by side: each optimises the whole program on one core.
-$(DONE)/develop: $(PYTHON_SIDE) | need-python need-rust
-	$(PYTHON) tools/avx2.py & avx2=$$!; $(UV) sync --locked; synced=$$?; wait $$avx2 && exit $$synced
-	@mkdir -p $(DONE) && touch $@ $(DONE)/run
+# What the tests need besides.
+$(DONE)/develop: $(DONE)/run
+	RUSTFLAGS="$(THIS_PROCESSOR)" $(UV) sync --locked
+	@touch $@
 
 $(NODE_MODULES): web/package.json web/package-lock.json | need-node
 	cd web && npm ci --no-audit --no-fund

@@ -1,4 +1,4 @@
-"""Builds the compiled engine a second time, for processors with AVX2, into python/kingpost/avx2.
+"""Builds the wheel's second engine, for processors with AVX2, into python/kingpost/avx2.
 
 The package takes it where the processor can. Both give the same bits: AVX2 only makes the registers
 wider, and nothing fuses multiplication and addition.
@@ -15,6 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 TARGET = ROOT / "target" / "avx2"
+FOLDER = ROOT / "python" / "kingpost" / "avx2"
 BUILT = {"Linux": ("lib_engine.so", "_engine.abi3.so"), "Windows": ("_engine.dll", "_engine.pyd"),
          "Darwin": ("lib_engine.dylib", "_engine.abi3.so")}  # fmt: skip
 
@@ -29,9 +30,8 @@ def main() -> int:
     done = subprocess.run([*command, "--target-dir", TARGET], cwd=ROOT, env=environment, check=False)
     if done.returncode == 0:
         built, module = BUILT[platform.system()]
-        folder = ROOT / "python" / "kingpost" / "avx2"
-        folder.mkdir(exist_ok=True)
-        shutil.copyfile(TARGET / "release" / built, folder / module)
+        FOLDER.mkdir(exist_ok=True)
+        shutil.copyfile(TARGET / "release" / built, FOLDER / module)
     return done.returncode
 
 

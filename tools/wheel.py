@@ -27,8 +27,8 @@ def main(build: list[str]) -> int:
             shutil.copytree(source, copy)
         return subprocess.run(build, cwd=ROOT, check=False).returncode
     finally:
-        for copy in copies:
-            shutil.rmtree(copy, ignore_errors=True)
+        for folder in (*copies, avx2.FOLDER):
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 if __name__ == "__main__":

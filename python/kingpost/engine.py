@@ -1,7 +1,8 @@
 """The compiled engine, in the build that fits this processor.
 
-Where the processor has AVX2 and the package carries a build for it, that is the one. Both give the
-same bits: AVX2 makes the registers wider, and nothing fuses multiplication and addition.
+Where the processor has AVX2 and the package carries a build for it, as a wheel does, that is the one.
+A build from source has one module, for the processor that it was built on. All give the same bits:
+AVX2 makes the registers wider, and nothing fuses multiplication and addition.
 """
 
 from __future__ import annotations
@@ -10,19 +11,19 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING
 
-from . import _engine as plain
+from . import _engine as packed
 
 if TYPE_CHECKING:
     from . import _engine as engine
 
 
 def _for_this_processor() -> ModuleType:
-    if plain.has_avx2():
+    if packed.has_avx2():
         try:
             return import_module("kingpost.avx2._engine")
         except ModuleNotFoundError:
             pass
-    return plain
+    return packed
 
 
 if not TYPE_CHECKING:
