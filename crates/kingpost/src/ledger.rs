@@ -11,6 +11,10 @@
 //! What the bodies really have is computed from the state; the differences are the errors of the
 //! scheme, or of the equations.
 
+mod watch;
+
+pub use watch::EnergyBalance;
+
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::{JointKind, Mode, Model, Node, Tree};
 use crate::scalar::Scalar;

@@ -1,7 +1,7 @@
 //! What the engine warns of in a run: rods that stand for ropes, and hulls beyond linear theory.
 
 use kingpost::elements::hull::LinearLimits;
-use kingpost::elements::{MeanHeading, Watcher};
+use kingpost::elements::{MeanHeading, Watcher, significant};
 use kingpost::scenario;
 use kingpost::simulation::{Run, Simulation, Warning};
 use serde_json::{Value, json};
@@ -9,10 +9,14 @@ use serde_json::{Value, json};
 /// Weight of 100 kg, N.
 const WEIGHT_N: f64 = 980.665;
 
-fn run(mut scenario: Value) -> Run {
+fn run(scenario: Value) -> Run {
+    run_by(json!({"step_s": 0.002, "duration_s": 3, "record_every_s": 0.01}), scenario)
+}
+
+fn run_by(simulation: Value, mut scenario: Value) -> Run {
     scenario["version"] = json!(1);
     scenario["title"] = json!("warned of");
-    scenario["simulation"] = json!({"step_s": 0.002, "duration_s": 3, "record_every_s": 0.01});
+    scenario["simulation"] = simulation;
     scenario["forces"]["weight"] = json!({"gravity": {"acceleration_m_s2": 9.80665}});
     let scenario = scenario::read(&scenario.to_string(), "warned.json", &[]).expect("it reads");
     Simulation::new(scenario.setup().expect("it builds")).run(|_| true)
@@ -151,4 +155,25 @@ fn yaw_with_the_waves_is_no_turn_of_the_mean_heading() {
     let wave = |time_s: f64| 20.0 * libm::sin(core::f64::consts::TAU * time_s / 15.0);
     assert!(headed(|time_s| 178.0 + wave(time_s)).is_empty());
     assert_eq!(headed(|time_s| 178.0 + wave(time_s) - 0.01 * time_s).len(), 1);
+}
+
+/// A mass of 2 kg on a spring of 200 N/m, drawn out by 3 m: a circular frequency of 10 rad/s, 900 J.
+fn oscillator(integrator: &str, step_s: f64) -> Vec<Warning> {
+    let joint = json!({"prismatic": {"name": "slide", "axis": [1, 0, 0], "initial_extension_m": 3.0,
+        "spring": {"stiffness_N_per_m": 200.0, "rest_m": 0.0}}});
+    let simulation = json!({"step_s": step_s, "duration_s": 0.5, "record_every_s": step_s, "integrator": integrator});
+    run_by(simulation, json!({"bodies": {"mass": {"mass_kg": 2, "shape": {"point": {}}, "joint": joint}}})).warnings
+}
+
+/// Euler's forward step multiplies the energy of an oscillator by 1 + (omega h)^2: by 1.01^50 after 50 steps of 10 ms.
+#[test]
+fn a_run_whose_energy_grows_by_its_scheme_is_warned_of_and_one_that_keeps_it_is_not() {
+    let warnings = oscillator("forward_euler", 0.01);
+    let [warning] = warnings.as_slice() else { panic!("{warnings:?}") };
+    assert_eq!((warning.name.as_str(), warning.time_s), ("energy", 0.5));
+    let gained_kj = significant(0.9 * (1.01_f64.powi(50) - 1.0), 3);
+    assert!(warning.text.starts_with(&format!("is off its balance by {gained_kj} kJ, ")), "{warning:?}");
+    // Newmark's average acceleration keeps it, RK4 loses (omega h)^6 / 72 a step.
+    assert_eq!(oscillator("newmark", 0.01), []);
+    assert_eq!(oscillator("rk4", 0.01), []);
 }

@@ -1,11 +1,12 @@
-//! What watches the joints and closed loops of a run, and its hulls beside each other.
+//! What watches the joints and closed loops of a run, its hulls beside each other, and its energy.
 
 use crate::elements::hull::HullGap;
 use crate::elements::{AnyWatcher, Hull, JointSpring, Pendant, Rod, of_kind};
+use crate::ledger::EnergyBalance;
 use crate::model::{Attachment, Constraint, Loop, Mode, Model};
 use crate::simulation::Setup;
 
-/// Of joints and loops that stand for ropes, and of every two hulls.
+/// Of joints and loops that stand for ropes, of every two hulls, and of the energy of all.
 pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     let Setup { model, world, elements, .. } = setup;
     let springs: Vec<usize> = of_kind(elements).map(|spring: &JointSpring| spring.coordinate).collect();
@@ -16,7 +17,9 @@ pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
         Box::new(Pendant::new(&joint.name, &model.bodies[body].name, -joint.kind.to_child()))
     });
     let rods = model.loops.iter().filter_map(|closed| rod(model, closed));
-    pendants.chain(rods).chain(gaps(model, &of_kind(elements).collect::<Vec<&Hull>>())).collect()
+    let hulls: Vec<&Hull> = of_kind(elements).collect();
+    let energy: AnyWatcher = Box::new(EnergyBalance::default());
+    pendants.chain(rods).chain(gaps(model, &hulls)).chain([energy]).collect()
 }
 
 /// Each hull has its own hydrodynamics: none feels another.
