@@ -87,7 +87,7 @@ def eigenmodes(
         return []
     levels, rest = zero_levels(system.a, system.smallest)
     modes = zero_modes(system, levels)
-    modes += other_modes(system, np.hstack([*levels, rest[:, :0]]), rest)
+    modes += other_modes(system, np.hstack([*levels, rest[:, :0]]))
     return sorted(modes, key=lambda mode: (mode.kind != FREE, abs(mode.eigenvalue), mode.eigenvalue.real))
 
 
@@ -249,30 +249,44 @@ def cleared(span: NDArray, rows: Sequence[int]) -> NDArray:
     return span @ turned[int(np.sum(sizes > ALIKE)) :].T
 
 
-def other_modes(system: Scaled, zero: NDArray, rest: NDArray) -> list[Mode]:
-    """Modes whose eigenvalue is not zero."""
-    a = system.a
+def other_modes(system: Scaled, zero: NDArray) -> list[Mode]:
+    """Modes beside those of the span of `zero`: what rounding hides among them is zero too.
+
+    What remembers waves has units in which its entries of A are large, and rounding would hide slow motions:
+    here it is balanced with the rest.
+    """
+    n = len(system.a) - len(system.further)
+    units = np.concatenate([np.ones(n), balanced(system.a, np.ones(len(system.further), bool))])
+    a = system.a * units / units[:, None]
+    basis = np.linalg.qr(zero / units[:, None], mode="complete")[0]
+    zero, rest = basis[:, : zero.shape[1]], basis[:, zero.shape[1] :]
     values, vectors = np.linalg.eig(rest.T @ a @ rest)
-    lefts = np.linalg.pinv(vectors)
-    conditions = np.linalg.norm(vectors, axis=0) * np.linalg.norm(lefts, axis=1)
-    # What rounding in A does to an eigenvalue (Golub & Van Loan, Matrix Computations, 7.2.2).
-    errors = 10 * len(a) * np.finfo(float).eps * np.linalg.norm(a, 2) * conditions
+    lefts = left_vectors(rest.T @ a @ rest, values)
     inner, coupling = zero.T @ a @ zero, zero.T @ a @ rest
     further = system.memory[len(system.mass) :]
+    named = np.concatenate([np.ones(len(system.mass)), np.any(a[:, n:] != 0.0, axis=0)])
     modes = []
-    own_lefts = left_vectors(rest.T @ a @ rest, values)
-    for value, vector, own, error in zip(values, vectors.T, own_lefts, errors, strict=True):
+    for value, vector, left in zip(values, vectors.T, lefts, strict=True):
         if value.imag < 0:
             continue
-        along_zero = np.linalg.solve(value * np.eye(len(inner)) - inner, coupling @ vector)
+        error = rounding(a, vector, left)
+        if not value.imag and abs(value) < error:
+            value = 0.0
+        along_zero = np.linalg.pinv(value * np.eye(len(inner)) - inner) @ (coupling @ vector)
         state = rest @ vector + zero @ along_zero
-        shape = normalised(system.shapes(state), len(system.mass))
+        shape = normalised(system.shapes(units * state), len(system.mass))
         real = value.real if abs(value.real) > error else 0.0
         eigenvalue = complex(real, value.imag)
-        name = system.names[int(np.argmax(system.share(shape)))]
-        share = memory_share(rest @ own, state, further)
+        name = system.names[int(np.argmax(named * system.share(shape)))]
+        share = memory_share(rest @ left, state, further)
         modes.append(Mode(kind(eigenvalue), eigenvalue, 1 + (value.imag > 0), name, shape, share))
     return modes
+
+
+def rounding(a: NDArray, vector: NDArray, left: NDArray) -> float:
+    """What rounding in A does to an eigenvalue (Golub & Van Loan, *Matrix Computations*, 7.2.2)."""
+    across = abs(left @ vector) / (np.linalg.norm(left) * np.linalg.norm(vector))
+    return 10 * len(a) * np.finfo(float).eps * np.linalg.norm(a, 2) / max(across, SMALLEST_PRODUCT)
 
 
 def left_vectors(a: NDArray, values: NDArray) -> NDArray:
@@ -297,7 +311,9 @@ def memory_share(left: NDArray, state: NDArray, further: NDArray[np.bool_]) -> f
 
 
 def kind(eigenvalue: complex) -> str:
-    """What a motion of a non-zero eigenvalue does."""
+    """What a motion of an eigenvalue does."""
+    if not eigenvalue:
+        return FREE
     if eigenvalue.real > 0:
         return UNSTABLE
     return OSCILLATION if eigenvalue.imag else DECAY

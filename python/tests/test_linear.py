@@ -288,6 +288,49 @@ def test_a_run_released_along_a_mode_keeps_its_frequency_and_damping(number):
     assert -rate.real / abs(rate) == pytest.approx(mode.damping_ratio.item(), rel=1e-4)
 
 
+HELD = """\
+version: 1
+title: A barge on a soft hold
+simulation: {step_s: 0.05, duration_s: 1, begin_at_equilibrium: true}
+sea: {}
+parts:
+  vessel: {part: crane_barge_hull, prefix: "", parameters: {bodies.hull.mass_t: 7380}}
+forces:
+  gravity: {gravity: {}}
+  hold: {soft_hold: {body: hull, target: {x_m: 5, y_m: 0, heading_deg: 0}}}
+"""
+WITH_A_LOAD = """\
+  tie:
+    rope:
+      path: [{point: {body: hull, position_m: [1.3, 0, 30]}}, {point: {body: lift}}]
+      unstretched_length_m: 12.4
+      axial_stiffness_kN: 100
+      damping_time_s: 0.01
+bodies:
+  lift:
+    mass_kg: 1
+    joint: {floating: {initial: {position_m: [0, 0, 20]}}}
+    inertia: {radii_of_gyration: {radii_m: [1, 1, 1]}}
+"""
+
+
+def test_a_light_load_on_a_rope_changes_no_mode_of_the_barge_that_carries_it(tmp_path):
+    """A soft hold has a damping of a fifth; 1 kg in 7,380 t changes a mode by its share, 1e-7, and by more
+    where the swing of 7 s is near."""
+    found = []
+    for text in (HELD, HELD + WITH_A_LOAD):
+        path = tmp_path / "held.yaml"
+        path.write_text(text, encoding="utf-8")
+        modes = kingpost.modes(path)
+        named = np.char.startswith(modes.named_after.values.astype(str), "hull.")
+        modes = modes.isel(mode=named & (modes.memory_share.values < 0.5))
+        found.append(modes.eigenvalue_real.values + 1j * modes.eigenvalue_imaginary.values)
+    bare, loaded = found
+    assert len(bare) == len(loaded) == 6
+    np.testing.assert_allclose(loaded, bare, rtol=1e-5)
+    np.testing.assert_allclose(-bare[:3].real / np.abs(bare[:3]), 0.2, rtol=0.01)
+
+
 def test_linearize_names_what_it_gives(hang):
     """Source: A = [0 1; -k/J -c/J]; B = 1/J for the lever of a motor of 1 N m."""
     scenario = hang(rod(damping=0.4))

@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 /// use kingpost::elements::{Delay, Own};
 /// let delay = Delay { first_number: 0, mode: 0, ticks: 2 };
 /// let (mut numbers, mut modes) = ([0.0; 2], [0]);
-/// let mut own = Own { states: &mut [], numbers: &mut numbers, modes: &mut modes };
+/// let mut own = Own { states: &mut [], numbers: &mut numbers, modes: &mut modes, also: None };
 /// let out: Vec<f64> = [1.0, 2.0, 3.0, 4.0].into_iter().map(|value| delay.pass(&mut own, value)).collect();
 /// assert_eq!(out, [0.0, 0.0, 1.0, 2.0]);
 /// ```

@@ -159,6 +159,9 @@ pub struct Own<'a, S = f64> {
     pub numbers: &'a mut [S],
     /// Modes.
     pub modes: &'a mut [i64],
+    /// One of its events that its answer brings about, or what was changed from outside: set by the element, noted with the
+    /// time.
+    pub also: Option<usize>,
 }
 
 /// An element that holds the model in place with what it finds while an equilibrium is sought, as an integral does.

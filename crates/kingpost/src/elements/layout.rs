@@ -253,7 +253,8 @@ impl Layout {
     /// What an element keeps, of the whole state.
     pub fn own<'a, S>(&self, element: usize, s: &'a mut [S], d: &'a mut [S], m: &'a mut [i64]) -> Own<'a, S> {
         let Share { numbers, modes, .. } = &self.shares[element];
-        Own { states: &mut s[self.states_of(element)], numbers: &mut d[numbers.clone()], modes: &mut m[modes.clone()] }
+        let (numbers, modes) = (&mut d[numbers.clone()], &mut m[modes.clone()]);
+        Own { states: &mut s[self.states_of(element)], numbers, modes, also: None }
     }
 }
 

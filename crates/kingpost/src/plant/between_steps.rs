@@ -145,6 +145,11 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
+    /// The events that answers and changes from outside have brought about since this was asked last.
+    pub fn brought_about(&mut self) -> Vec<Watched> {
+        core::mem::take(&mut self.also)
+    }
+
     /// Lets an element answer its event at a time; what that changes of energy and momentum goes into the ledger.
     pub fn respond(&mut self, watched: Watched, time_s: f64, state: &mut State<S>) {
         let before = self.totals(instant(time_s, state));
@@ -181,12 +186,15 @@ impl<S: Scalar> Plant<S> {
         change: impl FnOnce(&mut dyn Element<S>, &Moment<'_, S>, &mut Own<'_, S>, &mut [S]),
     ) {
         self.links.update(&self.model, &state.q, &state.v);
-        let Self { model, world, links, layout, situation, elements, seen, .. } = self;
+        let Self { model, world, links, layout, situation, elements, seen, also, .. } = self;
         seen.copy_from(state);
         let at = instant(time_s, seen);
         let State { v, s, d, m, .. } = state;
         let mut scene = Scene::new(layout, world, model, links, *situation, at);
-        change(&mut *elements[element], scene.of(element), &mut layout.own(element, s, d, m), v);
+        let mut own = layout.own(element, s, d, m);
+        change(&mut *elements[element], scene.of(element), &mut own, v);
+        let is_it = |event| move |watched: &&Watched| (watched.element, watched.event) == (element, event);
+        also.extend(own.also.and_then(|event| layout.watched.iter().find(is_it(event))));
     }
 }
 

@@ -14,7 +14,7 @@ pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 use crate::dynamics::loops::{LoopFault, LoopSolver};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
 use crate::dynamics::{Clock, Kinematics, LinkKinematics, Loads, Restraint, energy, forward, inverse::InverseDynamics};
-use crate::elements::{AnyElement, Layout, Situation};
+use crate::elements::{AnyElement, Layout, Situation, Watched};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{Mode, Model, Node};
@@ -60,6 +60,8 @@ pub struct Plant<S: Scalar = f64> {
     scratch: Vec<S>,
     /// The state as it was before an element changes it.
     seen: State<S>,
+    /// Events that an answer or a change from outside has brought about.
+    also: Vec<Watched>,
     rotation_rates: Vec<bool>,
     /// Evaluations of the right-hand side so far.
     pub evaluations: u64,
@@ -102,6 +104,7 @@ impl<S: Scalar> Plant<S> {
             prescribed_rates: vec![S::ZERO; model.velocity_count],
             scratch: Vec::new(),
             seen: State::default(),
+            also: Vec::new(),
             rotation_rates,
             evaluations: 0,
             model,

@@ -215,8 +215,17 @@ impl<S: Scalar> Simulation<S> {
             self.drift(after, time_s, -delay);
             let happened = Happened { time_s, element, what: Cow::Borrowed(watched.what) };
             self.watch.note(self.state.steps, happened);
+            self.note_brought_about(time_s, self.state.steps);
         }
         Ok(())
+    }
+
+    /// Notes what an answer, or a change from outside, has brought about at a time; `of_step` is counted from 1.
+    pub(super) fn note_brought_about(&mut self, time_s: f64, of_step: u64) {
+        for watched in self.plant.brought_about() {
+            let element = self.plant.layout().names[watched.element].clone();
+            self.watch.note(of_step, Happened { time_s, element, what: Cow::Borrowed(watched.what) });
+        }
     }
 }
 

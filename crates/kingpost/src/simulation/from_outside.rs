@@ -144,6 +144,7 @@ impl Simulation {
         }
         let time_s = self.time_s();
         self.plant.set_input(i, value, time_s, &mut self.state);
+        self.note_brought_about(time_s, self.state.steps);
         self.steering.moved(self.state.steps, i, value);
         Ok(())
     }

@@ -54,6 +54,7 @@ impl Simulation {
         core::mem::swap(&mut next.steering, &mut self.steering);
         next.steering.parameter_set(next.state.steps, what);
         next.watch.note(next.state.steps, Happened { time_s, element: what.to_owned(), what: "was set".into() });
+        next.note_brought_about(time_s, next.state.steps);
         *self = next;
         Ok(())
     }

@@ -21,6 +21,7 @@ pub use setup::{SchemeName, Settings, Setup};
 pub use steering::{LeverMove, ParameterSet};
 
 use crate::elements::Layout;
+use crate::elements::ropes::PARTS_WORDS;
 use crate::integrate::{Interval, Scheme, Stage, System};
 use crate::model::Model;
 use crate::plant::{Extent, Plant};
@@ -210,9 +211,17 @@ impl<S: Scalar> Simulation<S> {
     }
 
     /// What a person should know of the rows that were written since the run began, or since its state was set from
-    /// outside; in order of time.
+    /// outside, and of ropes that parted; in order of time.
     pub fn warnings(&self) -> Vec<Warning> {
-        self.watching.warnings()
+        let parted = self.events().iter().filter(|happened| happened.what == PARTS_WORDS);
+        let parted = parted.map(|Happened { time_s, element, .. }| Warning {
+            time_s: *time_s,
+            name: element.clone(),
+            text: "parts: its tension has reached its breaking load".to_owned(),
+        });
+        let mut warnings: Vec<Warning> = parted.chain(self.watching.warnings()).collect();
+        warnings.sort_by(|one, other| one.time_s.total_cmp(&other.time_s));
+        warnings
     }
 
     /// How the limits held in the rows that were written since the run began, or since its state was set from outside.

@@ -85,6 +85,7 @@ impl<S: Scalar> Simulation<S> {
                 watch.note(state.steps + 1, Happened { time_s, element: element(), what: what.into() });
             }
         }
+        self.note_brought_about(time_s, self.state.steps + 1);
         Ok(())
     }
 

@@ -39,10 +39,8 @@ impl Watching {
         self.watched.clone_from(&self.fresh);
     }
 
-    /// What there is to warn of so far, in order of time.
-    pub(super) fn warnings(&self) -> Vec<Warning> {
-        let mut warnings: Vec<Warning> = self.watched.iter().flat_map(|(_, watcher)| watcher.warnings()).collect();
-        warnings.sort_by(|one, other| one.time_s.total_cmp(&other.time_s));
-        warnings
+    /// What there is to warn of so far.
+    pub(super) fn warnings(&self) -> impl Iterator<Item = Warning> {
+        self.watched.iter().flat_map(|(_, watcher)| watcher.warnings())
     }
 }

@@ -48,6 +48,7 @@ fn a_load_that_is_released_falls_and_what_carried_it_swings_up_by_its_weight() {
     let height = |found: &mut kingpost::Simulation| values(found, "position")[5];
     let start = height(&mut found);
     found.step(1000).expect("it falls");
+    assert!(found.events().iter().any(|event| (event.time_s, event.what.as_ref()) == (0.25, "is released")));
     let fallen = 0.75_f64;
     assert!((start - height(&mut found) - 0.5 * GRAVITY * fallen * fallen).abs() < 1e-6);
     assert_eq!(values(&mut found, "rope_tension"), [0.0]);
@@ -71,6 +72,9 @@ fn a_hand_may_release_a_load_and_it_stays_lost() {
     found.set_input("hook", 0.0).expect("it is a lever");
     found.step(100).expect("it falls");
     assert_eq!(values(&mut found, "rope_tension"), [0.0]);
+    let told: Vec<(f64, &str)> = found.events().iter().map(|event| (event.time_s, event.what.as_ref())).collect();
+    assert_eq!(told, [(0.1, "is released")]);
+    assert!(found.warnings().is_empty());
     // After a reset it hangs again.
     found.reset();
     found.step(300).expect("it hangs");

@@ -76,20 +76,24 @@ const PARTED: i64 = 3;
 /// How far a taut rope may be short of its length before it goes slack, m: rounding.
 const ROUNDING_M: f64 = 1e-10;
 /// Events, in the order of [`Rope::declare`].
-const EVENTS: [Event; 6] = [
+const EVENTS: [Event; 7] = [
     Event { what: "goes slack", crossing: Crossing::Falling },
     Event { what: "comes taut", crossing: Crossing::Rising },
     Event { what: "is hauled in to its end", crossing: Crossing::Falling },
     Event { what: "leaves its range at a sheave or drum, or two places of its path meet", crossing: Crossing::Falling },
     Event { what: "is paid out to the innermost layer of its drum", crossing: Crossing::Falling },
-    Event { what: "parts", crossing: Crossing::Rising },
+    Event { what: "is released", crossing: Crossing::Rising },
+    Event { what: PARTS_WORDS, crossing: Crossing::Rising },
 ];
 const GOES_SLACK: usize = 0;
 const COMES_TAUT: usize = 1;
 const HAULED_IN: usize = 2;
 const LEAVES_RANGE: usize = 3;
 const INNERMOST_LAYER: usize = 4;
-const PARTS: usize = 5;
+const IS_RELEASED: usize = 5;
+const PARTS: usize = 6;
+/// What the table of events says of a rope whose breaking load is reached.
+pub const PARTS_WORDS: &str = "parts";
 /// L, of that at the start, below which a rope is hauled in to its end: its stiffness stays that of this length.
 const SHORTEST: f64 = 1e-3;
 /// The lever at which a rope is released.
@@ -168,11 +172,14 @@ impl<S: Scalar> Element<S> for Rope<S> {
     }
 
     fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
-        if own.modes[0] != PARTED {
-            self.begin(at, own);
+        if own.modes[0] == PARTED {
+            return;
         }
-        if own.modes[0] == TAUT {
-            own.modes[0] = self.taut_or_parted(at);
+        self.begin(at, own);
+        match own.modes[0] {
+            PARTED => own.also = Some(IS_RELEASED),
+            TAUT => self.pull_or_part(at, own),
+            _ => {}
         }
     }
 
@@ -230,12 +237,12 @@ impl<S: Scalar> Element<S> for Rope<S> {
     }
 
     fn respond(&mut self, event: usize, at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
-        own.modes[0] = match event {
-            GOES_SLACK => SLACK,
-            COMES_TAUT => self.taut_or_parted(at),
-            PARTS => PARTED,
-            _ => return,
-        };
+        match event {
+            GOES_SLACK => own.modes[0] = SLACK,
+            COMES_TAUT => self.pull_or_part(at, own),
+            PARTS => own.modes[0] = PARTED,
+            _ => {}
+        }
     }
 
     /// Straight but for the last leg of a slack rope, which sags: of a flat parabola that is longer than its chord d by e the sag is

@@ -1,8 +1,8 @@
 //! How far a rope is stretched, and what it pulls with.
 
 use super::drum::PaidOut;
-use super::{BY_STRETCH, Extent, PARTED, Rope, SHORTEST, SLACK, TAUT};
-use crate::elements::{Moment, Situation};
+use super::{BY_STRETCH, Extent, PARTED, PARTS, Rope, SHORTEST, SLACK, TAUT};
+use crate::elements::{Moment, Own, Situation};
 use crate::scalar::Scalar;
 
 /// A rope at a moment.
@@ -50,15 +50,18 @@ impl<S: Scalar> Rope<S> {
         stretch / (self.unstretched_length / self.axial_stiffness + self.series_compliance)
     }
 
-    /// The mode of a rope that pulls: the damper alone may pull it apart as it comes taut.
-    pub(super) fn taut_or_parted(&mut self, at: &Moment<'_, S>) -> i64 {
+    /// A rope that begins to pull: its damper alone may part it as it comes taut.
+    pub(super) fn pull_or_part(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+        own.modes[0] = TAUT;
         if self.inextensible.is_some() {
-            return TAUT;
+            return;
         }
         let now = self.stretched(&Moment { modes: &[TAUT], ..*at });
         let largest = self.tensions(at, &now).1;
-        let parts = self.breaking_load.is_some_and(|load| (largest - load).all(|beyond| beyond > 0.0));
-        if parts { PARTED } else { TAUT }
+        if self.breaking_load.is_some_and(|load| (largest - load).all(|beyond| beyond > 0.0)) {
+            own.modes[0] = PARTED;
+            own.also = Some(PARTS);
+        }
     }
 
     /// The largest tension on its path where the bodies are, N.
