@@ -48,7 +48,7 @@ describe("the session", () => {
   let openings: Values[];
   let session: Session;
   let faults: (Fault | null)[];
-  const time = () => session.run!.columns.read(session.lastFrame!.row, "time");
+  const time = () => session.run!.columns.read(session.shown.moment!.row, "time");
 
   beforeEach(async () => {
     openings = [];
@@ -196,7 +196,7 @@ describe("the session", () => {
     expect(await session.open({ text: "bad", file: "bad.yaml" }, {})).toBe(false);
     expect(faults.at(-1)).toMatchObject({ kind: "scenario", file: "bad.yaml", line: 1 });
     await session.step();
-    expect(session.run!.columns.read(session.lastFrame!.row, "time")).toBeCloseTo(0.01, 12);
+    expect(session.run!.columns.read(session.shown.moment!.row, "time")).toBeCloseTo(0.01, 12);
     await session.reset();
     expect(session.status).toBe("idle");
   });
@@ -300,9 +300,9 @@ describe("the session", () => {
   it("runs on past the duration until it is paused", async () => {
     session.start();
     for (let i = 0; i < 40; i++) await session.advance(0.1);
-    expect(session.run!.columns.read(session.lastFrame!.row, "time")).toBeCloseTo(4, 9);
+    expect(session.run!.columns.read(session.shown.moment!.row, "time")).toBeCloseTo(4, 9);
     session.pause();
     await session.advance(0.1);
-    expect(session.run!.columns.read(session.lastFrame!.row, "time")).toBeCloseTo(4, 9);
+    expect(session.run!.columns.read(session.shown.moment!.row, "time")).toBeCloseTo(4, 9);
   });
 });

@@ -176,5 +176,7 @@ function surfaceBetween(from: PictureAtSea, to: PictureAtSea, time_s: number): S
   const share = shareOf(from, to, time_s);
   const [a, b] = [from.surface, to.surface];
   if (!a || !b || share === 0 || a.x_m[0] !== b.x_m[0] || a.y_m[0] !== b.y_m[0]) return a;
-  return { ...a, elevation_m: Float32Array.from(a.elevation_m, (one, i) => one + share * (b.elevation_m[i] - one)) };
+  const elevation_m = new Float32Array(a.elevation_m.length);
+  for (let i = 0; i < elevation_m.length; i++) elevation_m[i] = a.elevation_m[i] + share * (b.elevation_m[i] - a.elevation_m[i]);
+  return { ...a, elevation_m };
 }
