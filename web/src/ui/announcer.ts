@@ -17,7 +17,8 @@ export function announce(session: Session): void {
     opened: soon,
     statusChanged: soon,
     valuesChanged: soon,
-    moved: () => session.status !== "running" && soon(),
+    // Of an earlier moment that is looked up, the track says itself which it is.
+    moved: () => session.status !== "running" && !session.shown.isBack && soon(),
   });
 }
 

@@ -8,8 +8,6 @@ import { Series } from "./series";
 
 /** What a recording may take, bytes; a ship in waves over half an hour has more, and its older part is thinned. */
 export const DEPTH = { rows: 48e6, pictures: 40e6, keyframes: 8e6 };
-/** Most rows: a plot draws them all. */
-const MOST_ROWS = 20000;
 /** Pictures that are kept however close they are: the one that is drawn lags behind the newest. */
 const NEWEST_PICTURES = 3;
 /** Of an object beside its numbers, bytes, about. */
@@ -48,6 +46,7 @@ export class Recording {
   private readonly pictures: Series<PictureAtSea>;
   private readonly keyframes: Series<Keyframe>;
   private readonly told = { warnings: new Noted(), events: new Noted() };
+  private merged: { from: (readonly Warning[])[]; marks: readonly Warning[] } = { from: [], marks: [] };
   /** The newest, on a recording time or not. */
   now: Moment;
 
@@ -61,7 +60,7 @@ export class Recording {
     const pose_bytes = 8 * (poses.length + line_points.length) + OVERHEAD;
     const surface_bytes = surface ? 4 * surface.elevation_m.length + OVERHEAD : 0;
     const places = (bytes: number, each: number) => Math.max(16, Math.floor(bytes / each));
-    this.rows = new Series(Math.min(MOST_ROWS, places(DEPTH.rows, 8 * row.length + pose_bytes)));
+    this.rows = new Series(places(DEPTH.rows, 8 * row.length + pose_bytes));
     this.pictures = new Series(places(DEPTH.pictures, pose_bytes + surface_bytes));
     this.keyframes = new Series(places(DEPTH.keyframes, (keyframes[0]?.bytes.length ?? 0) + OVERHEAD), ({ isChange }) => !isChange);
     this.now = this.momentOf(frame);
@@ -104,7 +103,12 @@ export class Recording {
 
   /** What happened, warnings among it, in order of time. */
   get marks(): readonly Warning[] {
-    return [...this.told.warnings.all, ...this.told.events.all].sort((a, b) => a.time_s - b.time_s);
+    const from = [this.told.warnings.all, this.told.events.all];
+    // Asked for with every picture: put together where there is something new.
+    if (from.some((list, i) => list !== this.merged.from[i])) {
+      this.merged = { from, marks: from.flat().sort((a, b) => a.time_s - b.time_s) };
+    }
+    return this.merged.marks;
   }
 
   /** The moment at a time: the row is that of the recording time at or before it, bodies and sea are in between. */
