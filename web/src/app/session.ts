@@ -104,7 +104,7 @@ export class Session extends Told {
 
   /** A live value that is refused waits for the reset. */
   private async setLive(name: string, value: Value): Promise<void> {
-    if (this.shown.isBack) await this.branch();
+    if (!(await this.isAtCursor())) return;
     const run = this.run;
     await this.asked(this.client.parameter(name, value)).then(
       () => run === this.run && this.values.apply(name, value),
@@ -115,7 +115,7 @@ export class Session extends Told {
 
   /** Acts from the moment that is shown on. */
   async setInput(name: string, value: number): Promise<void> {
-    if (this.shown.isBack) await this.branch();
+    if (!(await this.isAtCursor())) return;
     await this.asked(this.client.input(name, value)).catch((fault: Fault) => this.reportOfRun(fault));
   }
 
@@ -159,6 +159,12 @@ export class Session extends Told {
       })
       .finally(() => (this.branching = null));
     return this.branching;
+  }
+
+  /** What is set by hand acts from the moment that is shown: false where the run cannot be brought there. */
+  private async isAtCursor(): Promise<boolean> {
+    if (this.shown.isBack) await this.branch();
+    return !this.shown.isBack;
   }
 
   private async goBack(run: Run, recording: Recording, time_s: number): Promise<void> {

@@ -143,7 +143,7 @@ export class Plot {
     const inside = index !== null && index < this.stretch.length;
     const row = this.shown.recording?.rows.around(this.shown.time_s)[0].row ?? [];
     setText(this.unitLabel, this.kind.units[this.unit]);
-    setText(this.at, inside ? `at ${fixed(times[index], 2)} s` : this.shown.isBack ? `at ${fixed(this.shown.time_s, 2)} s` : "");
+    setText(this.at, inside ? `at ${fixed(times[index], 2)} s` : "");
     this.values.forEach((value, i) => {
       const number = inside ? lines[i][index] : this.scaled(read(row, this.lines[i]), i);
       setText(value, fixed(number, decimalsOf(this.kind, this.unit)));

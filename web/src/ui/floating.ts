@@ -27,6 +27,7 @@ export class Floating {
       },
       moved: (run, moment) => this.show(run, moment),
       statusChanged: (status) => status === "paused" && this.askSoon(),
+      branched: () => this.askSoon(),
     });
   }
 

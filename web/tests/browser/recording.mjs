@@ -44,7 +44,6 @@ export default {
     assert.deepEqual([again.row, again.poses, again.newest_s], [early.row, early.poses, 1.2]);
     assert.equal(await page.getByTestId("time").textContent(), "0.40 s");
     await shows(page, "pitch-rates", plotted);
-    assert.equal(await page.locator("#plot-rates .plot-at").textContent(), "at 0.40 s");
     assert.equal(await cursor(page).getAttribute("aria-valuetext"), "0.40 s of 1.20 s");
     assert.equal(await page.locator("#start-label").textContent(), "From here");
     await cursor(page).blur();
