@@ -133,6 +133,13 @@ describe("a run that branches from an earlier moment", () => {
     await vi.waitFor(() => expect(session.shown.recording!.now.time_s).toBe(1));
     await vi.waitFor(() => expect(session.pending()).toEqual([]));
     expect(session.value(name)).toBe((value as number) * 0.5);
+    await run(session, 2);
+    // What is set where a later value was in force is the new value.
+    session.scrub(0.5);
+    session.set(name, (value as number) * 0.7);
+    await vi.waitFor(() => expect(session.shown.recording!.now.time_s).toBe(0.5));
+    await vi.waitFor(() => expect(session.pending()).toEqual([]));
+    expect(session.value(name)).toBe((value as number) * 0.7);
     expect(session.fault).toBeNull();
   });
 

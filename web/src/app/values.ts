@@ -31,10 +31,10 @@ export class SetValues {
     return this.applied;
   }
 
-  /** The run in hand went back to before it was set under way. */
+  /** The run in hand went back to before it was set under way; a control that wants another value still does. */
   goBack(name: string, value: Value): void {
+    if (this.wanted[name] === this.applied[name]) this.want(name, value);
     this.apply(name, value);
-    this.want(name, value);
   }
 
   /** These were refused: back to what the run in hand has, unless something newer is wanted by now. */
