@@ -5,7 +5,6 @@ import type { Frame, Opened } from "../engine/messages";
 import { faultOfControl, faultOfLostRun } from "./faults";
 import { Recording } from "./recording/recording";
 import { rewind } from "./recording/rewind";
-import { Shown } from "./recording/shown";
 import { runOf } from "./run";
 import type { Run, Source } from "./run";
 import { faultOfSaving, savedFile, type SavedFile } from "./saved";
@@ -17,8 +16,6 @@ export type { Listener, Run, Status } from "./run";
 
 /** The one state of the page: which scenario, which values, where the run stands, and which moment of it is shown. */
 export class Session extends Told {
-  run: Run | null = null;
-  readonly shown = new Shown();
   /** Over wall time; infinite for as fast as it goes. */
   speed = 1;
   readonly values = new SetValues();
@@ -145,8 +142,7 @@ export class Session extends Told {
   scrub(time_s: number): void {
     if (this.branching) return;
     this.pause();
-    this.shown.moveTo(time_s);
-    this.tellMoment();
+    this.look(time_s);
   }
 
   /** The run is brought back to the moment that is shown, to go on from there: what came after it is dropped. */
@@ -320,11 +316,5 @@ export class Session extends Told {
   /** What a control shows. */
   value(name: string): Value | undefined {
     return this.values.shown(name);
-  }
-
-  private tellMoment(): void {
-    const { run, shown } = this;
-    const { moment } = shown;
-    if (run && moment) this.emit((listener) => listener.moved?.(run, moment));
   }
 }

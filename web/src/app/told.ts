@@ -1,10 +1,13 @@
 import type { Fault } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
 import { Listeners } from "./listeners";
-import type { Listener, Status } from "./run";
+import { Shown } from "./recording/shown";
+import type { Listener, Run, Status } from "./run";
 
-/** How a run stands and what went wrong, and those who are told of it. */
+/** The run in hand: how it stands, which moment of it is shown and what went wrong, and those who are told of it. */
 export class Told {
+  run: Run | null = null;
+  readonly shown = new Shown();
   status: Status = "loading";
   /** What went wrong last, until it is dismissed or something opens. */
   fault: Fault | null = null;
@@ -36,6 +39,17 @@ export class Told {
     if (this.status === status) return;
     this.status = status;
     this.emit((listener) => listener.statusChanged?.(status));
+  }
+
+  protected look(time_s: number): void {
+    this.shown.moveTo(time_s);
+    this.tellMoment();
+  }
+
+  protected tellMoment(): void {
+    const { run, shown } = this;
+    const { moment } = shown;
+    if (run && moment) this.emit((listener) => listener.moved?.(run, moment));
   }
 
   protected emit(message: (listener: Listener) => void): void {
