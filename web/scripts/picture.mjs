@@ -40,6 +40,9 @@ for (const { file, scenario, viewport, scale, time_s, panel, turn_on } of PICTUR
   if (turn_on) await setChecked(page, turn_on, true);
   if (panel) await page.getByTestId(`show-${panel}`).click();
   await stepTo(page, time_s);
+  // What the engine warns of would stand before the plots.
+  const dismiss = page.getByTestId("run-warnings").getByLabel("Dismiss");
+  if (await dismiss.isVisible()) await dismiss.click();
   await page.waitForTimeout(2000);
   await page.screenshot({ path: folder + file });
   console.log(`docs/images/${file}`);

@@ -1,21 +1,30 @@
 import { describe, expect, it } from "vitest";
-import { History } from "../src/plots/history";
-import { timeRange, windowLength, wrapPlaces } from "../src/plots/window";
+import { Stretch } from "../src/plots/stretch";
+import { rangeInSight, timeRange, windowLength, wrapPlaces } from "../src/plots/window";
 
-describe("history", () => {
-  it("keeps the last records, contiguous, in bounded memory", () => {
-    const history = new History(2, 10);
-    for (let i = 0; i < 137; i++) {
-      history.push([i, -i]);
-      const kept = Math.min(i + 1, 10);
-      expect(history.length).toBe(kept);
-      expect(Array.from(history.column(0))).toEqual(Array.from({ length: kept }, (_, k) => i - kept + 1 + k));
-    }
-    expect(history.last(1)).toBe(-136);
-    expect(history.column(0).buffer.byteLength).toBe(20 * 8);
-    history.clear();
-    expect(history.length).toBe(0);
-    expect(history.last(0)).toBeNaN();
+describe("a stretch of the recording", () => {
+  const rows = Array.from({ length: 137 }, (_, i) => ({ time_s: i, row: Float64Array.of(i, -i, 3 * i, 4 * i), poses: new Float64Array(), line_points: new Float64Array() }));
+  const lines = [[1], [2, 3], [-1]];
+
+  it("has columns, lengths of vectors and what is missing, contiguous and as they are shown", () => {
+    const stretch = new Stretch();
+    stretch.fill(rows, [10, 20], lines, (value, line) => (line === 0 ? 2 * value : value));
+    const [times, column, length, missing] = stretch.data.map((one) => Array.from(one));
+    expect(times).toEqual([10, 11, 12, 13, 14, 15, 16, 17, 18, 19]);
+    expect(column).toEqual(times.map((time) => -2 * time));
+    expect(length).toEqual(times.map((time) => 5 * time));
+    expect(missing.every(Number.isNaN)).toBe(true);
+  });
+
+  it("takes no new memory where it moves along", () => {
+    const stretch = new Stretch();
+    stretch.fill(rows, [0, 30], lines, (value) => value);
+    const { buffer } = stretch.data[0];
+    stretch.fill(rows, [100, 137], lines, (value) => value);
+    expect(stretch.data[0].buffer).toBe(buffer);
+    expect(stretch.data[0].at(-1)).toBe(136);
+    stretch.fill(rows, [0, 0], lines, (value) => value);
+    expect(stretch.data.map(({ length }) => length)).toEqual([0, 0, 0, 0]);
   });
 });
 
@@ -35,6 +44,13 @@ describe("the window of time", () => {
     expect(timeRange(2, 3, 10)).toEqual([0, 3]);
     expect(timeRange(7, 3, 10)).toEqual([0, 7]);
     expect(timeRange(25, 3, 10)).toEqual([15, 25]);
+  });
+
+  it("moves back to an earlier moment that is shown, and only where it is out of sight", () => {
+    expect(rangeInSight(25, 20, 3, 10)).toEqual([15, 25]);
+    expect(rangeInSight(25, 12, 3, 10)).toEqual([7, 17]);
+    expect(rangeInSight(25, 2, 3, 10)).toEqual([0, 10]);
+    expect(rangeInSight(100, 3, 600, 600)).toEqual([0, 120]);
   });
 
   it("looks back at least ten seconds, and less where memory would run out", () => {

@@ -36,6 +36,7 @@ function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
     step: () => later(() => runner.step()),
     input: (name: string, value: number) => later(() => (runner.input(name, value), null)),
     snapshot: () => later(() => runner.snapshot()),
+    restore: (snapshot: Uint8Array) => later(() => runner.restore(snapshot)),
     replay: () => later(() => ({ ...runner.replay(), files: [] })),
     parameter: (name: string, value: Value) => later(() => (runner.parameter(name, value), null)),
   } as unknown as EngineClient;
@@ -48,7 +49,7 @@ describe("the session", () => {
   let openings: Values[];
   let session: Session;
   let faults: (Fault | null)[];
-  const time = () => session.run!.columns.read(session.lastFrame!.row, "time");
+  const time = () => session.run!.columns.read(session.shown.moment!.row, "time");
 
   beforeEach(async () => {
     openings = [];
@@ -196,7 +197,7 @@ describe("the session", () => {
     expect(await session.open({ text: "bad", file: "bad.yaml" }, {})).toBe(false);
     expect(faults.at(-1)).toMatchObject({ kind: "scenario", file: "bad.yaml", line: 1 });
     await session.step();
-    expect(session.run!.columns.read(session.lastFrame!.row, "time")).toBeCloseTo(0.01, 12);
+    expect(session.run!.columns.read(session.shown.moment!.row, "time")).toBeCloseTo(0.01, 12);
     await session.reset();
     expect(session.status).toBe("idle");
   });
@@ -232,6 +233,45 @@ describe("the session", () => {
     await session.reset();
     expect(session.status).toBe("idle");
     expect(session.fault).toBeNull();
+  });
+
+  it("goes on from before it diverged, and stops there again", async () => {
+    session = new Session(clientOf(openings, 0.0155));
+    await session.open(good, {});
+    await session.step();
+    await session.step();
+    session.scrub(0);
+    expect(session.status).toBe("stopped");
+    session.start();
+    await vi.waitFor(() => expect(session.status).toBe("running"));
+    expect([session.fault, time(), session.shown.recording!.now.time_s]).toEqual([null, 0, 0]);
+    await session.advance(0.1);
+    expect(session.status).toBe("stopped");
+    expect(session.fault).toMatchObject({ kind: "diverged" });
+    expect(time()).toBeCloseTo(0.015, 9);
+  });
+
+  it("shows an earlier moment though an answer comes later, and pauses for it", async () => {
+    session.start();
+    for (let i = 0; i < 3; i++) await session.advance(0.1);
+    const late = session.advance(0.1);
+    session.scrub(0.123);
+    await late;
+    expect([session.status, time()]).toEqual(["paused", 0.12]);
+    expect(session.shown.recording!.now.time_s).toBeCloseTo(0.4, 9);
+  });
+
+  it("says so where the way back fails, and neither starts nor tries for ever", async () => {
+    const client = clientOf(openings);
+    client.restore = () => Promise.reject({ kind: "input", message: "the snapshot is of another setup" });
+    session = new Session(client);
+    await session.open(good, {});
+    await session.step();
+    session.scrub(0);
+    session.start();
+    await settled();
+    expect([session.status, session.isGoing, session.fault?.message]).toEqual(["paused", false, "the snapshot is of another setup"]);
+    expect(session.shown.isBack).toBe(true);
   });
 
   it("goes on where a part of the page fails, tells the others and says so", async () => {
@@ -300,9 +340,9 @@ describe("the session", () => {
   it("runs on past the duration until it is paused", async () => {
     session.start();
     for (let i = 0; i < 40; i++) await session.advance(0.1);
-    expect(session.run!.columns.read(session.lastFrame!.row, "time")).toBeCloseTo(4, 9);
+    expect(session.run!.columns.read(session.shown.moment!.row, "time")).toBeCloseTo(4, 9);
     session.pause();
     await session.advance(0.1);
-    expect(session.run!.columns.read(session.lastFrame!.row, "time")).toBeCloseTo(4, 9);
+    expect(session.run!.columns.read(session.shown.moment!.row, "time")).toBeCloseTo(4, 9);
   });
 });

@@ -22,6 +22,11 @@ export class Accuracy {
 
   constructor(private readonly columns: Columns) {}
 
+  /** Nothing was in play yet. */
+  begin(): void {
+    this.energy_J = this.stored_J = this.momentum_N_m_s = 0;
+  }
+
   /** Takes one row into account. */
   see(row: ArrayLike<number>): void {
     const read = (name: string): number => this.columns.read(row, name);

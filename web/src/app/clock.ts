@@ -1,9 +1,6 @@
 import type { Session } from "./session";
 
-/**
- * Asks the session for the wall time since the last frame, once per frame that the browser draws:
- * a hidden tab draws none, so it pauses there.
- */
+/** Asks the session for the wall time since the last frame, once per frame that the browser draws; a hidden tab pauses. */
 export function runClock(session: Session, draw: () => void): void {
   let last_ms = performance.now();
   const tick = (now_ms: number) => {
@@ -14,4 +11,5 @@ export function runClock(session: Session, draw: () => void): void {
     requestAnimationFrame(tick);
   };
   requestAnimationFrame(tick);
+  document.addEventListener("visibilitychange", () => document.hidden && session.pause());
 }

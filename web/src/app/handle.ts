@@ -7,7 +7,9 @@ export interface Sample {
   time_s: number;
   /** Names of values that wait for a reset. */
   pending: string[];
-  /** The last row by column name, as in the CSV files. */
+  /** How far the recording reaches. */
+  newest_s: number;
+  /** The row that is shown by column name, as in the CSV files. */
   row: Record<string, number>;
   /** Per body x y z qw qx qy qz, world frame. */
   poses: number[];
@@ -24,15 +26,17 @@ declare global {
 export function exposeHandle(session: Session): void {
   window.kingpost = Object.freeze({
     sample() {
-      const { run, lastFrame, status } = session;
-      if (!run || !lastFrame) return null;
+      const { run, status, shown } = session;
+      const { moment } = shown;
+      if (!run || !moment) return null;
       return {
         status,
         pending: session.pending(),
-        time_s: run.columns.read(lastFrame.row, "time"),
-        row: run.columns.byName(lastFrame.row),
-        poses: Array.from(lastFrame.poses),
-        surface: lastFrame.surface,
+        time_s: run.columns.read(moment.row, "time"),
+        newest_s: shown.recording!.now.time_s,
+        row: run.columns.byName(moment.row),
+        poses: Array.from(moment.poses),
+        surface: moment.surface,
       };
     },
   });

@@ -25,7 +25,8 @@ export class Pace {
     return wall - fromWall >= WINDOW_S / 2 ? (time - from) / (wall - fromWall) : NaN;
   }
 
+  /** Where no speed is asked for, none is slow. */
   isSlow(asked: number): boolean {
-    return this.factor < SLOW * asked;
+    return Number.isFinite(asked) && this.factor < SLOW * asked;
   }
 }

@@ -2,6 +2,7 @@ import { Columns } from "../engine/columns";
 import type { Channel, DrawnLine, Fault, InputInfo, ModelInfo } from "../engine/engine";
 import type { Frame, Opened } from "../engine/messages";
 import { Accuracy } from "./accuracy";
+import type { Moment } from "./recording/recording";
 
 /**
  * empty: nothing could be opened; idle: at the start; stepping: on the way of one long Step; stopped: the run
@@ -31,6 +32,10 @@ export interface Listener {
   /** A scenario was opened, or the same one reset: everything starts anew. */
   opened?(run: Run, frame: Frame, isAnother: boolean): void;
   advanced?(run: Run, frame: Frame): void;
+  /** Another moment is shown: a newer one, or one that was looked up. */
+  moved?(run: Run, moment: Moment): void;
+  /** The run goes on from an earlier moment: what came after is no more. */
+  branched?(run: Run): void;
   statusChanged?(status: Status): void;
   valuesChanged?(): void;
   faulted?(fault: Fault | null): void;

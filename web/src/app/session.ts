@@ -3,22 +3,20 @@ import type { Fault, Value, Values } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
 import type { Frame, Opened } from "../engine/messages";
 import { faultOfControl, faultOfLostRun } from "./faults";
-import { Listeners } from "./listeners";
+import { Recording } from "./recording/recording";
+import { rewind } from "./recording/rewind";
 import { runOf } from "./run";
-import type { Listener, Run, Source, Status } from "./run";
+import type { Run, Source } from "./run";
 import { faultOfSaving, savedFile, type SavedFile } from "./saved";
+import { Told } from "./told";
 import { Latest, Turns } from "./turns";
 import { SetValues } from "./values";
 
 export type { Listener, Run, Status } from "./run";
 
-/** The one state of the page: which scenario, which values, and where the run stands. */
-export class Session {
-  run: Run | null = null;
-  lastFrame: Frame | null = null;
-  status: Status = "loading";
-  /** What went wrong last, until it is dismissed or something opens. */
-  fault: Fault | null = null;
+/** The one state of the page: which scenario, which values, where the run stands, and which moment of it is shown. */
+export class Session extends Told {
+  /** Over wall time; infinite for as fast as it goes. */
   speed = 1;
   readonly values = new SetValues();
   /** What Reset opens. */
@@ -31,13 +29,11 @@ export class Session {
   /** What was asked for while one was under way, to be done after it. */
   private due: "start" | "step" | null = null;
   private advancing = false;
+  private branching: Promise<void> | null = null;
   private isRecovering = false;
-  private readonly listeners = new Listeners((fault) => this.report(fault));
 
-  constructor(private readonly client: EngineClient) {}
-
-  listen(listener: Listener): void {
-    this.listeners.add(listener);
+  constructor(private readonly client: EngineClient) {
+    super();
   }
 
   /** Opens another scenario; one that does not read leaves the run in hand as it was. */
@@ -105,6 +101,7 @@ export class Session {
 
   /** A live value that is refused waits for the reset. */
   private async setLive(name: string, value: Value): Promise<void> {
+    if (!(await this.isAtCursor())) return;
     const run = this.run;
     await this.asked(this.client.parameter(name, value)).then(
       () => run === this.run && this.values.apply(name, value),
@@ -113,7 +110,9 @@ export class Session {
     this.emit((listener) => listener.valuesChanged?.());
   }
 
+  /** Acts from the moment that is shown on. */
   async setInput(name: string, value: number): Promise<void> {
+    if (!(await this.isAtCursor())) return;
     await this.asked(this.client.input(name, value)).catch((fault: Fault) => this.reportOfRun(fault));
   }
 
@@ -139,7 +138,53 @@ export class Session {
     return this.status === "running" || this.status === "stepping" || this.due === "start";
   }
 
+  /** Pauses, and shows the recorded moment that is nearest to a time. */
+  scrub(time_s: number): void {
+    if (this.branching) return;
+    this.pause();
+    this.look(time_s);
+  }
+
+  /** The run is brought back to the moment that is shown, to go on from there: what came after it is dropped. */
+  private branch(): Promise<void> {
+    const { run, shown } = this;
+    const { time_s } = shown;
+    this.branching ??= this.turns
+      .take(async () => {
+        if (run && run === this.run && shown.recording) await this.goBack(run, shown.recording, time_s);
+      })
+      .finally(() => (this.branching = null));
+    return this.branching;
+  }
+
+  /** What is set by hand acts from the moment that is shown: false where the run cannot be brought there. */
+  private async isAtCursor(): Promise<boolean> {
+    if (this.shown.isBack) await this.branch();
+    return !this.shown.isBack;
+  }
+
+  private async goBack(run: Run, recording: Recording, time_s: number): Promise<void> {
+    const { values } = this;
+    try {
+      const restored = rewind(this.client, recording, time_s, values.inForce, (name, value) => values.goBack(name, value));
+      const { inputs, frame } = await this.asked(restored);
+      run.inputs = inputs;
+      recording.dropAfter(frame);
+    } catch (fault) {
+      this.due = null;
+      return this.reportOfRun(fault as Fault);
+    }
+    this.shown.follow();
+    if (this.status === "stopped") this.dismissFault();
+    this.become("paused");
+    this.emit((listener) => listener.branched?.(run));
+    this.emit((listener) => listener.valuesChanged?.());
+    this.tellMoment();
+  }
+
+  /** From an earlier moment that is shown the run branches. */
   start(): void {
+    if (this.shown.isBack) void this.branch();
     if (this.turns.isBusy) this.intend("start");
     else if (this.status === "idle" || this.status === "paused") this.become("running");
   }
@@ -156,7 +201,8 @@ export class Session {
 
   /** One recording interval. */
   async step(): Promise<void> {
-    if (!this.run || this.status === "stopped" || this.status === "stepping") return;
+    if (!this.run || this.status === "stepping" || (this.status === "stopped" && !this.shown.isBack)) return;
+    if (this.shown.isBack) void this.branch();
     if (this.turns.isBusy) return this.intend("step");
     this.become("paused");
     let frame = await this.take(this.client.step());
@@ -179,24 +225,6 @@ export class Session {
   beEmpty(fault: Fault): void {
     this.become("empty");
     this.report(fault);
-  }
-
-  dismissFault(): void {
-    this.tellFault(null);
-  }
-
-  report(fault: Fault): void {
-    this.tellFault(fault);
-  }
-
-  /** That the engine is gone is said once the run has begun anew. */
-  private reportOfRun(fault: Fault): void {
-    if (!isOfEngine(fault)) this.report(fault);
-  }
-
-  private tellFault(fault: Fault | null): void {
-    this.fault = fault;
-    this.emit((listener) => listener.faulted?.(fault));
   }
 
   private intend(due: "start" | "step" | null): void {
@@ -228,8 +256,9 @@ export class Session {
   }
 
   private show(run: Run, frame: Frame): void {
-    this.lastFrame = frame;
+    this.shown.recording?.add(frame, this.values.inForce);
     this.emit((listener) => listener.advanced?.(run, frame));
+    if (!this.shown.isBack) this.tellMoment();
     if (!frame.fault) return;
     this.become("stopped");
     this.report(frame.fault);
@@ -259,8 +288,9 @@ export class Session {
   private accept(opened: Opened, overrides: Values, source: Source | null): void {
     const run = runOf(opened);
     this.run = run;
-    this.lastFrame = opened.frame;
     this.values.begin(opened, overrides);
+    const interval_s = Math.max(run.model.record_every_s, run.model.step_s);
+    this.shown.begin(new Recording(run.columns, interval_s, opened.frame, this.values.inForce));
     if (source) {
       this.source = source;
       this.values.wanted = { ...overrides };
@@ -286,15 +316,5 @@ export class Session {
   /** What a control shows. */
   value(name: string): Value | undefined {
     return this.values.shown(name);
-  }
-
-  private become(status: Status): void {
-    if (this.status === status) return;
-    this.status = status;
-    this.emit((listener) => listener.statusChanged?.(status));
-  }
-
-  private emit(message: (listener: Listener) => void): void {
-    this.listeners.tell(message);
   }
 }

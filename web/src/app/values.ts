@@ -26,6 +26,17 @@ export class SetValues {
     this.overrides = { ...this.overrides, [name]: value };
   }
 
+  /** All that the run in hand has; another object after a change. */
+  get inForce(): Values {
+    return this.applied;
+  }
+
+  /** The run in hand went back to before it was set under way; a control that wants another value still does. */
+  goBack(name: string, value: Value): void {
+    if (this.wanted[name] === this.applied[name]) this.want(name, value);
+    this.apply(name, value);
+  }
+
   /** These were refused: back to what the run in hand has, unless something newer is wanted by now. */
   giveUp(tried: Values): void {
     if (Object.keys(this.wanted).some((name) => this.wanted[name] !== tried[name])) return;

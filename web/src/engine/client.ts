@@ -65,7 +65,7 @@ export class EngineClient {
     return this.ask({ kind: "snapshot" });
   }
 
-  restore(snapshot: Uint8Array): Promise<null> {
+  restore(snapshot: Uint8Array): Promise<Replies["restore"]> {
     return this.ask({ kind: "restore", snapshot });
   }
 

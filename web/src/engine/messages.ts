@@ -23,10 +23,23 @@ export type Request =
   | { kind: "restore"; snapshot: Uint8Array }
   | { kind: "parameter"; name: string; value: Value };
 
+/** A state of the engine to go on from. */
+export interface Snapshot {
+  time_s: number;
+  bytes: Uint8Array;
+  /** Whether something was set by hand just before: nothing is between one of these and the next. */
+  isChange: boolean;
+}
+
 /** What a stretch of simulation produced. */
 export interface Frame {
   /** Rows at the recording times passed, one after another, each as wide as `row`. */
   rows: Float64Array;
+  /** Poses and points of lines at the same times, one after another. */
+  row_poses: Float64Array;
+  row_line_points: Float64Array;
+  /** States passed, now and then and wherever something was set by hand. */
+  keyframes: Snapshot[];
   /** The row now, on a recording time or not. */
   row: Float64Array;
   /** Per body x y z qw qx qy qz, world frame. */
@@ -37,6 +50,8 @@ export interface Frame {
   surface: Surface | null;
   /** What a person should know of the rows so far. */
   warnings: Warning[];
+  /** What happened in the run so far, and what a hand set. */
+  events: Warning[];
   /** Whether the recording time that was asked for lies further on: there is more to compute than one frame has time for. */
   isPart: boolean;
   /** Why the run cannot go on. */
@@ -48,6 +63,12 @@ export interface Opened {
   lines: DrawnLine[];
   settings: Settings;
   channels: Channel[];
+  inputs: InputInfo[];
+  frame: Frame;
+}
+
+/** The run as it stands where it was brought back to. */
+export interface Restored {
   inputs: InputInfo[];
   frame: Frame;
 }
@@ -77,7 +98,7 @@ export interface Replies {
   parameter: null;
   replay: Replay;
   snapshot: Uint8Array;
-  restore: null;
+  restore: Restored;
 }
 
 /** Everything that goes to the worker. */

@@ -1,6 +1,7 @@
 import { asFault, readModel, readSettings } from "./engine";
 import type { Engine, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
-import type { Frame, Opened, Replay } from "./messages";
+import { eventsOf } from "./events";
+import type { Frame, Opened, Replay, Restored, Snapshot } from "./messages";
 import { SurfaceGrid } from "./surface";
 
 /** Longest stretch of wall time that one frame may catch up with, s: a slow machine runs slowly. */
@@ -10,6 +11,19 @@ const BUDGET_MS = 40;
 /** Most steps between two looks at the clock, and how long they may take, ms. */
 const STEPS_AT_ONCE = 64;
 const MS_AT_ONCE = 8;
+/** Recording times from one keyframe to the next. */
+const KEYFRAME_EVERY = 10;
+
+/** What was taken at the times that a frame passed. */
+interface Taken {
+  steps: number;
+  rows: Float64Array[];
+  poses: Float64Array[];
+  line_points: Float64Array[];
+  keyframes: Snapshot[];
+}
+
+const nothing = (): Taken => ({ steps: 0, rows: [], poses: [], line_points: [], keyframes: [] });
 
 /** Owns the engine: opens scenarios, steps to the wall clock, records rows. */
 export class Runner {
@@ -20,6 +34,8 @@ export class Runner {
   private stepsAtOnce = 1;
   private owed_s = 0;
   private fault: Fault | null = null;
+  /** Whether something was set by hand since the last step. */
+  private isSet = false;
 
   constructor(
     private readonly openEngine: OpenEngine,
@@ -37,25 +53,28 @@ export class Runner {
     this.stepsPerRecord = Math.max(1, Math.round(model.record_every_s / engine.step_s()));
     this.owed_s = 0;
     this.fault = null;
+    this.isSet = false;
+    const start = nothing();
+    this.record(start);
     return {
       model,
       lines: JSON.parse(engine.lines_json()),
       settings: readSettings(engine.resolved_json()),
       channels: JSON.parse(engine.channels_json()),
       inputs: JSON.parse(engine.inputs_json()),
-      frame: this.frame([engine.row()]),
+      frame: this.frame(start),
     };
   }
 
-  /** Advances by `wall_s` times `speed`, as far as the budget of one frame goes; null where no step is due. */
+  /** Advances by `wall_s` times `speed`, which may be infinite, as far as the budget of one frame goes; null where no step is due. */
   advance(wall_s: number, speed: number): Frame | null {
     const engine = this.current();
     const step_s = engine.step_s();
-    this.owed_s += Math.min(wall_s, LONGEST_WALL_S) * speed;
+    this.owed_s += speed === Infinity ? Infinity : Math.min(wall_s, LONGEST_WALL_S) * speed;
     const wanted = Math.floor(this.owed_s / step_s + 1e-9);
     const done = this.take(wanted, this.now_ms() + BUDGET_MS);
     this.owed_s = done.steps < wanted ? 0 : this.owed_s - wanted * step_s;
-    return done.steps > 0 || this.fault ? this.frame(done.rows) : null;
+    return done.steps > 0 || this.fault ? this.frame(done) : null;
   }
 
   /** Steps towards the next recording time, as far as the budget of one frame goes. */
@@ -63,15 +82,22 @@ export class Runner {
     this.owed_s = 0;
     const wanted = this.toNextRecord();
     const done = this.take(wanted, this.now_ms() + BUDGET_MS);
-    return { ...this.frame(done.rows), isPart: done.steps < wanted && !this.fault };
+    return { ...this.frame(done), isPart: done.steps < wanted && !this.fault };
   }
 
   snapshot(): Uint8Array {
     return this.current().snapshot();
   }
 
-  restore(snapshot: Uint8Array): void {
-    this.current().restore(snapshot);
+  /** The run goes on from a state that it had; a fault that it came to later is no more. */
+  restore(snapshot: Uint8Array): Restored {
+    const engine = this.current();
+    engine.restore(snapshot);
+    this.steps = Math.round(engine.time_s() / engine.step_s());
+    this.owed_s = 0;
+    this.fault = null;
+    this.isSet = false;
+    return { inputs: JSON.parse(engine.inputs_json()), frame: this.frame(nothing()) };
   }
 
   /** How the hulls float at rest with the crane as it stands; a hull that cannot float is a warning. */
@@ -85,10 +111,12 @@ export class Runner {
 
   input(name: string, value: number): void {
     this.current().set_input(name, value);
+    this.isSet = true;
   }
 
   parameter(name: string, value: Value): void {
     this.current().set_parameter(name, JSON.stringify(value));
+    this.isSet = true;
   }
 
   /** The run as a scenario, but for the files that it names. */
@@ -112,25 +140,41 @@ export class Runner {
     return this.stepsPerRecord - (this.steps % this.stepsPerRecord);
   }
 
-  private take(wanted: number, deadline_ms: number): { steps: number; rows: Float64Array[] } {
+  private take(wanted: number, deadline_ms: number): Taken {
     const engine = this.current();
-    const rows: Float64Array[] = [];
+    const taken = nothing();
     let left = this.fault ? 0 : wanted;
+    if (left > 0 && this.isSet) this.keep(taken);
     for (let from_ms = this.now_ms(); left > 0 && from_ms < deadline_ms; from_ms = this.now_ms()) {
       const n = Math.min(left, this.toNextRecord(), this.stepsAtOnce);
       try {
         engine.step(n);
       } catch (thrown) {
         this.fault = asFault(thrown);
-        rows.push(engine.row());
+        this.record(taken);
         break;
       }
       this.steps += n;
+      taken.steps += n;
       left -= n;
       this.pace(n, this.now_ms() - from_ms);
-      if (this.steps % this.stepsPerRecord === 0) rows.push(engine.row());
+      if (this.steps % this.stepsPerRecord === 0) this.record(taken);
     }
-    return { steps: wanted - left, rows };
+    return taken;
+  }
+
+  private record(taken: Taken): void {
+    const engine = this.current();
+    taken.rows.push(engine.row());
+    taken.poses.push(engine.poses());
+    taken.line_points.push(engine.line_points());
+    if (!this.fault && this.steps % (KEYFRAME_EVERY * this.stepsPerRecord) === 0) this.keep(taken);
+  }
+
+  private keep({ keyframes }: Taken): void {
+    const engine = this.current();
+    keyframes.push({ time_s: engine.time_s(), bytes: engine.snapshot(), isChange: this.isSet });
+    this.isSet = false;
   }
 
   /** As many steps at once as leave room for looks at the clock. */
@@ -139,14 +183,33 @@ export class Runner {
     this.stepsAtOnce = Math.max(1, Math.min(fits, 2 * this.stepsAtOnce, STEPS_AT_ONCE));
   }
 
-  private frame(rows: Float64Array[]): Frame {
+  private frame({ rows, poses, line_points, keyframes }: Taken): Frame {
     const engine = this.current();
-    const row = engine.row();
-    const flat = new Float64Array(rows.length * row.length);
-    rows.forEach((one, index) => flat.set(one, index * row.length));
-    const poses = engine.poses();
-    const surface = this.grid?.surface(engine, poses) ?? null;
-    const warnings = JSON.parse(engine.warnings_json()) as Warning[];
-    return { rows: flat, row, poses, line_points: engine.line_points(), surface, warnings, isPart: false, fault: this.fault };
+    const poses_now = engine.poses();
+    return {
+      rows: flat(rows),
+      row_poses: flat(poses),
+      row_line_points: flat(line_points),
+      keyframes,
+      row: engine.row(),
+      poses: poses_now,
+      line_points: engine.line_points(),
+      surface: this.grid?.surface(engine, poses_now) ?? null,
+      warnings: JSON.parse(engine.warnings_json()) as Warning[],
+      events: eventsOf(engine),
+      isPart: false,
+      fault: this.fault,
+    };
   }
+}
+
+/** One after another. */
+function flat(parts: Float64Array[]): Float64Array {
+  const all = new Float64Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const part of parts) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
 }

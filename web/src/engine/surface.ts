@@ -19,7 +19,7 @@ export interface Surface {
   x_m: Float64Array;
   y_m: Float64Array;
   /** At every crossing, along the first x first, m. */
-  elevation_m: Float64Array;
+  elevation_m: Float64Array | Float32Array;
 }
 
 /** Where the surface is asked for: around the hull, on lines that stay where they are as it drifts. */

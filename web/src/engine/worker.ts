@@ -70,8 +70,7 @@ async function answer(request: Request): Promise<unknown> {
     case "snapshot":
       return runner.snapshot();
     case "restore":
-      runner.restore(request.snapshot);
-      return null;
+      return runner.restore(request.snapshot);
     case "parameter":
       runner.parameter(request.name, request.value);
       return null;
@@ -84,7 +83,8 @@ function buffersOf(value: unknown): Transferable[] {
   if ("frame" in value) return buffersOf(value.frame);
   if (!("rows" in value)) return [];
   const frame = value as Frame;
-  const arrays = [frame.rows, frame.row, frame.poses, frame.surface?.elevation_m];
+  const { rows, row_poses, row_line_points, row, poses, line_points, surface, keyframes } = frame;
+  const arrays = [rows, row_poses, row_line_points, row, poses, line_points, surface?.elevation_m, ...keyframes.map(({ bytes }) => bytes)];
   return arrays.flatMap((array) => (array ? [array.buffer as ArrayBuffer] : []));
 }
 

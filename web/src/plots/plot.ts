@@ -1,11 +1,14 @@
 import uPlot from "uplot";
 import { fixed } from "../app/format";
+import type { Shown } from "../app/recording/shown";
+import type { Columns } from "../engine/columns";
 import { make, setText } from "../ui/dom";
-import { History } from "./history";
 import { decimalsOf, PER_RADIAN, scaleOf } from "./quantities";
 import type { FigureKey, PlotKind, Unit } from "./quantities";
+import { read, Stretch } from "./stretch";
+import type { Places } from "./stretch";
 import { rowsOf } from "./table";
-import { timeRange, wrapPlaces } from "./window";
+import { rangeInSight, wrapPlaces } from "./window";
 
 /** Room for the half of the last time on the axis that stands out, pixels. */
 const LAST_TICK_PX = 24;
@@ -13,13 +16,7 @@ const LAST_TICK_PX = 24;
 /** Least time between two tables of the same plot, ms. */
 const TABLE_EVERY_MS = 1000;
 
-interface Legend {
-  value: HTMLElement;
-  column: number;
-  offset: number;
-}
-
-/** One figure: what it shows, to choose; legend with the values at the crosshair or now; the lines. */
+/** One figure: what it shows, to choose; legend with the values at the crosshair or the moment that is shown; the lines. */
 export class Plot {
   private chart: uPlot | null = null;
   private unit: Unit = "deg";
@@ -31,14 +28,12 @@ export class Plot {
   private readonly unitLabel = make("span", { class: "plot-unit" });
   private readonly choice: HTMLSelectElement;
   private readonly legend = make("span", { class: "plot-legend" });
-  private legends: Legend[] = [];
-  private columns: number[] = [];
+  private values: HTMLElement[] = [];
+  private lines: Places[] = [];
   private kinds: PlotKind[] = [];
-  /** Names of the columns of the history. */
-  private names: string[] = [];
+  private columns: Columns | null = null;
   private kind: PlotKind = { title: "", quantities: [], units: { deg: "", rad: "" }, turns: true, wraps: false };
-  private history = new History(1, 1);
-  private scaled: Float64Array[] = [];
+  private readonly stretch = new Stretch();
   /** The same in numbers, for those who do not see it. */
   private readonly table = make("table");
   private tabledAt_ms = -Infinity;
@@ -48,6 +43,7 @@ export class Plot {
     figure: HTMLElement,
     private readonly key: FigureKey,
     label: string,
+    private readonly shown: Shown,
   ) {
     this.choice = make("select", { class: "plot-choice", "aria-label": label, "data-testid": `choice-${key}` });
     this.choice.addEventListener("change", () => this.show(this.choice.selectedIndex));
@@ -57,12 +53,11 @@ export class Plot {
     new ResizeObserver(() => this.resize()).observe(this.area);
   }
 
-  /** What can be shown, and the history that has it. A choice that is still there stays. */
-  offer(kinds: PlotKind[], history: History, names: string[]): void {
+  /** What can be shown of rows with these columns. A choice that is still there stays. */
+  offer(kinds: PlotKind[], columns: Columns): void {
     const kept = kinds.findIndex(({ title }) => title === this.kind.title);
     this.kinds = kinds;
-    this.history = history;
-    this.names = names;
+    this.columns = columns;
     this.choice.replaceChildren(...kinds.map(({ title }) => make("option", {}, title)));
     this.show(Math.max(0, kept));
   }
@@ -70,18 +65,13 @@ export class Plot {
   private show(index: number): void {
     this.choice.selectedIndex = index;
     this.kind = this.kinds[index];
-    this.columns = this.kind.quantities.map(({ column }) => this.names.indexOf(column));
-    this.legends = this.kind.quantities.map((quantity, i) => ({
-      value: make("span", { class: "plot-value", "data-testid": `${quantity.key}-${this.key}` }),
-      column: this.columns[i],
-      offset: quantity.offset ?? 0,
-    }));
+    this.lines = this.kind.quantities.map(({ column, lengthOf }) => (lengthOf ?? [column]).map((name) => this.columns!.at(name)));
+    this.values = this.kind.quantities.map(({ key }) => make("span", { class: "plot-value", "data-testid": `${key}-${this.key}` }));
     const entries = this.kind.quantities.map((quantity, i) =>
-      make("span", { class: "plot-entry" }, make("span", { class: `swatch swatch-${quantity.key}` }), quantity.label, this.legends[i].value),
+      make("span", { class: "plot-entry" }, make("span", { class: `swatch swatch-${quantity.key}` }), quantity.label, this.values[i]),
     );
     this.legend.replaceChildren(...entries);
     this.area.setAttribute("aria-label", `${this.kind.title} over time`);
-    this.scaled = [];
     this.restyle();
   }
 
@@ -111,7 +101,8 @@ export class Plot {
     const now = performance.now();
     if (this.isTabled || now - this.tabledAt_ms < TABLE_EVERY_MS) return;
     [this.isTabled, this.tabledAt_ms] = [true, now];
-    const [times, ...lines] = this.scaledData() as unknown as Float64Array[];
+    this.fill();
+    const [times, ...lines] = this.stretch.data;
     const write = (value: number) => fixed(value, decimalsOf(this.kind, this.unit));
     const heads = ["", ...this.kind.quantities.map(({ label }) => `${label}, ${this.kind.units[this.unit]}`)];
     const row = ([head, ...cells]: string[]) => make("tr", {}, make("th", { scope: "row" }, head), ...cells.map((cell) => make("td", {}, cell)));
@@ -124,38 +115,39 @@ export class Plot {
     this.drawTable();
     if (!this.stale || this.area.clientWidth < 40 || this.area.clientHeight < 40) return this.drawLegend();
     this.stale = false;
+    const [min, max] = this.fill();
     this.chart ??= this.makeChart();
-    this.chart.setData(this.scaledData(), false);
-    const [min, max] = timeRange(this.history.last(0) || 0, this.duration_s, this.window_s);
+    this.chart.setData(this.stretch.data as unknown as uPlot.AlignedData, false);
     this.chart.setScale("x", { min, max });
     this.drawLegend();
   }
 
-  private scaledData(): uPlot.AlignedData {
-    const n = this.history.length;
-    if (this.scaled.length === 0 || this.scaled[0].length < n) {
-      this.scaled = this.columns.map(() => new Float64Array(Math.max(256, 2 * n)));
-    }
-    const factor = scaleOf(this.kind, this.unit);
-    const series = this.columns.map((column, i) => {
-      const from = this.history.column(column);
-      const { offset } = this.legends[i];
-      const to = this.scaled[i].subarray(0, n);
-      for (let k = 0; k < n; k++) to[k] = (from[k] + offset) * factor;
-      return to;
-    });
-    return [this.history.column(0), ...series] as unknown as uPlot.AlignedData;
+  /** Takes what is in sight from the recording; returns the range of time, s. */
+  private fill(): [number, number] {
+    const rows = this.shown.recording?.rows;
+    const last_s = rows?.last?.time_s ?? 0;
+    const range = rangeInSight(last_s, this.shown.time_s, this.duration_s, this.window_s);
+    // One record beyond the left edge, so that the line comes from there.
+    const places: [number, number] = rows ? [Math.max(0, rows.indexAt(range[0])), rows.indexAt(range[1]) + 1] : [0, 0];
+    this.stretch.fill(rows?.items ?? [], places, this.lines, (value, i) => this.scaled(value, i));
+    return range;
+  }
+
+  private scaled(value: number, line: number): number {
+    return (value + (this.kind.quantities[line].offset ?? 0)) * scaleOf(this.kind, this.unit);
   }
 
   private drawLegend(): void {
     const index = this.chart?.cursor.idx ?? null;
-    const inside = index !== null && index < this.history.length;
+    const [times, ...lines] = index === null ? [] : this.stretch.data;
+    const inside = index !== null && index < this.stretch.length;
+    const row = this.shown.recording?.rows.around(this.shown.time_s)[0].row ?? [];
     setText(this.unitLabel, this.kind.units[this.unit]);
-    setText(this.at, inside ? `at ${fixed(this.history.column(0)[index], 2)} s` : "");
-    for (const { value, column, offset } of this.legends) {
-      const number = inside ? this.history.column(column)[index] : this.history.last(column);
-      setText(value, fixed((number + offset) * scaleOf(this.kind, this.unit), decimalsOf(this.kind, this.unit)));
-    }
+    setText(this.at, inside ? `at ${fixed(times[index], 2)} s` : "");
+    this.values.forEach((value, i) => {
+      const number = inside ? lines[i][index] : this.scaled(read(row, this.lines[i]), i);
+      setText(value, fixed(number, decimalsOf(this.kind, this.unit)));
+    });
   }
 
   private resize(): void {
@@ -180,9 +172,24 @@ export class Plot {
         { ...axis, grid, size: 28, values: (_u, splits) => splits.map((split) => `${Number(split.toPrecision(6))} s`) },
         { ...axis, grid, size: 52, values: (_u, splits) => splits.map((split) => fixed(split, 6).replace(/\.?0+$/, "")) },
       ],
+      hooks: { draw: [(u) => this.drawMoment(u, colour("--accent"))] },
       series: [{}, ...this.kind.quantities.map(({ key, label }) => this.line(label, colour(`--${key}`)))],
     };
-    return new uPlot(options, this.scaledData(), this.area);
+    return new uPlot(options, this.stretch.data as unknown as uPlot.AlignedData, this.area);
+  }
+
+  /** A line across at an earlier moment that is shown. */
+  private drawMoment({ ctx, bbox, valToPos }: uPlot, stroke: string): void {
+    if (!this.shown.isBack) return;
+    const x = Math.round(valToPos(this.shown.time_s, "x", true)) + 0.5;
+    ctx.save();
+    ctx.strokeStyle = stroke;
+    ctx.lineWidth = devicePixelRatio;
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.restore();
   }
 
   private line(label: string, stroke: string): uPlot.Series {

@@ -1,12 +1,10 @@
-/** Most records that the plots keep. */
+/** Most records that the plots show. */
 const MOST_RECORDS = 20000;
-/** Most numbers that they keep, in all columns. */
-const MOST_NUMBERS = 4e6;
 
-/** How long the plots look back, s: the scenario's duration, at least 10 s, as memory allows. */
-export function windowLength(duration_s: number, interval_s: number, columns = 1): { window_s: number; capacity: number } {
+/** How long the plots look back, s: the scenario's duration, at least 10 s, as can be drawn. */
+export function windowLength(duration_s: number, interval_s: number): { window_s: number; capacity: number } {
   const wanted_s = Math.max(duration_s, 10);
-  const capacity = Math.min(MOST_RECORDS, Math.floor(MOST_NUMBERS / columns), Math.ceil(wanted_s / interval_s) + 2);
+  const capacity = Math.min(MOST_RECORDS, Math.ceil(wanted_s / interval_s) + 2);
   return { window_s: Math.min(wanted_s, (capacity - 2) * interval_s), capacity };
 }
 
@@ -21,6 +19,14 @@ export function timeRange(now_s: number, duration_s: number, window_s: number): 
   // No last stretch that is hardly longer than the one before.
   const end = Math.max(now_s, 1.3 * stretch > whole ? whole : stretch);
   return [Math.max(0, end - window_s), end];
+}
+
+/** The same, moved so far that a moment is in it which lies before. */
+export function rangeInSight(now_s: number, shown_s: number, duration_s: number, window_s: number): [number, number] {
+  const [from, to] = timeRange(now_s, duration_s, window_s);
+  if (shown_s >= from) return [from, to];
+  const start = Math.max(0, shown_s - window_s / 2);
+  return [start, start + window_s];
 }
 
 /** Pairs of neighbouring places between which an angle jumps around the circle. */

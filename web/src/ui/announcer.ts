@@ -17,14 +17,16 @@ export function announce(session: Session): void {
     opened: soon,
     statusChanged: soon,
     valuesChanged: soon,
-    advanced: () => session.status === "paused" && soon(),
+    // Of an earlier moment that is looked up, the track says itself which it is.
+    moved: () => session.status !== "running" && !session.shown.isBack && soon(),
   });
 }
 
 /** In words, without what changes while it runs. */
 function wordsOf(session: Session): string {
-  const { run, lastFrame, status } = session;
-  const time = run && lastFrame ? `${fixed(run.columns.read(lastFrame.row, "time"), 2)} s` : "";
+  const { run, status, shown } = session;
+  const { moment } = shown;
+  const time = run && moment ? `${fixed(run.columns.read(moment.row, "time"), 2)} s` : "";
   const words: Record<typeof status, string> = {
     loading: "Loading the engine.",
     empty: "Nothing is open.",
@@ -34,5 +36,6 @@ function wordsOf(session: Session): string {
     paused: `Paused at ${time}.`,
     stopped: `Stopped at ${time}.`,
   };
+  if (shown.isBack) return `Shows ${time} of ${fixed(shown.recording!.now.time_s, 2)} s.`;
   return `${words[status]} ${byId("hint").textContent}`.trimEnd();
 }

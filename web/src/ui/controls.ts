@@ -1,5 +1,5 @@
 import type { Session } from "../app/session";
-import type { ParameterInfo } from "../engine/engine";
+import type { InputInfo, ParameterInfo } from "../engine/engine";
 import { checkbox, choice, number, sliderRange } from "./items";
 import type { Item } from "./items";
 import { byId, make } from "./dom";
@@ -9,12 +9,14 @@ export class Controls {
   private readonly form = byId<HTMLFormElement>("parameters");
   private readonly levers = make("div", { id: "levers" });
   private items: Item[] = [];
+  private inputs: Item[] = [];
 
   constructor(private readonly session: Session) {
     this.form.addEventListener("submit", (event) => event.preventDefault());
     session.listen({
       opened: (run, _frame, isAnother) => (isAnother ? this.build(run.model.parameters) : this.showLevers()),
       valuesChanged: () => this.show(),
+      branched: (run) => this.showInputs(run.inputs),
     });
   }
 
@@ -38,7 +40,8 @@ export class Controls {
   /** A lever for each input that a hand sets, and what sets the others. */
   private showLevers(): void {
     const inputs = this.session.run?.inputs ?? [];
-    const free = group("Levers", "group-numbers", inputs.filter((input) => !input.signal).map((input) => this.lever(input.name)));
+    this.inputs = inputs.filter((input) => !input.signal).map(({ name }) => this.lever(name));
+    const free = group("Levers", "group-numbers", this.inputs.map(({ element }) => element));
     const taken = inputs.filter((input) => input.signal);
     const words = taken.map((input) => `${input.name.replaceAll("_", " ")} by ${input.signal}`).join(", ");
     const note = taken.length > 0 ? make("p", { class: "muted" }, `Set by the scenario: ${words}.`) : null;
@@ -59,7 +62,7 @@ export class Controls {
   }
 
   /** A lever acts at once, at any time. */
-  private lever(name: string): HTMLElement {
+  private lever(name: string): Item {
     const input = this.session.run!.inputs.find((one) => one.name === name)!;
     const range = sliderRange(input);
     const lever = number({ name: `input-${name}`, label: name.replaceAll("_", " "), unit: input.unit, range }, (value) => {
@@ -67,7 +70,15 @@ export class Controls {
       lever.show(value, false);
     });
     lever.show(input.value, false);
-    return lever.element;
+    return lever;
+  }
+
+  /** Where the run branches levers are as they were; one in a hand is as the hand has it. */
+  private showInputs(inputs: readonly InputInfo[]): void {
+    for (const { name, element, show } of this.inputs) {
+      const input = inputs.find((one) => `input-${one.name}` === name);
+      if (input && !element.contains(document.activeElement)) show(input.value, false);
+    }
   }
 
   private show(): void {

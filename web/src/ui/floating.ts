@@ -3,7 +3,7 @@ import type { Aside } from "../app/aside";
 import { fixed } from "../app/format";
 import type { Run, Session } from "../app/session";
 import type { Hydrostatics } from "../engine/engine";
-import type { Frame } from "../engine/messages";
+import type { Moment } from "../app/recording/recording";
 import { byId, byTestId, make, setText } from "./dom";
 
 /** Hydrostatics are asked for once the controls have been left alone for so long, ms: they cost more than many frames. */
@@ -25,13 +25,14 @@ export class Floating {
         this.showAtRest(null);
         this.askSoon();
       },
-      advanced: (run, frame) => this.show(run, frame),
+      moved: (run, moment) => this.show(run, moment),
       statusChanged: (status) => status === "paused" && this.askSoon(),
+      branched: () => this.askSoon(),
     });
   }
 
-  private show(run: Run, frame: Frame): void {
-    const found = afloat(run.model, run.columns, frame.row, frame.poses);
+  private show(run: Run, { row, poses }: Pick<Moment, "row" | "poses">): void {
+    const found = afloat(run.model, run.columns, row, poses);
     this.box.hidden = found === null;
     if (!found) return;
     setText(byTestId("heel"), degrees(found.heel_rad));

@@ -1,4 +1,5 @@
 import type { Frame } from "../engine/messages";
+import type { Recording } from "../app/recording/recording";
 import type { Run, Session } from "../app/session";
 import { duration, fixed, integratorName, scientific } from "../app/format";
 import { byTestId, setText } from "./dom";
@@ -23,18 +24,18 @@ export class Readouts {
         byTestId("integrator").title = name;
         this.how = `${name.replace(/ \(.*/, "")}, ${duration(run.model.step_s)}`;
         setText(byTestId("title"), run.model.title);
-        this.show(run, frame);
+        see(run, frame);
+        this.show(run, frame.row);
       },
-      advanced: (run, frame) => this.show(run, frame),
+      advanced: see,
+      moved: (run, { row }) => this.show(run, row),
+      branched: (run) => session.shown.recording && seeAnew(run, session.shown.recording),
     });
   }
 
-  private show(run: Run, frame: Frame): void {
-    const { width } = run.columns;
-    for (let at = 0; at < frame.rows.length; at += width) run.accuracy.see(frame.rows.subarray(at, at + width));
-    run.accuracy.see(frame.row);
-    const errors = run.accuracy.errors(frame.row);
-    setText(this.time, `${fixed(run.columns.read(frame.row, "time"), 2)} s`);
+  private show(run: Run, row: Float64Array): void {
+    const errors = run.accuracy.errors(row);
+    setText(this.time, `${fixed(run.columns.read(row, "time"), 2)} s`);
     setText(this.energy, relative(errors.energy, errors.energy_J, `${scientific(errors.energy_J)} J`));
     setText(this.momentum, relative(errors.momentum, errors.momentum_N_m_s, "–"));
     setText(this.energyAbsolute, `${scientific(errors.energy_J)} J`);
@@ -42,6 +43,18 @@ export class Readouts {
     const worst = Math.max(errors.energy || 0, errors.momentum || 0);
     setText(this.summary, `${this.how}; errors ${worst > 0 ? scientific(worst) : "none"}`);
   }
+}
+
+/** Errors are in proportion to the largest energy and momentum of all rows so far. */
+function see(run: Run, frame: Frame): void {
+  const { width } = run.columns;
+  for (let at = 0; at < frame.rows.length; at += width) run.accuracy.see(frame.rows.subarray(at, at + width));
+  run.accuracy.see(frame.row);
+}
+
+function seeAnew(run: Run, { rows }: Recording): void {
+  run.accuracy.begin();
+  for (const { row } of rows.items) run.accuracy.see(row);
 }
 
 /** Before anything has moved there is nothing to be in proportion to: no error is 0, and another is as it is. */

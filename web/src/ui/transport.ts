@@ -12,6 +12,7 @@ export class Transport {
   private readonly reset = byId<HTMLButtonElement>("reset");
   private readonly speed = byId<HTMLSelectElement>("speed");
   private readonly hint = byId("hint");
+  private isBack = false;
 
   constructor(private readonly session: Session) {
     this.start.addEventListener("click", () => this.toggle());
@@ -22,6 +23,7 @@ export class Transport {
     session.listen({
       statusChanged: (status) => this.show(status),
       valuesChanged: () => this.show(session.status),
+      moved: () => this.showBack(),
     });
     this.show(session.status);
   }
@@ -31,10 +33,19 @@ export class Transport {
     else this.session.start();
   }
 
+  /** What Start does follows from whether an earlier moment is shown. */
+  private showBack(): void {
+    if (this.isBack === this.session.shown.isBack) return;
+    this.isBack = this.session.shown.isBack;
+    this.show(this.session.status);
+  }
+
   private show(status: Status): void {
     const running = this.session.isGoing;
-    const dead = status === "stopped" || status === "loading" || status === "empty";
-    setText(byId("start-label"), running ? "Pause" : status === "paused" ? "Resume" : "Start");
+    const { isBack } = this.session.shown;
+    const dead = (status === "stopped" && !isBack) || status === "loading" || status === "empty";
+    setText(byId("start-label"), running ? "Pause" : isBack ? "From here" : status === "paused" ? "Resume" : "Start");
+    this.start.title = isBack ? "Goes on from the moment that is shown; what came after it is dropped" : "";
     byId("start-icon").setAttribute("d", running ? PAUSE : PLAY);
     this.start.disabled = dead;
     this.step.disabled = dead;
@@ -46,10 +57,10 @@ export class Transport {
   }
 
   private line(status: Status): string {
-    const { run, lastFrame } = this.session;
+    const { run, shown } = this.session;
     if (status === "loading") return "Loading the engine…";
     if (status === "empty") return this.session.source ? "Reset tries again." : "Open a scenario.";
-    if (!run || !lastFrame || status !== "stopped") return "";
-    return `Stopped at ${fixed(run.columns.read(lastFrame.row, "time"), 3)} s. Reset to start again.`;
+    if (!run || !shown.recording || status !== "stopped") return "";
+    return `Stopped at ${fixed(shown.recording.now.time_s, 3)} s. Reset to start again.`;
   }
 }

@@ -7,7 +7,7 @@ export function showWarnings(session: Session): void {
   const region = byId("run-warnings");
   let shown = "";
   let dismissed = 0;
-  const show = (warnings: Warning[]): void => {
+  const show = (warnings: readonly Warning[]): void => {
     const left = warnings.length > dismissed ? warnings : [];
     const texts = left.map(({ name, text }) => `${name}: ${text}`);
     if (texts.join("\n") === shown) return;
@@ -27,6 +27,11 @@ export function showWarnings(session: Session): void {
       dismissed = 0;
       show(frame.warnings);
     },
-    advanced: (_, frame) => show(frame.warnings),
+    advanced: () => show(session.shown.recording?.warnings ?? []),
+    branched: () => {
+      const warnings = session.shown.recording?.warnings ?? [];
+      dismissed = Math.min(dismissed, warnings.length);
+      show(warnings);
+    },
   });
 }

@@ -1,3 +1,4 @@
+import { Playback } from "../app/recording/playback";
 import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
 import { length } from "../app/format";
@@ -31,12 +32,35 @@ export function createScene(session: Session): { draw(): void } {
       view.showSea(frame.surface, true);
       setText(byId("scene-note"), noteOf(run.model, view.spacing()));
     },
-    advanced: (_run, frame) => {
-      view.show(frame);
-      view.showSea(frame.surface, false);
-    },
   });
-  return { draw: () => view.draw() };
+  const timeOfPicture = follow(session);
+  let drawn: unknown = null;
+  return {
+    draw() {
+      const { recording } = session.shown;
+      const moment = recording && recording.at(timeOfPicture());
+      // What is the same is not drawn again; between two poses every moment is another.
+      if (moment && moment.poses !== drawn) {
+        view.show(moment);
+        view.showSea(moment.surface, false);
+        drawn = moment.poses;
+      }
+      view.draw();
+    },
+  };
+}
+
+/** The time of the picture: while a run goes a little behind the newest, else the one that is shown everywhere. */
+function follow(session: Session): () => number {
+  const playback = new Playback();
+  const wall_s = () => performance.now() / 1000;
+  const jump = () => playback.begin(session.shown.time_s, wall_s());
+  session.listen({
+    opened: jump,
+    statusChanged: (status) => status === "running" && jump(),
+    moved: (_run, { time_s }) => (session.status === "running" ? playback.hear(time_s, wall_s()) : jump()),
+  });
+  return () => playback.at(wall_s());
 }
 
 /** A browser may take the graphics away, and gives them back empty. */

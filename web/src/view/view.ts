@@ -26,7 +26,7 @@ const FRAME_LENGTH = 0.14;
 /** What of a run is drawn. */
 type Shown = Pick<Run, "model" | "lines">;
 /** What of a moment is drawn. */
-type Moment = { [part in keyof Pick<Frame, "poses" | "line_points">]: ArrayLike<number> };
+type Pose = { [part in keyof Pick<Frame, "poses" | "line_points">]: ArrayLike<number> };
 
 /** The 3D picture: world z up, a body's object at the pose that the engine gives. Drawn on demand. */
 export class View {
@@ -43,7 +43,7 @@ export class View {
   private palette: Palette = readPalette();
   private lines: DrawnLines | null = null;
   private run: Shown | null = null;
-  private frame: Moment = { poses: [], line_points: [] };
+  private frame: Pose = { poses: [], line_points: [] };
   private surface: Surface | null = null;
   private framesShown = false;
   private stale = true;
@@ -65,7 +65,7 @@ export class View {
   }
 
   /** Builds the bodies; `refit` when it is another model and not the same one reset. */
-  build(run: Shown, frame: Moment, refit: boolean): void {
+  build(run: Shown, frame: Pose, refit: boolean): void {
     const { model } = run;
     this.run = run;
     this.frame = frame;
@@ -100,7 +100,7 @@ export class View {
     this.stale = true;
   }
 
-  show(frame: Moment): void {
+  show(frame: Pose): void {
     this.frame = frame;
     this.eye.follow(frame.poses);
     this.place(frame);
@@ -127,7 +127,7 @@ export class View {
     this.renderer.render(this.scene, this.eye.camera);
   }
 
-  private place({ poses, line_points }: Moment): void {
+  private place({ poses, line_points }: Pose): void {
     this.bodies.forEach((body, i) => {
       const at = 7 * i;
       body.position.set(poses[at], poses[at + 1], poses[at + 2]);

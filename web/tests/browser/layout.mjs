@@ -78,6 +78,23 @@ const layouts = Object.entries({ ...SCREENS, ...SMALL }).map(([name, viewport]) 
   },
 ]);
 
+const lookedUp = [DESKTOP, SMALL.tablet, PHONE, { width: 320, height: 640 }].map((viewport) => [
+  `crops nothing where an earlier moment is shown, ${viewport.width}x${viewport.height}`,
+  async (host) => {
+    const { page, close } = await openApp(host, { viewport });
+    await page.getByTestId("speed").selectOption("Infinity");
+    await page.getByTestId("start").click();
+    await page.waitForFunction(() => window.kingpost.sample().newest_s > 100);
+    await page.getByTestId("cursor").focus();
+    await page.keyboard.press("PageDown");
+    await page.waitForFunction(() => document.getElementById("start-label").textContent === "From here");
+    await assertUncropped(page, viewport);
+    const track = await page.evaluate(() => [".track", ".scrubber-time"].map((part) => document.querySelector(part).getBoundingClientRect()).map(({ left, right, width }) => ({ left, right, width })));
+    assert.ok(track[0].width > 150 && track[0].right <= track[1].left && track[1].right <= viewport.width, JSON.stringify(track));
+    await close();
+  },
+]);
+
 const accessible = ["light", "dark"].flatMap((colorScheme) =>
   [PHONE, DESKTOP].map((viewport) => [
     `passes axe, ${colorScheme}, ${viewport.width}x${viewport.height}`,
@@ -97,6 +114,7 @@ const accessible = ["light", "dark"].flatMap((colorScheme) =>
 export default {
   ...Object.fromEntries(layouts),
   ...Object.fromEntries(accessible),
+  ...Object.fromEntries(lookedUp),
 
   async "says the state of the run, and the plots in numbers, to those who do not see them"(host) {
     const { page, close } = await openApp(host);

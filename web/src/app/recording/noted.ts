@@ -1,0 +1,25 @@
+import type { Warning } from "../../engine/engine";
+
+/** What an engine tells of a run, kept where it goes back in time and begins its list anew. */
+export class Noted {
+  private kept: readonly Warning[] = [];
+  all: readonly Warning[] = [];
+  private heard: readonly Warning[] = [];
+
+  /** The engine's list so far. */
+  hear(list: readonly Warning[]): void {
+    const isSame = list.length === this.heard.length && list.every((one, i) => isOne(one, this.heard[i]));
+    if (isSame) return;
+    this.heard = list;
+    const known = new Set(this.kept.map(keyOf));
+    this.all = [...this.kept, ...list.filter((one) => !known.has(keyOf(one)))];
+  }
+
+  dropAfter(time_s: number): void {
+    this.kept = this.all.filter((one) => one.time_s <= time_s);
+    [this.all, this.heard] = [this.kept, []];
+  }
+}
+
+const keyOf = ({ time_s, name, text }: Warning) => `${time_s} ${name} ${text}`;
+const isOne = (a: Warning, b: Warning) => a.time_s === b.time_s && a.name === b.name && a.text === b.text;

@@ -1,0 +1,30 @@
+import type { EngineClient } from "../../engine/client";
+import type { Value, Values } from "../../engine/engine";
+import type { Restored } from "../../engine/messages";
+import type { Recording } from "./recording";
+
+/**
+ * Brings the engine back to a recorded time: a keyframe before it is restored, and the way from there is gone again, to the
+ * same bits, for nothing was set in between. `values` are the parameters that the engine has now; those that were set
+ * under way are told to `set` where they go back.
+ */
+export async function rewind(
+  client: EngineClient,
+  recording: Recording,
+  time_s: number,
+  values: Values,
+  set: (name: string, value: Value) => void,
+): Promise<Restored> {
+  const keyframe = recording.keyframeAt(time_s);
+  if (!keyframe) throw { kind: "input", message: "The recording has no state left so early: Reset starts the run again." };
+  // The engine takes a state back only with the parameters that it was of.
+  for (const [name, value] of Object.entries(keyframe.values)) {
+    if (values[name] === value) continue;
+    await client.parameter(name, value);
+    set(name, value);
+  }
+  const restored = await client.restore(keyframe.bytes);
+  let { frame } = restored;
+  while (recording.timeOf(frame.row) < time_s && !frame.fault) frame = await client.step();
+  return { ...restored, frame };
+}

@@ -1,0 +1,37 @@
+import { Recording, type Moment } from "./recording";
+
+/** The recording of the run in hand, and the cursor in it: it follows the newest until an earlier time is looked up. */
+export class Shown {
+  recording: Recording | null = null;
+  private back_s: number | null = null;
+
+  begin(recording: Recording): void {
+    this.recording = recording;
+    this.follow();
+  }
+
+  follow(): void {
+    this.back_s = null;
+  }
+
+  /** To the recorded time that is nearest. */
+  moveTo(time_s: number): void {
+    const { recording } = this;
+    if (!recording) return;
+    const nearest_s = recording.nearest(time_s);
+    this.back_s = nearest_s < recording.now.time_s ? nearest_s : null;
+  }
+
+  get time_s(): number {
+    return this.back_s ?? this.recording?.now.time_s ?? 0;
+  }
+
+  /** Whether a moment before the newest is shown. */
+  get isBack(): boolean {
+    return this.back_s !== null;
+  }
+
+  get moment(): Moment | null {
+    return this.recording?.at(this.time_s) ?? null;
+  }
+}

@@ -1,0 +1,40 @@
+import { fixed } from "../app/format";
+import type { Warning } from "../engine/engine";
+
+/** What happened closer together than this share of the track has one mark. */
+const TOGETHER = 1 / 150;
+/** Of so many the words are given, the others are counted. */
+const MOST_WORDS = 4;
+
+/** Where something happened along the track. */
+export interface Mark {
+  /** From 0 at the start to 1 at the end. */
+  share: number;
+  words: string;
+}
+
+/** Marks of what happened, in order of time; those that a track cannot tell apart are one. */
+export function marksOf(happened: readonly Warning[], from_s: number, to_s: number): Mark[] {
+  const length_s = to_s - from_s;
+  if (length_s <= 0) return [];
+  const together: { share: number; all: Warning[] }[] = [];
+  for (const one of happened) {
+    const share = Math.min(1, Math.max(0, (one.time_s - from_s) / length_s));
+    const last = together.at(-1);
+    if (last && share - last.share < TOGETHER) last.all.push(one);
+    else together.push({ share, all: [one] });
+  }
+  return together.map(({ share, all }) => ({ share, words: wordsOf(all) }));
+}
+
+function wordsOf(all: Warning[]): string {
+  const words = all.slice(0, MOST_WORDS).map(({ time_s, name, text }) => `${fixed(time_s, 2)} s, ${name}: ${text}`);
+  return [...words, ...(all.length > MOST_WORDS ? [`and ${all.length - MOST_WORDS} more`] : [])].join("\n");
+}
+
+/** Words of the mark that is nearest to a place, where one is near. */
+export function wordsNear(marks: readonly Mark[], share: number, near: number): string {
+  const away = (mark: Mark) => Math.abs(mark.share - share);
+  const nearest = marks.reduce<Mark | null>((so, mark) => (so && away(so) <= away(mark) ? so : mark), null);
+  return nearest && away(nearest) <= Math.max(near, TOGETHER / 2) ? nearest.words : "";
+}

@@ -1,0 +1,68 @@
+import { fixed } from "../app/format";
+import type { Session } from "../app/session";
+import { byId, byTestId, make, setText } from "./dom";
+import { marksOf, wordsNear } from "./marks";
+import type { Mark } from "./marks";
+
+/** How near to a mark its words are shown, as a share of the track. */
+const NEAR = 1 / 100;
+
+/** The whole recording as a track: the moment that is shown, what happened when, and a way to any moment of it. */
+export class Scrubber {
+  private readonly range = byId<HTMLInputElement>("cursor");
+  private readonly list = byId("marks");
+  private readonly time = byTestId("cursor-time");
+  private marks: Mark[] = [];
+  private listed = "";
+
+  constructor(private readonly session: Session) {
+    this.range.addEventListener("input", () => session.scrub(this.range.valueAsNumber));
+    this.range.addEventListener("keydown", (event) => this.key(event));
+    this.range.addEventListener("pointermove", (event) => this.point(event));
+    const show = () => this.show();
+    session.listen({ opened: show, advanced: show, moved: show, branched: show, statusChanged: show });
+    this.show();
+  }
+
+  /** From record to record; the rest is the browser's. */
+  private key(event: KeyboardEvent): void {
+    const records = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+    const { recording, time_s } = this.session.shown;
+    if (!records || !recording || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    this.session.scrub(recording.beside(time_s, records));
+  }
+
+  /** Says what happened where the pointer is. */
+  private point({ clientX }: PointerEvent): void {
+    const { left, width } = this.list.getBoundingClientRect();
+    this.range.title = wordsNear(this.marks, (clientX - left) / width, NEAR);
+  }
+
+  private show(): void {
+    const { recording, time_s } = this.session.shown;
+    this.range.disabled = recording === null;
+    if (!recording) return;
+    const { start_s, now } = recording;
+    this.range.min = String(start_s);
+    this.range.max = String(now.time_s);
+    this.range.value = String(time_s);
+    const words = `${fixed(time_s, 2)} s of ${fixed(now.time_s, 2)} s`;
+    setText(this.time, `${fixed(time_s, 2)} / ${fixed(now.time_s, 2)} s`);
+    this.showMarks();
+    const length_s = now.time_s - start_s;
+    const happened = length_s > 0 ? wordsNear(this.marks, (time_s - start_s) / length_s, 0) : "";
+    this.range.setAttribute("aria-valuetext", happened ? `${words}. ${happened}` : words);
+  }
+
+  private showMarks(): void {
+    const { marks, start_s, now } = this.session.shown.recording!;
+    this.marks = marksOf(marks, start_s, now.time_s);
+    // A run that goes on shifts them a little all the time: they move where it is seen.
+    const listed = this.marks.map(({ share, words }) => `${share.toFixed(3)} ${words}`).join("\n");
+    if (listed === this.listed) return;
+    this.listed = listed;
+    const item = ({ share, words }: Mark) => make("li", { style: `left: ${(100 * share).toFixed(2)}%` }, make("span", { class: "visually-hidden" }, words));
+    this.list.replaceChildren(...this.marks.map(item));
+  }
+}

@@ -1,0 +1,157 @@
+import { describe, expect, it, vi } from "vitest";
+import { Session } from "../src/app/session";
+import type { EngineClient } from "../src/engine/client";
+import type { Value, Values } from "../src/engine/engine";
+import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
+import { Runner } from "../src/engine/runner";
+import { bits, filesOf, initEngine, read } from "./gallery";
+
+await initEngine();
+
+/** A session on the engine itself, without a worker. */
+async function opened(scenario: string, overrides: Values = {}): Promise<Session> {
+  const text = read(`scenarios/${scenario}.yaml`);
+  const files = JSON.parse(await filesOf(text)) as Record<string, string>;
+  const runner = new Runner((...of) => new Simulation(...of), () => 0);
+  const client = {
+    open: async (...[one, file, values]: [string, string, Values]) => runner.open(one, file, values, files),
+    advance: async (wall_s: number, speed: number) => runner.advance(wall_s, speed),
+    step: async () => runner.step(),
+    input: async (name: string, value: number) => runner.input(name, value),
+    parameter: async (name: string, value: Value) => runner.parameter(name, value),
+    snapshot: async () => runner.snapshot(),
+    restore: async (snapshot: Uint8Array) => runner.restore(snapshot),
+    replay: async () => ({ ...runner.replay(), files: [] }),
+  } as unknown as EngineClient;
+  const session = new Session(client);
+  await session.open({ text, file: `${scenario}.yaml` }, overrides);
+  expect(session.fault).toBeNull();
+  return session;
+}
+
+/** Runs for a while. */
+async function run(session: Session, seconds: number): Promise<void> {
+  session.start();
+  await vi.waitFor(() => expect(session.status).toBe("running"));
+  for (let i = 0; i < Math.round(seconds / 0.13); i++) await session.advance(0.13);
+  session.pause();
+}
+
+/** The bits of rows and poses, by their times. */
+const recorded = (session: Session) => new Map(session.shown.recording!.rows.items.map(({ time_s, row, poses }) => [time_s, bits([...row, ...poses])]));
+
+/** Of the times in both, those where something differs. */
+function differences(one: Map<number, string[]>, other: Map<number, string[]>): number[] {
+  return [...one.keys()].filter((time) => other.has(time) && String(one.get(time)) !== String(other.get(time)));
+}
+
+describe("a run that branches from an earlier moment", () => {
+  it.each(["lowering_by_winch", "lift_off_from_barge", "paper"])("has the same bits at the same times where nothing was changed: %s", async (scenario) => {
+    const session = await opened(scenario);
+    const end_s = scenario === "paper" ? 2 : 8;
+    await run(session, end_s);
+    const before = recorded(session);
+    session.scrub(0.6 * end_s);
+    expect(session.shown.isBack).toBe(true);
+    const { time_s } = session.shown;
+    expect(bits(session.shown.moment!.row)).toEqual(before.get(time_s)!.slice(0, session.run!.columns.width));
+    await run(session, end_s);
+    const after = recorded(session);
+    expect(session.shown.recording!.now.time_s).toBeGreaterThan(1.5 * end_s);
+    expect([...before.keys()].filter((time) => !after.has(time))).toEqual([]);
+    expect(differences(before, after)).toEqual([]);
+  });
+
+  it("keeps what a hand did before the moment, drops what it did after, and says so in the file that it saves", async () => {
+    const session = await opened("lowering_by_winch");
+    await run(session, 3);
+    await session.setInput("hoist", -66);
+    await run(session, 3);
+    await session.setInput("hoist", 50);
+    await run(session, 3);
+    const before = recorded(session);
+    const texts = () => session.shown.recording!.marks.filter(({ name }) => name === "hoist").map(({ text }) => text);
+    expect(texts()).toEqual(["set to -66 by hand", "set to 50 by hand"]);
+    session.scrub(4.5);
+    await run(session, 4);
+    expect(texts()).toEqual(["set to -66 by hand"]);
+    const after = recorded(session);
+    const first = Math.min(...differences(before, after));
+    expect(first).toBeGreaterThan(5.9);
+    expect(first).toBeLessThan(6.3);
+    expect((await session.save())!.text).not.toContain("to: 50");
+  });
+
+  it("goes the way that the hand gave it where the moment is that of the change", async () => {
+    const session = await opened("lowering_by_winch");
+    for (let i = 0; i < 20; i++) await session.step();
+    await session.setInput("hoist", -66);
+    for (let i = 0; i < 20; i++) await session.step();
+    const before = recorded(session);
+    session.scrub(2);
+    expect(session.shown.time_s).toBe(2);
+    for (let i = 0; i < 20; i++) {
+      await session.step();
+      // The first of them branches before it.
+      await vi.waitFor(() => expect(session.shown.recording!.now.time_s).toBeCloseTo(2.1 + 0.1 * i, 9));
+    }
+    expect(differences(before, recorded(session))).toEqual([]);
+    expect(session.run!.inputs.find(({ name }) => name === "hoist")!.value).toBe(-66);
+  });
+
+  it("has another future where a lever is moved at the moment, which branches there and then", async () => {
+    const session = await opened("lowering_by_winch");
+    await run(session, 5);
+    const before = recorded(session);
+    session.scrub(3);
+    await session.setInput("hoist", -66);
+    expect(session.shown.isBack).toBe(false);
+    expect(session.status).toBe("paused");
+    expect(session.shown.recording!.now.time_s).toBe(3);
+    await run(session, 2);
+    const found = differences(before, recorded(session));
+    expect(Math.min(...found)).toBeGreaterThan(3);
+    expect(Math.min(...found)).toBeLessThan(3.3);
+  });
+
+  it("takes live parameters back to what they were, in the engine and in the controls", async () => {
+    const session = await opened("offshore_vessel_moored");
+    const { name, value } = session.run!.model.parameters.find(({ live }) => live)!;
+    await run(session, 3);
+    session.set(name, (value as number) * 0.5);
+    await vi.waitFor(() => expect(session.pending()).toEqual([]));
+    await run(session, 3);
+    const before = recorded(session);
+    session.scrub(2);
+    await run(session, 6);
+    expect(session.value(name)).toBe(value);
+    expect(session.pending()).toEqual([]);
+    const found = differences(before, recorded(session));
+    expect(Math.min(...found)).toBeGreaterThan(2.9);
+    session.scrub(1);
+    session.set(name, (value as number) * 0.5);
+    await vi.waitFor(() => expect(session.shown.recording!.now.time_s).toBe(1));
+    await vi.waitFor(() => expect(session.pending()).toEqual([]));
+    expect(session.value(name)).toBe((value as number) * 0.5);
+    await run(session, 2);
+    // What is set where a later value was in force is the new value.
+    session.scrub(0.5);
+    session.set(name, (value as number) * 0.7);
+    await vi.waitFor(() => expect(session.shown.recording!.now.time_s).toBe(0.5));
+    await vi.waitFor(() => expect(session.pending()).toEqual([]));
+    expect(session.value(name)).toBe((value as number) * 0.7);
+    expect(session.fault).toBeNull();
+  });
+
+  it("is at the start where nothing is earlier, and follows the newest again at the end", async () => {
+    const session = await opened("paper");
+    await run(session, 1);
+    session.scrub(-5);
+    expect(session.shown.time_s).toBe(0);
+    session.scrub(99);
+    expect(session.shown.isBack).toBe(false);
+    session.scrub(0);
+    await session.reset();
+    expect([session.status, session.shown.isBack, session.shown.time_s]).toEqual(["idle", false, 0]);
+  });
+});

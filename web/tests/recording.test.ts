@@ -1,0 +1,240 @@
+import { describe, expect, it } from "vitest";
+import { posesBetween } from "../src/app/recording/between";
+import { Playback } from "../src/app/recording/playback";
+import { DEPTH, Recording } from "../src/app/recording/recording";
+import { Series } from "../src/app/recording/series";
+import { Columns } from "../src/engine/columns";
+import type { Engine } from "../src/engine/engine";
+import type { Frame } from "../src/engine/messages";
+import { Runner } from "../src/engine/runner";
+import { LINES } from "../src/engine/surface";
+import { bits } from "./gallery";
+import { CHANNELS, FakeEngine } from "./fake";
+
+const columns = new Columns(CHANNELS);
+const WIDTH = columns.width;
+/** Turning about an axis that is none of the body's, at a rate, while moving straight. */
+const poseAt = (t: number) => {
+  const half = 0.35 * t;
+  const [c, s] = [Math.cos(half), Math.sin(half)];
+  return Float64Array.of(3 + 2 * t, -t, 5 * t, c, 0.6 * s, 0, 0.8 * s);
+};
+
+function frameAt(t: number, isRecord: boolean, more: Partial<Frame> = {}): Frame {
+  const row = new Float64Array(WIDTH).fill(Math.sin(t));
+  row[0] = t;
+  const line_points = Float64Array.of(0, 0, t);
+  const passed = (one: Float64Array) => (isRecord ? one : new Float64Array());
+  const empty = { surface: null, warnings: [], events: [], keyframes: [], isPart: false, fault: null };
+  return { rows: passed(row), row_poses: passed(poseAt(t)), row_line_points: passed(line_points), row, poses: poseAt(t), line_points, ...empty, ...more };
+}
+
+const keyframe = (time_s: number, isChange = false) => ({ time_s, bytes: new Uint8Array(4000), isChange });
+
+describe("a series of things over time", () => {
+  it("keeps what there is room for, then thins the older part evenly and keeps the start and the newest quarter", () => {
+    const series = new Series<{ time_s: number }>(1000);
+    for (let i = 0; i < 50000; i++) series.push({ time_s: i });
+    const times = series.items.map(({ time_s }) => time_s);
+    expect(times.length).toBeLessThanOrEqual(1000);
+    expect(times.length).toBeGreaterThan(700);
+    expect(times[0]).toBe(0);
+    expect(times.slice(-150)).toEqual(Array.from({ length: 150 }, (_, k) => 50000 - 150 + k));
+    // Fifty times as many as there is room for: no gap is far wider than an even spread would have.
+    const gaps = times.slice(1).map((time, i) => time - times[i]);
+    expect(Math.max(...gaps)).toBeLessThanOrEqual(4 * (50000 / 750));
+    expect([...times].sort((a, b) => a - b)).toEqual(times);
+  });
+
+  it("thins what may not go last, and then from the start", () => {
+    const series = new Series<{ time_s: number; stays: boolean }>(100, ({ stays }) => !stays);
+    for (let i = 0; i < 300; i++) series.push({ time_s: i, stays: i % 5 === 0 });
+    expect(series.items.filter(({ stays }) => stays).length).toBe(60);
+    for (let i = 300; i < 1000; i++) series.push({ time_s: i, stays: true });
+    expect(series.items.length).toBe(100);
+    expect(series.last?.time_s).toBe(999);
+  });
+
+  it("finds what is on either side of a time, and forgets what comes after one", () => {
+    const series = new Series<{ time_s: number }>(10);
+    for (const time_s of [0, 1, 2, 4]) series.push({ time_s });
+    const around = (time: number) => series.around(time).map(({ time_s }) => time_s);
+    expect([around(-1), around(0), around(0.5), around(2), around(3.9), around(9)]).toEqual([[0, 1], [0, 1], [0, 1], [2, 4], [2, 4], [4, 4]]);
+    series.dropAfter(2);
+    expect(series.items.map(({ time_s }) => time_s)).toEqual([0, 1, 2]);
+    series.dropAfter(-1);
+    expect(series.items).toEqual([]);
+  });
+});
+
+describe("between two poses", () => {
+  it("a body that moves straight and spins at a constant rate is where it was, to rounding", () => {
+    for (const [from, to] of [[0, 0.5], [1, 1.05], [2, 4]]) {
+      for (const share of [0, 0.1, 0.5, 0.77, 1]) {
+        const found = posesBetween(poseAt(from), poseAt(to), share);
+        poseAt(from + share * (to - from)).forEach((one, k) => expect(found[k]).toBeCloseTo(one, 14));
+      }
+    }
+  });
+
+  it("goes the short way where the engine gives the negative of a quaternion, and stands where nothing turns", () => {
+    const negative = poseAt(0.5).map((one, k) => (k < 3 ? one : -one));
+    posesBetween(poseAt(0), negative, 0.5).forEach((one, k) => expect(one).toBeCloseTo(poseAt(0.25)[k], 14));
+    posesBetween(poseAt(1), poseAt(1), 0.3).forEach((one, k) => expect(one).toBeCloseTo(poseAt(1)[k], 14));
+  });
+});
+
+describe("a recording", () => {
+  const recording = (frame = frameAt(0, true, { keyframes: [keyframe(0)] })) => new Recording(columns, 0.1, frame, {});
+
+  it("has the engine's rows and poses bit for bit at recorded times, and poses in between", () => {
+    const run = recording();
+    for (let i = 1; i <= 40; i++) run.add(frameAt(0.05 * i, i % 2 === 0), {});
+    for (let i = 0; i < 40; i += 2) {
+      const { row, poses } = run.at(0.05 * i);
+      expect(bits(row)).toEqual(bits(frameAt(0.05 * i, true).row));
+      expect(bits(poses)).toEqual(bits(poseAt(0.05 * i)));
+    }
+    const between = run.at(1.234);
+    expect(between.time_s).toBe(1.234);
+    expect(between.row[0]).toBeCloseTo(1.2, 12);
+    between.poses.forEach((one, k) => expect(one).toBeCloseTo(poseAt(1.234)[k], 14));
+    expect(between.line_points[2]).toBeCloseTo(1.234, 14);
+    expect(run.at(99)).toBe(run.now);
+    expect([run.nearest(1.234), run.nearest(-3), run.nearest(9)].map((time) => Number(time.toFixed(9)))).toEqual([1.2, 0, 2]);
+    const at = run.nearest(1.2);
+    expect([run.beside(at, 1), run.beside(at, -1), run.beside(0, -1), run.beside(2, 1)].map((time) => Number(time.toFixed(9)))).toEqual([1.3, 1.1, 0, 2]);
+  });
+
+  it("has a newest moment off the recording times too, and draws the way to it", () => {
+    const run = recording();
+    run.add(frameAt(0.1, true), {});
+    run.add(frameAt(0.13, false), {});
+    run.add(frameAt(0.16, false), {});
+    expect(run.now.row[0]).toBe(0.16);
+    expect([run.beside(0.16, -1), run.beside(0.1, -1), run.beside(0.1, 1)]).toEqual([0.1, 0, 0.16]);
+    run.at(0.15).poses.forEach((one, k) => expect(one).toBeCloseTo(poseAt(0.15)[k], 14));
+    expect(run.at(0.15).row[0]).toBe(0.1);
+  });
+
+  it("puts the sea between two of its surfaces, and does not where its lines have moved", () => {
+    const surface = (t: number, x: number) => ({ x_m: Float64Array.of(x), y_m: Float64Array.of(0), elevation_m: Float64Array.of(t) });
+    const run = recording(frameAt(0, true, { surface: surface(0, 0) }));
+    run.add(frameAt(0.1, true, { surface: surface(0.1, 0) }), {});
+    run.add(frameAt(0.2, true, { surface: surface(0.2, 5) }), {});
+    run.add(frameAt(0.3, true, { surface: surface(0.3, 5) }), {});
+    expect(run.at(0.05).surface!.elevation_m[0]).toBeCloseTo(0.05, 6);
+    expect(run.at(0.15).surface!.elevation_m[0]).toBeCloseTo(0.1, 6);
+    expect(run.at(0.25).surface!.elevation_m[0]).toBeCloseTo(0.25, 6);
+  });
+
+  it("forgets what came after a moment, and keeps what was told before where the engine's list begins anew", () => {
+    const warn = (time_s: number) => ({ time_s, name: "rope", text: `slack at ${time_s}` });
+    const run = recording();
+    for (let i = 1; i <= 30; i++) run.add(frameAt(0.1 * i, true, { keyframes: [keyframe(0.1 * i)], warnings: [warn(0.5), warn(2)].filter(({ time_s }) => time_s <= 0.1 * i) }), {});
+    run.dropAfter(frameAt(run.nearest(1), false));
+    expect(run.now.time_s).toBeCloseTo(1, 12);
+    expect(run.rows.last?.time_s).toBeCloseTo(1, 12);
+    expect(run.keyframeAt(99)?.time_s).toBeCloseTo(1, 12);
+    expect(run.marks).toEqual([warn(0.5)]);
+    run.add(frameAt(1.1, true, { warnings: [] }), {});
+    run.add(frameAt(1.2, true, { warnings: [warn(1.15)] }), {});
+    expect(run.warnings).toEqual([warn(0.5), warn(1.15)]);
+    expect(run.marks).toEqual([warn(0.5), warn(1.15)]);
+  });
+
+  it("goes back to the last state before a moment: of two at one time to that after the change", () => {
+    const run = recording();
+    run.add(frameAt(0.1, true, { keyframes: [keyframe(0.1), keyframe(0.1, true)] }), { wind: 3 });
+    expect(run.keyframeAt(0.05)).toMatchObject({ time_s: 0, values: {} });
+    expect(run.keyframeAt(0.1)).toMatchObject({ isChange: true, values: { wind: 3 } });
+  });
+
+  it("takes no more memory after half an hour in waves than its depth, and still has the whole of it", () => {
+    const grid = { x_m: new Float64Array(LINES), y_m: new Float64Array(LINES) };
+    const at = (i: number) => {
+      const surface = { ...grid, elevation_m: new Float32Array(LINES * LINES) };
+      return frameAt(0.1 * i, true, { surface, keyframes: i % 10 === 0 ? [keyframe(0.1 * i)] : [] });
+    };
+    const run = recording(at(0));
+    for (let i = 1; i <= 18000; i++) run.add(at(i), {});
+    const { pictures, keyframes, rows } = run as unknown as Record<string, Series<{ time_s: number }>>;
+    expect(pictures.items.length * 4 * LINES * LINES).toBeLessThan(DEPTH.pictures);
+    expect(keyframes.items.length * 4000).toBeLessThan(DEPTH.keyframes);
+    expect(rows.items.length * 8 * (WIDTH + 10)).toBeLessThan(DEPTH.rows);
+    for (const series of [pictures, keyframes, rows]) {
+      expect(series.items[0].time_s).toBe(0);
+      const gaps = series.items.slice(1).map(({ time_s }, i) => time_s - series.items[i].time_s);
+      expect(Math.max(...gaps)).toBeLessThan(4);
+    }
+    // No record holds on to the buffer that it came in.
+    expect(rows.items.every((one) => (one as unknown as { row: Float64Array }).row.buffer.byteLength === 8 * WIDTH)).toBe(true);
+  });
+});
+
+describe("the engine's frames", () => {
+  it("have poses at every recording time, and a state now and then and where a hand set something", () => {
+    const engine = new FakeEngine();
+    const runner = new Runner(() => engine, () => 0);
+    const { frame } = runner.open("text", "file.yaml", {});
+    expect(frame.keyframes).toMatchObject([{ time_s: 0, isChange: false }]);
+    const frames = Array.from({ length: 25 }, () => runner.advance(0.013, 1)!);
+    const poses = frames.flatMap(({ row_poses }) => Array.from(row_poses));
+    expect(poses.length).toBe(7 * 32);
+    expect(poses[6]).toBeCloseTo(Math.sin(0.05 * 0.01), 12);
+    expect(frames.flatMap(({ keyframes }) => keyframes.map(({ time_s }) => Number(time_s.toFixed(9))))).toEqual([0.1, 0.2, 0.3]);
+    runner.parameter("wind", 9);
+    runner.parameter("wind", 10);
+    expect(runner.advance(0.005, 1)!.keyframes).toMatchObject([{ time_s: expect.closeTo(0.325, 9), isChange: true }]);
+    expect(runner.advance(0.005, 1)!.keyframes).toEqual([]);
+  });
+
+  it("tell what the engine says that happened, and what a hand did: of a lever that is drawn along its end", () => {
+    const engine: Engine = new FakeEngine();
+    engine.lever_moves_json = () => JSON.stringify([0.1, 0.2, 3].map((time_s) => ({ time_s, input: "hoist", value: -time_s })));
+    const runner = new Runner(() => engine, () => 0);
+    const moves = [{ time_s: 0.2, name: "hoist", text: "set to -0.2 by hand" }, { time_s: 3, name: "hoist", text: "set to -3 by hand" }];
+    runner.open("text", "file.yaml", {});
+    expect(runner.step().events).toEqual(moves);
+    engine.events_json = () => JSON.stringify([{ time_s: 1, element: "rope", what: "slack" }]);
+    expect(runner.step().events).toEqual([{ time_s: 1, name: "rope", text: "slack" }, ...moves]);
+  });
+
+  it("take as many steps as there is time for where no speed is asked for", () => {
+    const engine = new FakeEngine();
+    let now = 0;
+    const runner = new Runner(() => engine, () => (now += 1));
+    runner.open("text", "file.yaml", {});
+    const frame = runner.advance(0, Infinity)!;
+    expect(engine.time_s()).toBeGreaterThan(0.1);
+    expect(frame.row[0]).toBe(engine.time_s());
+    expect(runner.advance(0.005, 1)!.row[0]).toBeCloseTo(frame.row[0] + 0.005, 9);
+  });
+});
+
+describe("the time that is drawn", () => {
+  it("goes evenly where frames come every 50 ms, one frame behind", () => {
+    const playback = new Playback();
+    playback.begin(0, 0);
+    const drawn: number[] = [];
+    for (let ms = 10; ms <= 500; ms += 10) {
+      if (ms % 50 === 0) playback.hear(ms / 1000, ms / 1000);
+      drawn.push(playback.at(ms / 1000));
+    }
+    drawn.slice(5).forEach((time, i) => expect(time).toBeCloseTo(0.01 * (i + 1), 9));
+  });
+
+  it("never runs ahead of the engine, nor back, where frames come unevenly or no more", () => {
+    const playback = new Playback();
+    playback.begin(3, 10);
+    let [time, newest] = [3, 3];
+    for (let ms = 0; ms < 4000; ms += 7) {
+      if (ms % (ms < 2000 ? 91 : 35) === 0 && ms < 3000) playback.hear((newest += 0.05), 10 + ms / 1000);
+      const next = playback.at(10 + ms / 1000);
+      expect(next).toBeGreaterThanOrEqual(time);
+      expect(next).toBeLessThanOrEqual(newest);
+      time = next;
+    }
+    expect(time).toBe(newest);
+  });
+});
