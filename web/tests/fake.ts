@@ -34,6 +34,10 @@ export class FakeEngine implements Engine {
     return this.h;
   }
 
+  events_json(_first: number): string {
+    return "[]";
+  }
+
   channels_json(): string {
     return JSON.stringify(CHANNELS);
   }

@@ -196,8 +196,14 @@ describe("the engine's frames", () => {
     const moves = [{ time_s: 0.2, name: "hoist", text: "set to -0.2 by hand" }, { time_s: 3, name: "hoist", text: "set to -3 by hand" }];
     runner.open("text", "file.yaml", {});
     expect(runner.step().events).toEqual(moves);
-    engine.events_json = () => JSON.stringify([{ time_s: 1, element: "rope", what: "slack" }]);
-    expect(runner.step().events).toEqual([{ time_s: 1, name: "rope", text: "slack" }, ...moves]);
+    const happened = Array.from({ length: 70 }, (_, k) => ({ time_s: k, element: k ? "deck" : "rope", what: k ? "slides" : "goes slack" }));
+    const asked: number[] = [];
+    engine.events_json = (first) => (asked.push(first), JSON.stringify(happened.slice(first, first + 60)));
+    expect(runner.step().events.slice(0, 2)).toEqual([{ time_s: 0, name: "rope", text: "goes slack" }, { time_s: 1, name: "deck", text: "slides" }]);
+    // Of what repeats, 50 times; what is new alone is asked for, until the run goes back.
+    expect(runner.step().events.length).toBe(51 + moves.length);
+    runner.restore(runner.snapshot());
+    expect(asked).toEqual([0, 60, 0]);
   });
 
   it("take as many steps as there is time for where no speed is asked for", () => {

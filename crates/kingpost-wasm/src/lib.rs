@@ -78,6 +78,11 @@ impl Simulation {
         json(&self.inner.warnings())
     }
 
+    /// What happened in the run so far, in order of time, but for the `first` so many: time, element and what.
+    pub fn events_json(&self, first: usize) -> Result<JsString, JsValue> {
+        json(self.inner.events().get(first..).unwrap_or_default())
+    }
+
     /// The lines to draw beside the bodies: name, style, radius and number of points of each.
     pub fn lines_json(&self) -> Result<JsString, JsValue> {
         json(&self.inner.lines())

@@ -96,8 +96,8 @@ export interface Engine {
   model_json(): string;
   /** What a person should know of the rows so far. */
   warnings_json(): string;
-  /** What happened so far: time, element and what it was. An engine that does not say has no such function. */
-  events_json?(): string;
+  /** What happened, in order of time, but for the first so many: time, element and what it was. */
+  events_json(first: number): string;
   /** Throws where a hull cannot float. */
   hydrostatics_json(): string;
   /** The scenario with defaults, parameters and overrides in place. */

@@ -12,24 +12,34 @@ interface LeverMove {
   value: number;
 }
 
-interface ParameterSet {
-  time_s: number;
-  parameter: string;
-}
-
 /** Moves of a lever that follow one another within this are one, s: a hand draws it. */
 const ONE_MOVE_S = 1;
 
-/** What happened in the run so far and what a hand set in it. An engine's own table of events has the parameters that were set. */
-export function eventsOf(engine: Engine): Warning[] {
-  const moves = JSON.parse(engine.lever_moves_json()) as LeverMove[];
-  const told = moves.filter(isEnd).map(({ time_s, input, value }) => ({ time_s, name: input, text: `set to ${Number(value.toPrecision(4))} by hand` }));
-  if (engine.events_json) {
-    const events = JSON.parse(engine.events_json()) as Happened[];
-    return [...events.map(({ time_s, element, what }) => ({ time_s, name: element, text: what })), ...told];
+/** Of events that are alike, so many are told: a load that slides on deck has thousands. */
+const MOST_ALIKE = 50;
+
+/** What happened in a run so far and what a hand set in it. */
+export class Events {
+  private seen = 0;
+  private readonly kept: Warning[] = [];
+  private readonly alike = new Map<string, number>();
+
+  /** The engine is asked for what is new alone. */
+  of(engine: Engine): Warning[] {
+    const fresh = JSON.parse(engine.events_json(this.seen)) as Happened[];
+    this.seen += fresh.length;
+    fresh.forEach((happened) => this.keep(happened));
+    const moves = JSON.parse(engine.lever_moves_json()) as LeverMove[];
+    const told = moves.filter(isEnd).map(({ time_s, input, value }) => ({ time_s, name: input, text: `set to ${Number(value.toPrecision(4))} by hand` }));
+    return [...this.kept, ...told];
   }
-  const set = JSON.parse(engine.parameters_set_json()) as ParameterSet[];
-  return [...set.map(({ time_s, parameter }) => ({ time_s, name: parameter, text: "was set" })), ...told];
+
+  private keep({ time_s, element, what }: Happened): void {
+    const key = `${element} ${what}`;
+    const count = (this.alike.get(key) ?? 0) + 1;
+    this.alike.set(key, count);
+    if (count <= MOST_ALIKE) this.kept.push({ time_s, name: element, text: what });
+  }
 }
 
 /** Whether a lever stays where it was moved to. */

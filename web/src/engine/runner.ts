@@ -1,6 +1,6 @@
 import { asFault, readModel, readSettings } from "./engine";
 import type { Engine, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
-import { eventsOf } from "./events";
+import { Events } from "./events";
 import type { Frame, Opened, Replay, Restored, Snapshot } from "./messages";
 import { SurfaceGrid } from "./surface";
 
@@ -36,6 +36,7 @@ export class Runner {
   private fault: Fault | null = null;
   /** Whether something was set by hand since the last step. */
   private isSet = false;
+  private events = new Events();
 
   constructor(
     private readonly openEngine: OpenEngine,
@@ -54,6 +55,7 @@ export class Runner {
     this.owed_s = 0;
     this.fault = null;
     this.isSet = false;
+    this.events = new Events();
     const start = nothing();
     this.record(start);
     return {
@@ -97,6 +99,7 @@ export class Runner {
     this.owed_s = 0;
     this.fault = null;
     this.isSet = false;
+    this.events = new Events();
     return { inputs: JSON.parse(engine.inputs_json()), frame: this.frame(nothing()) };
   }
 
@@ -196,7 +199,7 @@ export class Runner {
       line_points: engine.line_points(),
       surface: this.grid?.surface(engine, poses_now) ?? null,
       warnings: JSON.parse(engine.warnings_json()) as Warning[],
-      events: eventsOf(engine),
+      events: this.events.of(engine),
       isPart: false,
       fault: this.fault,
     };

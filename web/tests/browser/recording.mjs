@@ -102,7 +102,10 @@ export default {
     const { page, close } = await openApp(host, { query: "?scenario=lift_off_from_barge" });
     await stepTo(page, 1);
     const words = /^(\d+\.\d\d) s, hull: came as near as .* to barge_ship/;
-    const mark = page.getByTestId("marks").locator("li").first();
+    const marks = page.getByTestId("marks").locator("li");
+    const texts = await marks.allTextContents();
+    assert.ok(texts.some((text) => text.startsWith("0.00 s, operation: ")), `${texts}`);
+    const mark = marks.filter({ hasText: "came as near" });
     const [, time] = words.exec(await mark.textContent());
     const box = await mark.boundingBox();
     await page.mouse.move(box.x + box.width / 2, box.y + 20);

@@ -15,8 +15,9 @@ const LARGEST_STRAIN: f64 = 0.05;
 /// By how much an inextensible rope may be short of its path, m: a length from a file has so many digits.
 const SHORT_BY_ROUNDING_M: f64 = 1e-9;
 
-/// The largest angle about a sheave at the start, degrees: the rope may turn a little farther.
-const LARGEST_WRAP_DEG: f64 = 260.0;
+/// The largest angle about a sheave at the start, degrees: beyond, the axis is the wrong way round. Under way the rope may
+/// turn farther.
+const LARGEST_WRAP_DEG: f64 = 200.0;
 
 /// The least length of a path, m: the arithmetic's own is not quite 0 where all places are one.
 const LEAST_LENGTH_M: f64 = 1e-6;

@@ -275,6 +275,10 @@ pub(super) fn check_coverage<S: Quantity>(
     }
     let share = S::constant(100.0) * outside / all;
     let found = format!("frequencies from {lowest} to {highest} rad/s, with {share:.1} % of the waves' energy outside");
-    let allowed = format!("frequencies that leave at most {} % outside", 100.0 * MOST_UNCOVERED);
+    let allowed = format!(
+        "frequencies that leave at most {} % outside: a database of more of them, or a narrower band of the sea's spectrum by \
+         realisation.lowest_rad_s and realisation.highest_rad_s",
+        100.0 * MOST_UNCOVERED
+    );
     Err(FieldError::new(field, found, allowed))
 }
