@@ -1,4 +1,4 @@
-//! Ropes that are released, and lines of constant tension.
+//! Ropes that are released or part as they come taut, and lines of constant tension.
 
 use crate::common;
 
@@ -79,6 +79,41 @@ fn a_hand_may_release_a_load_and_it_stays_lost() {
     found.reset();
     found.step(300).expect("it hangs");
     assert!((values(&mut found, "rope_tension")[0] - 2000.0 * GRAVITY).abs() < 1e-3);
+}
+
+/// After a fall of 1 m at 4.4 m/s a damper of 20 ms makes 2.5e5 * 0.02 * 4.4 = 22 kN at once.
+#[test]
+fn a_rope_that_its_damper_parts_as_it_comes_taut_says_so() {
+    let text = format!(
+        "version: 1
+title: A load that falls into its rope
+simulation: {{step_s: 0.001, duration_s: 1}}
+bodies:
+  load:
+    mass_kg: 2000
+    shape: {{sphere: {{radius_m: 0.5}}}}
+    joint: {{floating: {{initial: {{position_m: [0, 0, -19]}}}}}}
+forces:
+  gravity: {{gravity: {{acceleration_m_s2: {GRAVITY}}}}}
+  fall:
+    rope:
+      path: [{{point: {{body: world}}}}, {{point: {{body: load}}}}]
+      unstretched_length_m: 20
+      axial_stiffness_N: 5e6
+      breaking_load_N: 15000
+      damping_time_s: 0.02
+"
+    );
+    let mut found = simulation(&text);
+    found.step(1000).expect("it falls");
+    let [taut, parts] = found.events() else { panic!("{:?}", found.events()) };
+    assert_eq!((taut.what.as_ref(), parts.what.as_ref()), ("comes taut", "parts"));
+    assert!((parts.time_s - (2.0 / GRAVITY).sqrt()).abs() < 1e-9 && taut.time_s == parts.time_s);
+    let warnings = found.warnings();
+    let [warning] = warnings.as_slice() else { panic!("{warnings:?}") };
+    assert_eq!((warning.name.as_str(), warning.time_s), ("fall", parts.time_s));
+    assert_eq!(warning.text, "parts: its tension has reached its breaking load");
+    assert!((found.acceleration(None).unwrap()[2] + GRAVITY).abs() < 1e-12);
 }
 
 /// `a = (m g - u T / R) / (m + I / R^2)` once the brake has lost all but the share u of its torque T.
