@@ -64,17 +64,9 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
     if shown := _elements(results):
         lines += ["", *shown]
     lines += ["", *_ledger(results)]
-    for found in (events(results), limits(results)):
-        lines += ["", *found] if found else []
-    if found := warnings(results):
-        lines += ["", *found]
+    if happened := events(results):
+        lines += ["", *happened]
     return "\n".join(lines)
-
-
-def warnings(results: xarray.Dataset) -> list[str]:
-    """What the engine warns of in a run, a line each."""
-    found = json.loads(results.attrs.get("warnings", "[]"))
-    return [f"warning: {warning['name']}: {warning['text']}" for warning in found]
 
 
 def events(results: xarray.Dataset) -> list[str]:
@@ -82,33 +74,6 @@ def events(results: xarray.Dataset) -> list[str]:
     found = json.loads(results.attrs.get("events", "[]"))
     rows = [(f"{event['time_s']:.2f}", event["element"], event["what"]) for event in found]
     return table(_shortened([("at, s", "", "what happened"), *rows]), align="><<") if rows else []
-
-
-def limits(results: xarray.Dataset) -> list[str]:
-    """How the scenario's limits held in a run: a table, a row each."""
-    found = json.loads(results.attrs.get("limits", "[]"))
-    if not found:
-        return []
-    rows: list[tuple[str, ...]] = [("limit", "held", "worst", "unit", "at, s", "allowed", "column")]
-    for limit in found:
-        held = {True: "yes", False: "NO", None: "no row"}[limit["held"]]
-        worst, time = (
-            "-" if limit[key] is None else f"{limit[key]:.4g}" for key in ("worst", "worst_time_s")
-        )
-        rows.append((limit["name"], held, worst, limit["unit"], time, _allowed(limit), limit["column"]))
-    return table(rows, align="<<><><<")
-
-
-def _allowed(limit: dict[str, Any]) -> str:
-    """The bounds of a limit.
-
-    >>> _allowed({"at_least": None, "at_most": 5.0}), _allowed({"at_least": -2.0, "at_most": 2.0})
-    ('at most 5', '-2 to 2')
-    """
-    least, most = limit["at_least"], limit["at_most"]
-    if least is None:
-        return f"at most {most:g}"
-    return f"at least {least:g}" if most is None else f"{least:g} to {most:g}"
 
 
 def steps(simulation: dict[str, Any]) -> str:

@@ -1,0 +1,87 @@
+"""What is printed of how limits held and what the engine warned of, over one run or many."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import kingpost
+import numpy as np
+import pytest
+import xarray
+from kingpost import outcome_report
+from kingpost.cli import main
+from kingpost.outcome_report import Outcome
+
+# The barge lies at -0.265 deg; the first two seas leave her within this limit.
+LIMITS = {"trim": {"column": "ship.pitch", "at_least": -0.28, "unit": "deg"}}
+
+
+@pytest.fixture(scope="module")
+def seas(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A barge in waves for four seconds, with a limit, as a file."""
+    path = tmp_path_factory.mktemp("seas") / "barge.json"
+    path.write_text(kingpost.load("barge", {"simulation.duration_s": 4.0, "limits": LIMITS}, waves=True).json)
+    return path
+
+
+def row(shown: str, name: str) -> list[str]:
+    """The words of the line of a table that begins with a name."""
+    (line,) = (line for line in shown.splitlines() if line.startswith(f"{name} "))
+    return line.split()
+
+
+def test_runs_of_many_seeds_print_in_how_many_a_limit_held_and_its_worst_value(seas, tmp_path, capsys):
+    """Source: the rows of each run, as its file has them; a limit that does not hold fails no run."""
+    assert main(["run", str(seas), "--seeds", "3", "-o", str(tmp_path / "run_*.nc")]) == 0
+    shown = capsys.readouterr().out
+    files = [str(tmp_path / f"run_{seed}.nc") for seed in (1, 2, 3)]
+    pitch = [np.rad2deg(xarray.load_dataset(file)["pitch"].sel(body="ship")) for file in files]
+    smallest = [float(values.min()) for values in pitch]
+    assert [value >= -0.28 for value in smallest] == [True, True, False]
+    at_s = float(pitch[2].time[pitch[2].values.argmin()])
+    expected = ["trim", "NO", "2", "of", "3", f"{smallest[2]:.4g}", "deg", "3", f"{at_s:.4g}"]
+    assert row(shown, "trim") == [*expected, "at", "least", "-0.28", "ship.pitch"]
+    assert main(["statistics", *files, "--after_s", "1"]) == 0
+    assert row(capsys.readouterr().out, "trim")[:9] == expected
+    assert main(["statistics", files[0], "--after_s", "1"]) == 0
+    assert row(capsys.readouterr().out, "trim")[:3] == ["trim", "yes", f"{smallest[0]:.4g}"]
+
+
+def test_a_file_of_a_seed_has_the_limits_of_its_own_run(seas, tmp_path):
+    """Source: the run alone."""
+    assert main(["run", str(seas), "--seeds", "2", "-o", str(tmp_path / "run_*.nc")]) == 0
+    alone = kingpost.run(seas, {"simulation.seed": 2})
+    found = xarray.load_dataset(tmp_path / "run_2.nc", engine="h5netcdf")
+    assert json.loads(found.attrs["limits"]) == json.loads(alone.attrs["limits"])
+
+
+def test_runs_that_fail_are_named_by_their_seeds_beside_the_limits(seas, tmp_path, capsys):
+    """Source: a limit of rates that the sea exceeds at once."""
+    settings = ["--set=simulation.rate_limit=0.03"]
+    assert main(["run", str(seas), *settings, "--seeds", "2", "-o", str(tmp_path / "run_*.nc")]) == 1
+    shown = capsys.readouterr()
+    assert "\n2 of 2 runs failed, of the seeds 1, 2: they count until then\n" in shown.out
+    assert row(shown.out, "trim")[4] == "2"
+    assert "run_2.nc: " in shown.err
+
+
+def limit(worst: float | None, held: bool | None, at_s: float | None = 1.0) -> dict:
+    bounds = {"at_least": -5.0, "at_most": 5.0, "held": held, "worst": worst, "worst_time_s": at_s}
+    return {"name": "heel", "column": "hull.roll", "unit": "deg", **bounds}
+
+
+def test_the_worst_of_a_limit_with_two_bounds_is_farthest_beyond_either():
+    """Source: by hand; -5.5 is farther beyond its bound than 5.2 is."""
+    runs = [Outcome(1, [limit(4.0, True)], []), Outcome(2, [limit(-5.5, False, at_s=67.3)], [])]
+    runs += [Outcome(3, [limit(5.2, False)], []), Outcome(4, [limit(None, None, at_s=None)], [])]
+    heading, line = outcome_report.limits(runs)
+    assert " ".join(heading.split()) == "limit held in runs worst unit seed at, s allowed column"
+    assert " ".join(line.split()) == "heel NO 1 of 3 -5.5 deg 2 67.3 -5 to 5 hull.roll"
+
+
+def test_a_limit_that_no_row_of_any_run_counts_for_says_so():
+    runs = [Outcome(seed, [limit(None, None, at_s=None)], []) for seed in (1, 2)]
+    assert (
+        " ".join(outcome_report.limits(runs)[1].split()) == "heel no row 0 of 0 - deg - - -5 to 5 hull.roll"
+    )
