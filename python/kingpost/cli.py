@@ -139,7 +139,7 @@ def _scenario(options: argparse.Namespace) -> Scenario:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from . import afloat_report, outcome_report, progress, report, results
+    from . import afloat_report, event_report, outcome_report, progress, report, results
     from .stable_step import warning
 
     scenario = _scenario(options)
@@ -159,8 +159,10 @@ def _run(options: argparse.Namespace) -> int:
                 raise
             failure, recorded = error, error.results
     print(report.summary(recorded, scenario))
-    for block in outcome_report.blocks(outcome_report.of_runs([recorded])):
-        print("", *block, sep="\n")
+    came_of = outcome_report.blocks(outcome_report.of_runs([recorded]))
+    for block in [event_report.events(recorded), *came_of]:
+        if block:
+            print("", *block, sep="\n")
     if afloat := afloat_report.text(recorded, scenario):
         print(f"\n{afloat}\n")
     if output:

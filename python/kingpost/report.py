@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -64,16 +63,7 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
     if shown := _elements(results):
         lines += ["", *shown]
     lines += ["", *_ledger(results)]
-    if happened := events(results):
-        lines += ["", *happened]
     return "\n".join(lines)
-
-
-def events(results: xarray.Dataset) -> list[str]:
-    """What happened in a run: a table, a row each."""
-    found = json.loads(results.attrs.get("events", "[]"))
-    rows = [(f"{event['time_s']:.2f}", event["element"], event["what"]) for event in found]
-    return table(_shortened([("at, s", "", "what happened"), *rows]), align="><<") if rows else []
 
 
 def steps(simulation: dict[str, Any]) -> str:
