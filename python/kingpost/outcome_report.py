@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import pooling
+from .records import PARTS
 from .report import table
 
 if TYPE_CHECKING:
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 # Not the digits of a name, as in leg_2.
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+OF_PARTING = re.compile(r"\bpart(s|ed)\b")
+"""In a warning that names a rope: it says that the rope parted."""
 
 
 @dataclass(frozen=True)
@@ -32,9 +35,13 @@ class Outcome:
 
 
 def of_run(attributes: Mapping[str, Any], seed: int) -> Outcome:
-    """What came of a run, by the attributes of its data set."""
-    limits, warnings = (json.loads(attributes.get(name, "[]")) for name in ("limits", "warnings"))
-    return Outcome(seed, limits, warnings)
+    """What came of a run, by the attributes of its data set; ropes that parted are among the warnings."""
+    names = ("limits", "warnings", "events")
+    limits, warnings, events = (json.loads(attributes.get(name, "[]")) for name in names)
+    told = {warning["name"] for warning in warnings if OF_PARTING.search(warning["text"])}
+    parted = [{"name": event["element"], "text": f"parted at {event['time_s']:.2f} s"}
+              for event in events if event["what"] == PARTS and event["element"] not in told]  # fmt: skip
+    return Outcome(seed, limits, warnings + parted)
 
 
 def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
@@ -53,8 +60,9 @@ def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
 
 
 def blocks(outcomes: Sequence[Outcome]) -> list[list[str]]:
-    """The limits and the warnings, as lines, where there are any."""
-    return [lines for lines in (limits(outcomes), warnings(outcomes)) if lines]
+    """What parted, the limits and the other warnings, as lines, where there are any."""
+    of_parting, others = warnings(outcomes)
+    return [lines for lines in (of_parting, limits(outcomes), others) if lines]
 
 
 def limits(outcomes: Sequence[Outcome]) -> list[str]:
@@ -110,14 +118,19 @@ def _allowed(limit: Mapping[str, Any]) -> str:
     return f"at least {least:g}" if most is None else f"{least:g} to {most:g}"
 
 
-def warnings(outcomes: Sequence[Outcome]) -> list[str]:
-    """What the engine warned of, a line each; what it said of several runs, but for its numbers, once."""
-    if len(outcomes) == 1:
-        return [f"warning: {warning['name']}: {warning['text']}" for warning in outcomes[0].warnings]
+def warnings(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
+    """What the engine warned of, a line each, of ropes that parted and of the rest; what it said of several
+    runs, but for its numbers, once."""
     alike: dict[tuple[str, str], dict[int, str]] = {}
     for run, outcome in enumerate(outcomes):
         for warning in outcome.warnings:
-            kind = (warning["name"], NUMBER.sub("#", warning["text"]))
-            alike.setdefault(kind, {}).setdefault(run, warning["text"])
-    return [f"warning, in {len(texts)} of {len(outcomes)} runs, first: {name}: {next(iter(texts.values()))}"
-            for (name, _), texts in alike.items()]  # fmt: skip
+            pattern = NUMBER.sub("#", warning["text"]) if len(outcomes) > 1 else warning["text"]
+            alike.setdefault((warning["name"], pattern), {}).setdefault(run, warning["text"])
+    of_parting: list[str] = []
+    others: list[str] = []
+    for (name, _), texts in alike.items():
+        text = next(iter(texts.values()))
+        named = f"{name} {text}" if text.startswith("parted") else f"{name}: {text}"
+        of_runs = f", in {len(texts)} of {len(outcomes)} runs, first" if len(outcomes) > 1 else ""
+        (of_parting if OF_PARTING.search(text) else others).append(f"warning{of_runs}: {named}")
+    return of_parting, others

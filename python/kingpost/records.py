@@ -95,6 +95,10 @@ REPEATING = frozenset(
 """Events of ropes and contacts that come again and again; all others say what began, ended or broke."""
 
 
+PARTS = "parts"
+"""The event of a rope at its breaking load."""
+
+
 @dataclass(frozen=True)
 class Warning:
     """What one should know of a run: a rod that stands for a rope pushes, a hull heels too far.

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import xarray
 from kingpost import event_report
-from kingpost.records import REPEATING
+from kingpost.records import PARTS, REPEATING
 
 ENGINE = Path(__file__).resolve().parents[2] / "crates" / "kingpost" / "src"
 
@@ -51,7 +51,7 @@ def test_a_run_in_which_nothing_happened_prints_no_table():
     assert shown() == []
 
 
-def test_the_events_that_repeat_are_those_of_the_engine():
+def test_the_events_that_are_told_apart_are_events_of_the_engine():
     """Source: the words of the events of ropes and contacts where the engine declares them."""
     text = "\n".join(path.read_text(encoding="utf-8") for path in ENGINE.glob("elements/**/*.rs"))
-    assert set(re.findall(r'Event \{ what: "([^"]*)"', text)) >= REPEATING
+    assert set(re.findall(r'Event \{ what: "([^"]*)"', text)) >= {*REPEATING, PARTS}

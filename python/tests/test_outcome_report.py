@@ -85,3 +85,34 @@ def test_a_limit_that_no_row_of_any_run_counts_for_says_so():
     assert (
         " ".join(outcome_report.limits(runs)[1].split()) == "heel no row 0 of 0 - deg - - -5 to 5 hull.roll"
     )
+
+
+PARTED = [{"time_s": 67.2913, "element": "hoist_rope", "what": "parts"}]
+
+
+def came_of(warnings: list[dict[str, str]]) -> list[str]:
+    """The lines of a run in which a rope parted, with a limit."""
+    attributes = {"limits": [limit(1.0, True)], "events": PARTED, "warnings": warnings}
+    run = outcome_report.of_run({name: json.dumps(value) for name, value in attributes.items()}, 1)
+    return [line for block in outcome_report.blocks([run]) for line in block]
+
+
+def test_a_rope_that_parted_stands_above_the_limits():
+    shown = came_of([{"name": "hull", "text": "heels"}])
+    assert shown[0] == "warning: hoist_rope parted at 67.29 s"
+    assert shown[1].startswith("limit")
+    assert shown[3:] == ["warning: hull: heels"]
+
+
+def test_a_rope_that_a_warning_says_parted_is_told_of_once():
+    warned = [{"name": "hull", "text": "heels"}, {"name": "hoist_rope", "text": "it parted with 1800 kN"}]
+    shown = came_of(warned)
+    assert shown[0] == "warning: hoist_rope: it parted with 1800 kN"
+    assert shown[1].startswith("limit")
+    assert shown[3:] == ["warning: hull: heels"]
+
+
+def test_other_warnings_of_a_rope_that_parted_do_not_hide_it():
+    shown = came_of([{"name": "hoist_rope", "text": "went slack"}])
+    assert shown[0] == "warning: hoist_rope parted at 67.29 s"
+    assert shown[-1] == "warning: hoist_rope: went slack"
