@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -185,17 +186,24 @@ def _loop_error(results: xarray.Dataset) -> list[str]:
 def _elements(results: xarray.Dataset) -> list[str]:
     """What forces and drives show by single numbers: at the end, the smallest and the largest."""
     rows = [("force or drive", "", "at the end", "smallest", "largest", "")]
-    for variable in results.data_vars.values():
-        if not variable.attrs.get("of_elements"):
-            continue
-        (things, *components) = [dim for dim in variable.dims if dim != "time"]
-        for thing in results[things].values if not components else ():
+    shown = [variable for variable in results.data_vars.values() if _is_single_number(variable)]
+    names = Counter(variable.attrs["long_name"] for variable in shown)
+    for variable in shown:
+        # The two ends of a rope have one short name.
+        is_shared = names[variable.attrs["long_name"]] > 1
+        words = variable.attrs["description" if is_shared else "long_name"]
+        (things,) = (dim for dim in variable.dims if dim != "time")
+        for thing in results[things].values:
             series = variable.sel({things: thing})
             values = (series.values[-1], series.values.min(), series.values.max())
             most = np.abs(series.values).max()
-            words = series.attrs["long_name"]
             rows.append((str(thing), words, *(significant(value, most) for value in values), unit_of(series)))
     return table(_shortened(rows), "<<>>><") if len(rows) > 1 else []
+
+
+def _is_single_number(variable: xarray.DataArray) -> bool:
+    """Whether forces and drives show it, by one number a thing."""
+    return bool(variable.attrs.get("of_elements")) and len(variable.dims) == 2
 
 
 def _shortened(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
