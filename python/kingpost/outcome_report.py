@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 OF_PARTING = re.compile(r"\bpart(s|ed)\b")
 """In a warning that names a rope: it says that the rope parted."""
+ENERGY, OFF_BALANCE = "energy", "is off its balance by"
+"""The name of a warning and how its text begins."""
 
 
 @dataclass(frozen=True)
@@ -32,6 +34,11 @@ class Outcome:
     seed: int
     limits: list[dict[str, Any]]
     warnings: list[dict[str, Any]]
+
+    @property
+    def is_off_balance(self) -> bool:
+        """Whether the energy of the run does not balance, so that its numbers are not to be trusted."""
+        return any(one["name"] == ENERGY and one["text"].startswith(OFF_BALANCE) for one in self.warnings)
 
 
 def of_run(attributes: Mapping[str, Any], seed: int) -> Outcome:
@@ -87,7 +94,16 @@ def limits(outcomes: Sequence[Outcome]) -> list[str]:
         row = (worst["name"], held, f"{count} of {len(with_row)}", value, worst["unit"], str(seed), time,
                _allowed(worst), worst["column"])  # fmt: skip
         rows.append(_in_runs(row, several))
-    return table(rows, "".join(_in_runs("<<<><>><<", several)))
+    return [*_distrust(outcomes), *table(rows, "".join(_in_runs("<<<><>><<", several)))]
+
+
+def _distrust(outcomes: Sequence[Outcome]) -> list[str]:
+    """The heading of limits that are not to be trusted, else none."""
+    off = [str(outcome.seed) for outcome in outcomes if outcome.is_off_balance]
+    of = (
+        f" of {len(off)} of {len(outcomes)} runs, of the seeds {', '.join(off)}," if len(outcomes) > 1 else ""
+    )
+    return [f"limits, NOT to be trusted: the energy{of} is off its balance"] if off else []
 
 
 def _in_runs(cells: Sequence[str], several: bool) -> tuple[str, ...]:

@@ -15,9 +15,6 @@ if TYPE_CHECKING:
 
     from .scenario import Scenario
 
-# Share of the energy in play beyond which a summary warns that the step is too large.
-WORST_ENERGY_ERROR = 0.01
-
 # Rows of a table that a summary prints.
 MOST_ROWS = 20
 
@@ -227,11 +224,7 @@ def _ledger(results: xarray.Dataset) -> list[str]:
         ("energy error", f"{error:+.3e} J{_share(error, energy, 'energy')}"),
         ("momentum error", f"{off:.3e} N m s{_share(off, momentum, 'angular momentum')}"),
     ]
-    lines = table(rows, "<<")
-    if abs(error) > WORST_ENERGY_ERROR * energy:
-        share = f"{abs(error) / energy:.1%}" if energy else f"{abs(error):.3e} J"
-        lines += ["", f"warning: the energy is off by {share}: take a smaller simulation.step_s"]
-    return lines
+    return table(rows, "<<")
 
 
 def _share(error: float, scale: float, of: str) -> str:

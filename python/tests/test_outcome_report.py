@@ -9,7 +9,7 @@ import kingpost
 import numpy as np
 import pytest
 import xarray
-from kingpost import outcome_report
+from kingpost import outcome_report, report
 from kingpost.cli import main
 from kingpost.outcome_report import Outcome
 
@@ -116,3 +116,29 @@ def test_other_warnings_of_a_rope_that_parted_do_not_hide_it():
     shown = came_of([{"name": "hoist_rope", "text": "went slack"}])
     assert shown[0] == "warning: hoist_rope parted at 67.29 s"
     assert shown[-1] == "warning: hoist_rope: went slack"
+
+
+OFF = [{"name": "energy", "text": "is off its balance by 12 kJ, 3 % of the energy in play, 400 kJ"}]
+
+
+def test_limits_of_a_run_whose_energy_is_off_its_balance_are_headed_as_not_to_be_trusted():
+    heading, columns, *_ = outcome_report.limits([Outcome(1, [limit(1.0, True)], OFF)])
+    assert heading == "limits, NOT to be trusted: the energy is off its balance"
+    assert columns.startswith("limit ")
+
+
+def test_limits_of_several_runs_name_the_seeds_whose_energy_is_off_its_balance():
+    runs = [Outcome(seed, [limit(1.0, True)], OFF if seed > 1 else []) for seed in (1, 2, 3)]
+    heading, *_ = outcome_report.limits(runs)
+    assert heading.endswith("the energy of 2 of 3 runs, of the seeds 2, 3, is off its balance")
+    assert outcome_report.limits(runs[:1])[0].startswith("limit ")
+
+
+def test_a_summary_leaves_it_to_the_warning_that_the_energy_is_off():
+    """Source: one thought, said once; forward Euler gains energy."""
+    scenario = kingpost.load(
+        "paper", {"simulation.duration_s": 2.0, "simulation.integrator": "forward_euler"}
+    )
+    results = kingpost.run(scenario, {"simulation.step_s": 0.01, "simulation.record_every_s": 0.01})
+    assert abs(results["energy_error"][-1]) > 0.01 * results["energy_scale"].max()
+    assert "warning" not in report.summary(results, scenario)
