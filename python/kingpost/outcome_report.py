@@ -137,16 +137,31 @@ def _allowed(limit: Mapping[str, Any]) -> str:
 def warnings(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
     """What the engine warned of, a line each, of ropes that parted and of the rest; what it said of several
     runs, but for its numbers, once."""
-    alike: dict[tuple[str, str], dict[int, str]] = {}
+    alike: dict[tuple[str, str], dict[int, list[str]]] = {}
     for run, outcome in enumerate(outcomes):
         for warning in outcome.warnings:
             pattern = NUMBER.sub("#", warning["text"]) if len(outcomes) > 1 else warning["text"]
-            alike.setdefault((warning["name"], pattern), {}).setdefault(run, warning["text"])
+            alike.setdefault((warning["name"], pattern), {}).setdefault(run, []).append(warning["text"])
     of_parting: list[str] = []
     others: list[str] = []
     for (name, _), texts in alike.items():
-        text = next(iter(texts.values()))
-        named = f"{name} {text}" if text.startswith("parted") else f"{name}: {text}"
-        of_runs = f", in {len(texts)} of {len(outcomes)} runs, first" if len(outcomes) > 1 else ""
-        (of_parting if OF_PARTING.search(text) else others).append(f"warning{of_runs}: {named}")
+        first = next(iter(texts.values()))[0]
+        named = f"{name} {first}" if first.startswith("parted") else f"{name}: {first}"
+        said = f"warning: {named}"
+        if len(outcomes) > 1:
+            said = (
+                f"warning, in {len(texts)} of {len(outcomes)} runs{_range(outcomes, texts)}, first: {named}"
+            )
+        (of_parting if OF_PARTING.search(first) else others).append(said)
     return of_parting, others
+
+
+def _range(outcomes: Sequence[Outcome], texts: Mapping[int, Sequence[str]]) -> str:
+    """The smallest and the largest first number of texts that differ in it, with the seeds of their runs."""
+    numbers = [(found.group(), outcomes[run].seed) for run, told in texts.items()
+               for text in told if (found := NUMBER.search(text))]  # fmt: skip
+    ends = [end(numbers, key=lambda one: float(one[0])) for end in (min, max)] if numbers else []
+    if not ends or ends[0][0] == ends[1][0]:
+        return ""
+    smallest, largest = (f"{number} (seed {seed})" for number, seed in ends)
+    return f", from {smallest} to {largest}"

@@ -142,3 +142,28 @@ def test_a_summary_leaves_it_to_the_warning_that_the_energy_is_off():
     results = kingpost.run(scenario, {"simulation.step_s": 0.01, "simulation.record_every_s": 0.01})
     assert abs(results["energy_error"][-1]) > 0.01 * results["energy_scale"].max()
     assert "warning" not in report.summary(results, scenario)
+
+
+def warned(*texts: str) -> list[Outcome]:
+    """Runs of the seeds from 1 on, each with one warning of a boom."""
+    return [Outcome(seed, [], [{"name": "boom", "text": text}]) for seed, text in enumerate(texts, 1)]
+
+
+def test_a_warning_of_several_runs_has_the_smallest_and_the_largest_of_its_first_number():
+    near = "came as near as {} m to leg_2, at {} s"
+    _, lines = outcome_report.warnings(warned(near.format(2.89, 7), near.format(0.4, 9), near.format(12, 1)))
+    range_of = "from 0.4 (seed 2) to 12 (seed 3)"
+    assert lines == [f"warning, in 3 of 3 runs, {range_of}, first: boom: {near.format(2.89, 7)}"]
+
+
+def test_a_warning_whose_number_is_the_same_in_all_runs_has_no_range():
+    _, lines = outcome_report.warnings(warned("pushes with 3 kN", "pushes with 3 kN", "pushes"))
+    assert lines == [
+        "warning, in 2 of 3 runs, first: boom: pushes with 3 kN",
+        "warning, in 1 of 3 runs, first: boom: pushes",
+    ]
+
+
+def test_the_digits_of_a_name_are_no_number_of_a_warning():
+    _, lines = outcome_report.warnings(warned("meets leg_2 at 7 s", "meets leg_3 at 7 s"))
+    assert [line[:28] for line in lines] == ["warning, in 1 of 2 runs, fir"] * 2
