@@ -80,7 +80,7 @@ def parser() -> argparse.ArgumentParser:
     )
     rao.add_argument("--directions_deg", nargs="+", type=float, metavar="D",
                      help="that waves go to; 180 is a head sea at heading 0 (default: every 45)")  # fmt: skip
-    rao.add_argument("--frequencies_rad_s", metavar="from:to:n", help="default: what the hull's data cover")
+    rao.add_argument("--frequencies_rad_s", metavar="from:to:n", help="default: what all hulls' data cover")
     rao.add_argument("--points", nargs="+", metavar="NAME",
                      help="bodies and named points, as arm.tip (default: the main ones)")  # fmt: skip
     rao.add_argument("--displacement_raos", metavar="FILE",
