@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 
 # Not the digits of a name, as in leg_2.
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
-OF_PARTING = re.compile(r"\bpart(s|ed)\b")
-"""In a warning that names a rope: it says that the rope parted."""
+PARTED = "parted at"
 ENERGY, OFF_BALANCE = "energy", "is off its balance by"
 """The name of a warning and how its text begins."""
 
@@ -42,13 +41,9 @@ class Outcome:
 
 
 def of_run(attributes: Mapping[str, Any], seed: int) -> Outcome:
-    """What came of a run, by the attributes of its data set; ropes that parted are among the warnings."""
+    """What came of a run, by the attributes of its data set."""
     names = ("limits", "warnings", "events")
-    limits, warnings, events = (json.loads(attributes.get(name, "[]")) for name in names)
-    told = {warning["name"] for warning in warnings if OF_PARTING.search(warning["text"])}
-    parted = [{"name": event["element"], "text": f"parted at {event['time_s']:.2f} s"}
-              for event in events if event["what"] == PARTS and event["element"] not in told]  # fmt: skip
-    return Outcome(seed, limits, warnings + parted)
+    return _outcome(seed, *(json.loads(attributes.get(name, "[]")) for name in names))
 
 
 def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
@@ -62,8 +57,33 @@ def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
         # Each is a list for each run.
         limits, warnings = (json.loads(run.attrs.get(name, "[]")) for name in ("limits", "warnings"))
         each = zip(seeds, limits or [[]] * len(seeds), warnings or [[]] * len(seeds), strict=True)
-        found += [Outcome(*one) for one in each]
+        found += [_outcome(*one) for one in each]
     return found
+
+
+def _outcome(
+    seed: int,
+    limits: list[dict[str, Any]],
+    warnings: list[dict[str, Any]],
+    events: Sequence[dict[str, Any]] = (),
+) -> Outcome:
+    """What came of a run; among its warnings each rope that parted, with the time."""
+    told = {warning["name"] for warning in warnings if warning["text"].startswith(PARTS)}
+    untold = [{"time_s": event["time_s"], "name": event["element"], "text": PARTS}
+              for event in events if event["what"] == PARTS and event["element"] not in told]  # fmt: skip
+    return Outcome(seed, limits, [_with_time_of_parting(warning) for warning in warnings + untold])
+
+
+def _with_time_of_parting(warning: dict[str, Any]) -> dict[str, Any]:
+    """A warning; of a rope that parts with the time in its text.
+
+    >>> _with_time_of_parting({"time_s": 67.2913, "name": "whip", "text": "parts: its load"})["text"]
+    'parted at 67.29 s: its load'
+    """
+    text = warning["text"]
+    if not text.startswith(PARTS):
+        return warning
+    return warning | {"text": f"{PARTED} {warning['time_s']:.2f} s{text.removeprefix(PARTS)}"}
 
 
 def blocks(outcomes: Sequence[Outcome]) -> list[list[str]]:
@@ -146,13 +166,13 @@ def warnings(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
     others: list[str] = []
     for (name, _), texts in alike.items():
         first = next(iter(texts.values()))[0]
-        named = f"{name} {first}" if first.startswith("parted") else f"{name}: {first}"
+        named = f"{name} {first}" if first.startswith(PARTED) else f"{name}: {first}"
         said = f"warning: {named}"
         if len(outcomes) > 1:
             said = (
                 f"warning, in {len(texts)} of {len(outcomes)} runs{_range(outcomes, texts)}, first: {named}"
             )
-        (of_parting if OF_PARTING.search(first) else others).append(said)
+        (of_parting if first.startswith(PARTED) else others).append(said)
     return of_parting, others
 
 

@@ -89,14 +89,12 @@ class Event:
     what: str
 
 
-REPEATING = frozenset(
-    {"goes slack", "comes taut", "touches", "leaves", "slides", "holds"},
-)
+REPEATING = frozenset({"goes slack", "comes taut", "touches", "leaves", "slides", "holds"})
 """Events of ropes and contacts that come again and again; all others say what began, ended or broke."""
 
 
 PARTS = "parts"
-"""The event of a rope at its breaking load."""
+"""The event of a rope at its breaking load; a warning of it begins so too."""
 
 
 @dataclass(frozen=True)

@@ -104,12 +104,25 @@ def test_a_rope_that_parted_stands_above_the_limits():
     assert shown[3:] == ["warning: hull: heels"]
 
 
-def test_a_rope_that_a_warning_says_parted_is_told_of_once():
-    warned = [{"name": "hull", "text": "heels"}, {"name": "hoist_rope", "text": "it parted with 1800 kN"}]
+def test_a_rope_that_a_warning_says_parts_is_told_of_once_and_with_the_time():
+    warned = [
+        {"name": "hull", "text": "heels"},
+        {"time_s": 67.2913, "name": "hoist_rope", "text": "parts: why"},
+    ]
     shown = came_of(warned)
-    assert shown[0] == "warning: hoist_rope: it parted with 1800 kN"
+    assert shown[0] == "warning: hoist_rope parted at 67.29 s: why"
     assert shown[1].startswith("limit")
     assert shown[3:] == ["warning: hull: heels"]
+
+
+def test_ropes_that_part_in_several_runs_stand_above_the_limits_with_their_times():
+    seconds = (64.35, 63.96)
+    parts = [json.dumps([{"time_s": at_s, "name": "hoist_rope", "text": "parts"}]) for at_s in seconds]
+    runs = [outcome_report.of_run({"warnings": found}, seed) for seed, found in enumerate(parts, 1)]
+    words = (
+        "warning, in 2 of 2 runs, from 63.96 (seed 2) to 64.35 (seed 1), first: hoist_rope parted at 64.35 s"
+    )
+    assert outcome_report.blocks(runs) == [[words]]
 
 
 def test_other_warnings_of_a_rope_that_parted_do_not_hide_it():
