@@ -6,6 +6,7 @@ import json
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
+from .batch import FINISHED
 from .records import REPEATING
 from .report import table
 
@@ -26,6 +27,9 @@ def events(results: xarray.Dataset) -> list[str]:
     repeats = {kind for kind, count in often.items() if kind[1] in REPEATING or count > MOST_OF_ONE}
     single = [event for event in found if (event["element"], event["what"]) not in repeats]
     repeated = [event for event in found if (event["element"], event["what"]) in repeats]
+    if results.attrs.get("status", FINISHED) != FINISHED:
+        end_s = float(results["time"].values[-1])
+        single.append({"time_s": end_s, "element": "", "what": "the run ends early"})
     tables = [lines for lines in (_in_order(single), _counted(repeated)) if lines]
     return [line for lines in tables for line in ("", *lines)][1:]
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import xarray
 from kingpost import event_report
+from kingpost.cli import main
 from kingpost.records import PARTS, REPEATING
 
 ENGINE = Path(__file__).resolve().parents[2] / "crates" / "kingpost" / "src"
@@ -45,6 +46,20 @@ def test_whatever_happens_to_one_thing_with_every_wave_is_counted():
     waves = [(float(k), "module", "meets the water") for k in range(5)]
     assert shown(*waves)[1:] == ["module meets the water 5 times 0.00 4.00"]
     assert shown(*waves[:4])[1:] == [f"{k}.00 module meets the water" for k in range(4)]
+
+
+def test_a_run_that_a_step_of_its_operation_ends_says_so_as_the_last_thing(capsys):
+    """Source: a load that is to be 9 m high after a second of its step, which begins at 30 s."""
+    settings = {"simulation.duration_s": 40, "operation.steps.1.time_out_s": 1}
+    assert (
+        main(["run", "lift_off_from_barge", *(f"--set={name}={value}" for name, value in settings.items())])
+        == 1
+    )
+    printed = capsys.readouterr()
+    lines = [" ".join(line.split()) for line in printed.out.splitlines()]
+    begins = lines.index('30.00 operation begins "lift off"')
+    assert lines[begins + 1] == "31.00 the run ends early"
+    assert "did not end within 1 s" in printed.err
 
 
 def test_a_run_in_which_nothing_happened_prints_no_table():
