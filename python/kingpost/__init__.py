@@ -6,7 +6,7 @@
 3.0
 """
 
-from . import verify
+from . import lift_rules, verify
 from .batch import Batch
 from .engine import engine
 from .errors import KingpostError, RunError, ScenarioError
@@ -35,6 +35,7 @@ __all__ = [
     "__version__",
     "equilibrium",
     "gradient",
+    "lift_rules",
     "load",
     "modes",
     "rao",

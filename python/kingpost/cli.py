@@ -80,7 +80,7 @@ def parser() -> argparse.ArgumentParser:
     )
     rao.add_argument("--directions_deg", nargs="+", type=float, metavar="D",
                      help="that waves go to; 180 is a head sea at heading 0 (default: every 45)")  # fmt: skip
-    rao.add_argument("--frequencies_rad_s", metavar="from:to:n", help="default: what the hull's data cover")
+    rao.add_argument("--frequencies_rad_s", metavar="from:to:n", help="default: what all hulls' data cover")
     rao.add_argument("--points", nargs="+", metavar="NAME",
                      help="bodies and named points, as arm.tip (default: the main ones)")  # fmt: skip
     rao.add_argument("--displacement_raos", metavar="FILE",
@@ -139,7 +139,7 @@ def _scenario(options: argparse.Namespace) -> Scenario:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from . import afloat_report, progress, report, results
+    from . import afloat_report, event_report, outcome_report, progress, report, results
     from .stable_step import warning
 
     scenario = _scenario(options)
@@ -159,6 +159,10 @@ def _run(options: argparse.Namespace) -> int:
                 raise
             failure, recorded = error, error.results
     print(report.summary(recorded, scenario))
+    came_of = outcome_report.blocks(outcome_report.of_runs([recorded]))
+    for block in [event_report.events(recorded), *came_of]:
+        if block:
+            print("", *block, sep="\n")
     if afloat := afloat_report.text(recorded, scenario):
         print(f"\n{afloat}\n")
     if output:
@@ -170,17 +174,24 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
-    from . import progress, seeds
+    from . import outcome_report, progress, seeds
+    from .batch import FINISHED
 
     if options.output is None:
         raise KingpostError("--seeds: found no -o, allowed: -o with * for the seed, as run_*.nc")
     with progress.bar(options.seeds, "runs") as update:
         runs = list(seeds.run(scenario, options.seeds, options.output, update))
-    failed = [(path, status) for path, status in runs if status != "finished"]
-    print(f"written         {runs[0][0]} to {runs[-1][0]}: {len(runs)} runs, seeds 1 to {len(runs)}")
+    failed = [(path, found) for path, found in runs if found["status"] != FINISHED]
+    print(scenario.title, f"{len(runs)} runs, seeds 1 to {len(runs)}", sep="\n")
+    if failed:
+        of = ", ".join(str(found["seed"]) for _, found in failed)
+        print(f"{len(failed)} of {len(runs)} runs failed, of the seeds {of}: they count until then")
+    for block in outcome_report.blocks([outcome_report.of_run(found, found["seed"]) for _, found in runs]):
+        print("", *block, sep="\n")
+    print(f"\nwritten         {runs[0][0]} to {runs[-1][0]}")
     print(f"to go on        kingpost statistics {options.output}")
-    for path, status in failed:
-        _fail(f"{path}: {status}", FAILED)
+    for path, found in failed:
+        _fail(f"{path}: {found['status']}", FAILED)
     return FAILED if failed else DONE
 
 

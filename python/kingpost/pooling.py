@@ -26,7 +26,7 @@ def check(runs: Sequence[xarray.Dataset]) -> None:
     KingpostError
         With the file, what differs and what it is in the first.
     """
-    first, seeds = runs[0], dict[Any, str]()
+    first, files = runs[0], dict[Any, str]()
     expected = _settings(first)
     for run in runs:
         file = _file(run)
@@ -43,13 +43,13 @@ def check(runs: Sequence[xarray.Dataset]) -> None:
                 f"{file}: found {found}, allowed: {allowed}, as in {_file(first)}: "
                 "runs recorded at the same times"
             )
-        for seed in _seeds(run):
-            if seed in seeds:
+        for seed in seeds(run):
+            if seed in files:
                 raise KingpostError(
-                    f"{file}: found {SEED} {seed}, which is that of {seeds[seed]}, allowed: another seed in "
+                    f"{file}: found {SEED} {seed}, which is that of {files[seed]}, allowed: another seed in "
                     "each run: the same seed gives the same waves"
                 )
-            seeds[seed] = file
+            files[seed] = file
 
 
 def _file(run: xarray.Dataset) -> str:
@@ -77,7 +77,7 @@ def _differences(found: dict[str, Any], expected: dict[str, Any]) -> Iterator[tu
             yield name, pair
 
 
-def _seeds(run: xarray.Dataset) -> list[Any]:
+def seeds(run: xarray.Dataset) -> list[Any]:
     """The seed of each run of a data set.
 
     Raises
@@ -90,15 +90,15 @@ def _seeds(run: xarray.Dataset) -> list[Any]:
     if "run" not in run.dims:
         return [seed]
     writes = {one["name"]: one.get("writes") for one in described.get("parameters") or []}
-    seeds = [seed] * run.sizes["run"]
+    found_seeds = [seed] * run.sizes["run"]
     for name, values in run.coords.items():
         if values.dims != ("run",) or name in ("run", "status"):
             continue
         if name == SEED or writes.get(str(name)) == [SEED]:
-            seeds = values.values.tolist()
+            found_seeds = values.values.tolist()
         elif len(found := np.unique(values.values)) > 1:
             raise KingpostError(
                 f"{_file(run)}: found runs with {name} {found[0]} and {found[1]}, allowed: "
                 f"runs of one scenario that differ in {SEED} only"
             )
-    return seeds
+    return found_seeds

@@ -89,6 +89,14 @@ class Event:
     what: str
 
 
+REPEATING = frozenset({"goes slack", "comes taut", "touches", "leaves", "slides", "holds"})
+"""Events of ropes and contacts that come again and again; all others say what began, ended or broke."""
+
+
+PARTS = "parts"
+"""The event of a rope at its breaking load; a warning of it begins so too."""
+
+
 @dataclass(frozen=True)
 class Warning:
     """What one should know of a run: a rod that stands for a rope pushes, a hull heels too far.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import json
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -14,9 +14,6 @@ if TYPE_CHECKING:
     import xarray
 
     from .scenario import Scenario
-
-# Share of the energy in play beyond which a summary warns that the step is too large.
-WORST_ENERGY_ERROR = 0.01
 
 # Rows of a table that a summary prints.
 MOST_ROWS = 20
@@ -64,51 +61,7 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
     if shown := _elements(results):
         lines += ["", *shown]
     lines += ["", *_ledger(results)]
-    for found in (events(results), limits(results)):
-        lines += ["", *found] if found else []
-    if found := warnings(results):
-        lines += ["", *found]
     return "\n".join(lines)
-
-
-def warnings(results: xarray.Dataset) -> list[str]:
-    """What the engine warns of in a run, a line each."""
-    found = json.loads(results.attrs.get("warnings", "[]"))
-    return [f"warning: {warning['name']}: {warning['text']}" for warning in found]
-
-
-def events(results: xarray.Dataset) -> list[str]:
-    """What happened in a run: a table, a row each."""
-    found = json.loads(results.attrs.get("events", "[]"))
-    rows = [(f"{event['time_s']:.2f}", event["element"], event["what"]) for event in found]
-    return table(_shortened([("at, s", "", "what happened"), *rows]), align="><<") if rows else []
-
-
-def limits(results: xarray.Dataset) -> list[str]:
-    """How the scenario's limits held in a run: a table, a row each."""
-    found = json.loads(results.attrs.get("limits", "[]"))
-    if not found:
-        return []
-    rows: list[tuple[str, ...]] = [("limit", "held", "worst", "unit", "at, s", "allowed", "column")]
-    for limit in found:
-        held = {True: "yes", False: "NO", None: "no row"}[limit["held"]]
-        worst, time = (
-            "-" if limit[key] is None else f"{limit[key]:.4g}" for key in ("worst", "worst_time_s")
-        )
-        rows.append((limit["name"], held, worst, limit["unit"], time, _allowed(limit), limit["column"]))
-    return table(rows, align="<<><><<")
-
-
-def _allowed(limit: dict[str, Any]) -> str:
-    """The bounds of a limit.
-
-    >>> _allowed({"at_least": None, "at_most": 5.0}), _allowed({"at_least": -2.0, "at_most": 2.0})
-    ('at most 5', '-2 to 2')
-    """
-    least, most = limit["at_least"], limit["at_most"]
-    if least is None:
-        return f"at most {most:g}"
-    return f"at least {least:g}" if most is None else f"{least:g} to {most:g}"
 
 
 def steps(simulation: dict[str, Any]) -> str:
@@ -230,17 +183,24 @@ def _loop_error(results: xarray.Dataset) -> list[str]:
 def _elements(results: xarray.Dataset) -> list[str]:
     """What forces and drives show by single numbers: at the end, the smallest and the largest."""
     rows = [("force or drive", "", "at the end", "smallest", "largest", "")]
-    for variable in results.data_vars.values():
-        if not variable.attrs.get("of_elements"):
-            continue
-        (things, *components) = [dim for dim in variable.dims if dim != "time"]
-        for thing in results[things].values if not components else ():
+    shown = [variable for variable in results.data_vars.values() if _is_single_number(variable)]
+    names = Counter(variable.attrs["long_name"] for variable in shown)
+    for variable in shown:
+        # The two ends of a rope have one short name.
+        is_shared = names[variable.attrs["long_name"]] > 1
+        words = variable.attrs["description" if is_shared else "long_name"]
+        (things,) = (dim for dim in variable.dims if dim != "time")
+        for thing in results[things].values:
             series = variable.sel({things: thing})
             values = (series.values[-1], series.values.min(), series.values.max())
             most = np.abs(series.values).max()
-            words = series.attrs["long_name"]
             rows.append((str(thing), words, *(significant(value, most) for value in values), unit_of(series)))
     return table(_shortened(rows), "<<>>><") if len(rows) > 1 else []
+
+
+def _is_single_number(variable: xarray.DataArray) -> bool:
+    """Whether forces and drives show it, by one number a thing."""
+    return bool(variable.attrs.get("of_elements")) and len(variable.dims) == 2
 
 
 def _shortened(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
@@ -264,11 +224,7 @@ def _ledger(results: xarray.Dataset) -> list[str]:
         ("energy error", f"{error:+.3e} J{_share(error, energy, 'energy')}"),
         ("momentum error", f"{off:.3e} N m s{_share(off, momentum, 'angular momentum')}"),
     ]
-    lines = table(rows, "<<")
-    if abs(error) > WORST_ENERGY_ERROR * energy:
-        share = f"{abs(error) / energy:.1%}" if energy else f"{abs(error):.3e} J"
-        lines += ["", f"warning: the energy is off by {share}: take a smaller simulation.step_s"]
-    return lines
+    return table(rows, "<<")
 
 
 def _share(error: float, scale: float, of: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -54,7 +55,8 @@ def rao(
         That the waves go to, from the world's x counter-clockwise, rad: at heading 0, pi is a head sea.
         Every 45 degrees unless given.
     frequencies_rad_s
-        Angular frequencies; unless given those of the hull's database and three between each two.
+        Angular frequencies; unless given those of the first hull's database and three between each two, from
+        the lowest to the highest that the databases of all hulls cover.
     points
         Bodies, for their centres of mass, and named points as ``arm.tip``; all unless given.
     overrides, parameters
@@ -86,9 +88,26 @@ def rao(
         simulation = Simulation(as_scenario(scenario_or_simulation, overrides, parameters))
     given = np.deg2rad(DIRECTIONS_DEG) if directions_rad is None else np.atleast_1d(directions_rad)
     directions = _within_one_turn(np.asarray(given, float))
-    frequencies = [] if frequencies_rad_s is None else np.atleast_1d(frequencies_rad_s)
-    found = simulation.wave_response(directions, np.asarray(frequencies, float))
+    if frequencies_rad_s is None:
+        frequencies_rad_s = _frequencies_that_all_cover(simulation.scenario)
+    found = simulation.wave_response(directions, np.atleast_1d(np.asarray(frequencies_rad_s, float)))
     return _dataset(simulation, found, points)
+
+
+def _frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
+    """Those of the first hull's database and three between each two, since resonances are narrower than what
+    data need, within the databases of all hulls in waves; none where these have no frequency in common."""
+    fields = (of_kind for force in scenario.resolved.get("forces", {}).values() for of_kind in force.values())
+    hulls = (given for given in fields if given.get("enabled") and given.get("excitation"))
+    names = [hull["database"] for hull in hulls if "database" in hull]
+    grids = [np.array(json.loads(scenario.files[name])["frequencies_rad_s"], float) for name in names]
+    if not grids:
+        return np.array([])
+    first = grids[0]
+    ends = max(grid[0] for grid in grids), min(grid[-1] for grid in grids)
+    between = first[:-1, None] + 0.25 * np.arange(4) * np.diff(first)[:, None]
+    refined = np.concatenate([between.ravel(), first[-1:], ends])
+    return np.unique(refined[(ends[0] <= refined) & (refined <= ends[1])])
 
 
 def _within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:

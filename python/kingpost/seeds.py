@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -47,8 +47,8 @@ def files(pattern: str | Path, count: int) -> list[Path]:
 
 def run(
     scenario: Scenario, count: int, pattern: str | Path, progress: Progress | None = None
-) -> Iterator[tuple[Path, str]]:
-    """Run a scenario with the seeds 1 to `count` and write each run; yields files and how the runs ended.
+) -> Iterator[tuple[Path, dict[str, Any]]]:
+    """Run a scenario with the seeds 1 to `count` and write each run; yields files and the runs' attributes.
 
     Each has the bits that it has alone. `progress` is called with the number of runs that are done.
     """
@@ -58,7 +58,7 @@ def run(
         together = Batch(scenario, {SEED: seeds}).run(progress=_from(first - 1, progress))
         for seed in seeds:
             one = _alone(scenario.with_overrides({SEED: seed}), together, seed - first)
-            yield results.write(one, paths[seed - 1]), one.attrs["status"]
+            yield results.write(one, paths[seed - 1]), one.attrs
 
 
 def _from(done: int, progress: Progress | None) -> Progress | None:
@@ -73,5 +73,5 @@ def _alone(scenario: Scenario, batch: xarray.Dataset, run: int) -> xarray.Datase
         recorded = np.isfinite(of_batch["kinetic_energy"].values)
         of_batch = of_batch.isel(time=np.arange(recorded.sum()))
     alone = of_batch.drop_vars(["run", "status", SEED])
-    warnings = json.loads(batch.attrs["warnings"])[run]
-    return alone.assign_attrs(results.attributes(scenario, status), warnings=json.dumps(warnings))
+    own = {name: json.dumps(json.loads(batch.attrs[name])[run]) for name in ("warnings", "limits")}
+    return alone.assign_attrs(results.attributes(scenario, status), **own)

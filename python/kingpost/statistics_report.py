@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from . import pooling, statistics
+from . import outcome_report, pooling, statistics
 from .errors import KingpostError
 from .report import fixed, table
 from .results import columns, floating_bodies, unit_of
@@ -28,7 +27,6 @@ FEWEST_RUNS, ENOUGH_RUNS = 5, 10
 SMALLEST_MOTION = 1e-12
 """What varies by less than this share of its size stands still but for rounding."""
 FINISHED = "finished"
-NUMBER = re.compile(r"-?\d+(\.\d+)?(e[+-]?\d+)?")
 HEADINGS = {
     "mean": "mean",
     "standard_deviation": "deviation",
@@ -115,11 +113,12 @@ def text(runs: Sequence[xarray.Dataset], found: pandas.DataFrame, after_s: float
         if count > 1
         else "one run"
     )
+    came_of = outcome_report.blocks(outcome_report.of_runs(runs))
     lines = [
         str(runs[0].attrs.get("title", "")),
         f"{first:g} to {time[-1]:g} s of {of}",
         *_unfinished(runs),
-        *_warnings(runs),
+        *(line for block in came_of for line in ["", *block]),
         "",
     ]
     rows = [("channel", "", *HEADINGS.values())]
@@ -151,25 +150,6 @@ def _unfinished(runs: Sequence[xarray.Dataset]) -> list[str]:
     ends = [(run, str(run.attrs.get("status", FINISHED))) for run in runs if "run" not in run.sizes]
     return [f"warning: a run ended early, at {run['time'].values[-1]:g} s: {status}"
             for run, status in ends if status != FINISHED]  # fmt: skip
-
-
-def _warnings(runs: Sequence[xarray.Dataset]) -> list[str]:
-    """What the engine warned of in the runs; what it said of several, but for its numbers, once."""
-    each = [warned for run in runs for warned in _warned(run)]
-    alike: dict[tuple[str, str], list[str]] = {}
-    for warned in each:
-        kinds = {(warning["name"], NUMBER.sub("#", warning["text"])): warning["text"] for warning in warned}
-        for kind, words in kinds.items():
-            alike.setdefault(kind, []).append(words)
-    of = "warning" if len(each) == 1 else "warning, in {count} of {runs} runs, first"
-    return [f"{of.format(count=len(words), runs=len(each))}: {name}: {words[0]}"
-            for (name, _), words in alike.items()]  # fmt: skip
-
-
-def _warned(run: xarray.Dataset) -> list[list[dict[str, str]]]:
-    """The warnings of a run, or of each run of a batch."""
-    found = json.loads(run.attrs.get("warnings", "[]"))
-    return found if "run" in run.sizes else [found]
 
 
 def _stands_still(values: np.ndarray) -> bool:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import subprocess
+import sys
 
 import kingpost
 import pytest
@@ -73,3 +75,10 @@ def test_a_ship_that_still_lists_to_the_side_of_the_load_is_judged_on_the_other_
     assert found.side == "starboard"
     assert found.heel_before_deg < found.heel_after_deg < 0.0
     assert found.area_1_m_rad > 0.0
+
+
+def test_the_rules_are_there_when_the_package_is_imported() -> None:
+    words = "import kingpost; print(kingpost.lift_rules.offlead_m(1.0))"
+    found = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=False)
+    assert (found.stdout.strip(), found.stderr) == ("4.0", "")
+    assert "lift_rules" in kingpost.__all__

@@ -109,6 +109,25 @@ def test_a_summary_has_the_largest_loop_reaction_loop_error_and_cylinder_force()
     assert unit == "N"
 
 
+def test_a_summary_tells_the_tensions_at_the_two_ends_of_a_rope_apart():
+    """Source: the descriptions of the engine's channels."""
+    scenario = kingpost.load("lowering_by_winch", SHORT)
+    results = kingpost.run(scenario)
+    shown = [re.split(r"  +", line)[:2] for line in summary(results, scenario).splitlines()]
+    (rope,) = results["rope"].values.tolist()
+    tensions = [words for name, words, *_ in (row for row in shown if len(row) > 1) if "tension" in words]
+    assert tensions == [results[name].attrs["description"] for name in ("rope_tension", "rope_first_tension")]
+    assert [rope, tensions[0]] in shown
+
+
+@pytest.mark.parametrize("name", kingpost.gallery.names())
+def test_what_forces_and_drives_show_has_descriptions_that_differ(name):
+    """Source: a summary falls back on them where two quantities have one short name."""
+    shown = [channel for channel in kingpost.Simulation(name).channels if channel["of_elements"]]
+    descriptions = [channel["description"] for channel in shown]
+    assert len(set(descriptions)) == len(descriptions)
+
+
 def word(text: str, label: str, number: int) -> float:
     """The n-th word behind a line's label, as a number."""
     (line,) = (line for line in text.splitlines() if line.startswith(f"{label} "))

@@ -153,6 +153,21 @@ def test_what_has_no_response_is_named(arguments: list[str], message: str, capsy
     assert message in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("name", ["two_ships", "lift_off_from_barge"])
+def test_several_hulls_answer_by_default_at_the_frequencies_that_all_of_their_databases_cover(name) -> None:
+    """Source: the databases: of the vessel 0.05984 to 2.618 rad/s, of the barge 0.09229 to 4.038."""
+    frequency = kingpost.rao(name, [0.0]).frequency.values
+    assert (frequency[0], frequency[-1]) == (0.09229, 2.618)
+    assert len(frequency) > 100
+    assert (np.diff(frequency) > 0).all()
+
+
+def test_a_hull_answers_by_default_at_the_frequencies_that_the_engine_takes() -> None:
+    """Source: the engine, which refines a database in the same way."""
+    found = kingpost.Simulation("barge").wave_response([0.0], [])
+    assert kingpost.rao("barge", [0.0]).frequency.values.tolist() == found["frequencies_rad_s"]
+
+
 def test_directions_beyond_one_turn_are_refused(capsys) -> None:
     """Source: degrees where radians are meant are the likeliest mistake."""
     with pytest.raises(kingpost.KingpostError, match=r"directions: found 180 rad .* allowed: one turn"):

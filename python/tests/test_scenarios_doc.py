@@ -154,6 +154,15 @@ def test_the_table_of_results_is_the_engines() -> None:
     assert found == table(), "to write it anew: print('\\n'.join(table()))"
 
 
+def test_the_page_names_the_dimension_of_a_variable_that_only_some_ropes_have() -> None:
+    """Source: a lift with four slings, of which none leads over a crane."""
+    found = kingpost.run("four_leg_lift", {"simulation.duration_s": 0.01})
+    (dimension,) = set(found["rope_offlead"].dims) - {"time"}
+    assert found[dimension].values.tolist() == ["hoist_rope"]
+    assert len(found["rope"]) == 5
+    assert f"`{dimension}`" in PAGE
+
+
 def test_the_columns_that_the_page_names_are_columns(folder, monkeypatch) -> None:
     monkeypatch.chdir(folder)
     names = set(re.findall(r"`([a-z_]+(?:\.[a-z_]+)+)`", PAGE.split("## Results")[1]))

@@ -319,7 +319,8 @@ def test_what_it_warned_of_in_several_runs_is_printed_once_with_their_number() -
     second = _warned([0.0, 1.0], hull="it heeled to -33.10 deg, at 17.5 s")
     third = _warned([0.0, 1.0, 0.3, 0.2])
     lines = _text([first, second, third]).splitlines()
-    assert "warning, in 2 of 3 runs, first: hull: it heeled to 21.00 deg, at 4 s" in lines
+    of_hull = "warning, in 2 of 3 runs, from -33.10 (seed 2) to 21.00 (seed 3), first: hull"
+    assert f"{of_hull}: it heeled to 21.00 deg, at 4 s" in lines
     assert "warning, in 1 of 3 runs, first: boom: it pushes" in lines
     assert sum(line.startswith("warning, in") for line in lines) == 2
 
@@ -343,8 +344,10 @@ def test_extremes_of_an_operation_are_those_of_doing_it_once(
 def test_so_are_those_of_a_batch() -> None:
     each = [[{"time_s": 1.0, "name": "hull", "text": f"it heeled to {angle} deg"}] for angle in (21, 22)]
     attrs = {"warnings": json.dumps(each)}
-    runs = xarray.Dataset({"roll": (("run", "time"), np.eye(2))}, {"time": [0.0, 1.0]}, attrs)
-    assert "warning, in 2 of 2 runs, first: hull: it heeled to 21 deg" in _text([runs])
+    coordinates = {"time": [0.0, 1.0], "simulation.seed": ("run", [5, 6])}
+    runs = xarray.Dataset({"roll": (("run", "time"), np.eye(2))}, coordinates, attrs)
+    words = "warning, in 2 of 2 runs, from 21 (seed 5) to 22 (seed 6), first: hull: it heeled to 21 deg"
+    assert words in _text([runs])
 
 
 def _text(runs: list[xarray.Dataset]) -> str:

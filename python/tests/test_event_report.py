@@ -1,0 +1,72 @@
+"""What is printed of what happened in a run."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import xarray
+from kingpost import event_report
+from kingpost.cli import main
+from kingpost.records import PARTS, REPEATING
+
+ENGINE = Path(__file__).resolve().parents[2] / "crates" / "kingpost" / "src"
+
+
+def shown(*events: tuple[float, str, str]) -> list[str]:
+    """The lines of a run's events, with single blanks."""
+    found = [{"time_s": time_s, "element": element, "what": what} for time_s, element, what in events]
+    lines = event_report.events(xarray.Dataset(attrs={"events": json.dumps(found)}))
+    return [" ".join(line.split()) for line in lines]
+
+
+def test_what_matters_stands_first_in_order_of_time_and_what_repeats_is_counted():
+    slack = [(10.0 + k, "sling", ("goes slack", "comes taut")[k % 2]) for k in range(51)]
+    deck = [(5.0, "deck", "touches"), (6.0, "deck", "slides"), (7.0, "deck", "slides")]
+    assert shown(
+        (0.0, "operation", 'begins "hoist"'),
+        *deck,
+        *slack,
+        (67.29, "hoist_rope", "parts"),
+        (68.0, "load", "is under water"),
+    ) == [
+        "at, s what happened",
+        '0.00 operation begins "hoist"',
+        "67.29 hoist_rope parts",
+        "68.00 load is under water",
+        "",
+        "what repeats first at, s last at, s",
+        "deck touches once, slides 2 times 5.00 7.00",
+        "sling goes slack 26 times, comes taut 25 times 10.00 60.00",
+    ]
+
+
+def test_whatever_happens_to_one_thing_with_every_wave_is_counted():
+    waves = [(float(k), "module", "meets the water") for k in range(5)]
+    assert shown(*waves)[1:] == ["module meets the water 5 times 0.00 4.00"]
+    assert shown(*waves[:4])[1:] == [f"{k}.00 module meets the water" for k in range(4)]
+
+
+def test_a_run_that_a_step_of_its_operation_ends_says_so_as_the_last_thing(capsys):
+    """Source: a load that is to be 9 m high after a second of its step, which begins at 30 s."""
+    settings = {"simulation.duration_s": 40, "operation.steps.1.time_out_s": 1}
+    assert (
+        main(["run", "lift_off_from_barge", *(f"--set={name}={value}" for name, value in settings.items())])
+        == 1
+    )
+    printed = capsys.readouterr()
+    lines = [" ".join(line.split()) for line in printed.out.splitlines()]
+    begins = lines.index('30.00 operation begins "lift off"')
+    assert lines[begins + 1] == "31.00 the run ends early"
+    assert "did not end within 1 s" in printed.err
+
+
+def test_a_run_in_which_nothing_happened_prints_no_table():
+    assert shown() == []
+
+
+def test_the_events_that_are_told_apart_are_events_of_the_engine():
+    """Source: the words of the engine's elements."""
+    text = "\n".join(path.read_text(encoding="utf-8") for path in ENGINE.glob("elements/**/*.rs"))
+    assert set(re.findall(r'"([a-z ]+)"', text)) >= {*REPEATING, PARTS}
