@@ -18,7 +18,7 @@ pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     });
     let rods = model.loops.iter().filter_map(|closed| rod(model, closed));
     let hulls: Vec<&Hull> = of_kind(elements).collect();
-    let energy: AnyWatcher = Box::new(EnergyBalance::default());
+    let energy: AnyWatcher = Box::<EnergyBalance>::default();
     pendants.chain(rods).chain(gaps(model, &hulls)).chain([energy]).collect()
 }
 
