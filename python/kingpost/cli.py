@@ -57,7 +57,12 @@ def parser() -> argparse.ArgumentParser:
 
     run = commands.add_parser("run", help="simulate a scenario and print a summary")
     _add_scenario(run)
-    run.add_argument("-o", "--output", metavar="FILE", help="results: .nc, .csv or .parquet")
+    run.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        help="results: .nc, .csv or .parquet; .png, .svg or .pdf for a picture",
+    )
     run.add_argument("--seeds", type=int, metavar="N",
                      help="N runs, of the seeds 1 to N; -o has * for them, as run_*.nc")  # fmt: skip
     run.set_defaults(command=_run)
@@ -95,6 +100,13 @@ def parser() -> argparse.ArgumentParser:
                             help="columns, as ship.roll or 'load.*' (default: the main ones)")  # fmt: skip
     statistics.add_argument("-o", "--output", metavar="FILE", help="the table: .csv")
     statistics.set_defaults(command=_statistics)
+
+    plot = commands.add_parser("plot", help="a picture of recorded runs over time")
+    plot.add_argument("files", nargs="+", metavar="FILE", help="results in NetCDF")
+    plot.add_argument("--channels", nargs="+", default=[], metavar="NAME",
+                      help="columns, as ship.roll or 'load.*' (default: limits, the main ones)")  # fmt: skip
+    plot.add_argument("-o", "--output", metavar="FILE", required=True, help="the picture: .png, .svg or .pdf")
+    plot.set_defaults(command=_plot)
 
     gallery = commands.add_parser("list", help="list the gallery")
     gallery.set_defaults(command=_list)
@@ -139,7 +151,7 @@ def _scenario(options: argparse.Namespace) -> Scenario:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from . import afloat_report, event_report, outcome_report, progress, report, results
+    from . import afloat_report, event_report, outcome_report, plot, progress, report, results
     from .stable_step import warning
 
     scenario = _scenario(options)
@@ -149,7 +161,8 @@ def _run(options: argparse.Namespace) -> int:
     if options.seeds is not None:
         return _run_seeds(scenario, options)
     existed = options.output is not None and Path(options.output).exists()
-    output = results.check_output(options.output) if options.output is not None else None
+    endings = (*results.ENDINGS, *plot.ENDINGS)
+    output = results.check_output(options.output, endings) if options.output is not None else None
     failure: RunError | KeyboardInterrupt | None = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
         try:
@@ -167,7 +180,8 @@ def _run(options: argparse.Namespace) -> int:
         print(f"\n{afloat}\n")
     if output:
         over = ", in the place of an older file" if existed else ""
-        print(f"written         {results.write(recorded, output)}{over}")
+        write = plot.write if output.suffix.lower() in plot.ENDINGS else results.write
+        print(f"written         {write(recorded, output)}{over}")
     if isinstance(failure, KeyboardInterrupt):
         return _fail(f"interrupted at {recorded['time'].values[-1]:g} s", INTERRUPTED)
     return _fail(failure, FAILED) if failure else DONE
@@ -251,6 +265,14 @@ def _statistics(options: argparse.Namespace) -> int:
     if output:
         found.to_csv(output, index=False)
         print(f"\nwritten  {output}")
+    return DONE
+
+
+def _plot(options: argparse.Namespace) -> int:
+    from . import plot, statistics_report
+
+    runs = [statistics_report.read(path) for path in options.files]
+    print(f"written  {plot.write(runs, options.output, options.channels)}")
     return DONE
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 # Of these where no channels are named; a floating body's place and angles, and all of the others.
 OF_SHIPS = ("position.z", "roll", "pitch", "yaw")
-ALL_OF = ("wave_elevation", "joint_position", "line_tension")
+ALL_OF = ("wave_elevation", "joint_position", "line_tension", "rope_tension", "rope_daf")
 FEWEST_RUNS, ENOUGH_RUNS = 5, 10
 """Runs that an extreme is fitted to, and those that give an error worth having."""
 SMALLEST_MOTION = 1e-12
@@ -91,10 +91,10 @@ def frame(
     pooling.check(runs)
     first = start_s(runs[0], after_s)
     exposure = exposure_s(runs[0], after_s)
-    names = _chosen(runs[0], patterns)
+    names = chosen(runs[0], patterns)
     rows = []
     for name, unit in names.items():
-        series = [part for run in runs for part in _series(run, name)]
+        series = [part for run in runs for part in series_of(run, name)]
         if not patterns and all(_stands_still(statistics.after(part, first).values) for part in series):
             continue
         scale = 180 / np.pi if unit == "rad" else 1.0
@@ -156,7 +156,7 @@ def _stands_still(values: np.ndarray) -> bool:
     return bool(np.ptp(values) <= SMALLEST_MOTION * np.abs(values).max())
 
 
-def _chosen(results: xarray.Dataset, patterns: Sequence[str]) -> dict[str, str]:
+def chosen(results: xarray.Dataset, patterns: Sequence[str]) -> dict[str, str]:
     """Names of flat columns with their units."""
     found = {name: unit_of(series) for name, series in _columns(results)}
     if not patterns:
@@ -182,7 +182,7 @@ def _columns(results: xarray.Dataset) -> Iterator[tuple[str, xarray.DataArray]]:
     return columns(over_time, along=("time", "run"))
 
 
-def _series(results: xarray.Dataset, name: str) -> list[xarray.DataArray]:
+def series_of(results: xarray.Dataset, name: str) -> list[xarray.DataArray]:
     """One channel of each run of a data set."""
     for found, series in _columns(results):
         if found == name:
