@@ -19,13 +19,14 @@ GALLERY := $(wildcard scenarios/*.yaml scenarios/parts/*.yaml scenarios/hydro/*.
 sources = $(shell find $(1) -type f -not -path '*/pkg/*' -not -path '*/__pycache__/*' 2>/dev/null)
 ENGINE := Cargo.toml Cargo.lock $(call sources,crates/kingpost/src crates/kingpost/Cargo.toml)
 
-# By the Python tests, and by making the WASM module.
-TESTED_ELSEWHERE := --exclude kingpost-py --exclude xtask
+# What is built for tests, one choice of crates: with another their features differ, and cargo builds the engine once more.
+# Making the WASM module tests xtask; nothing of kingpost-py is built where its tests, in Python, do not ask for it.
+TESTED := --workspace --exclude xtask --all-features
 
 # The Python module is built once, for this processor. AVX2 changes no bit: it makes the registers wider.
 THIS_PROCESSOR = $(if $(shell rustc --print cfg -C target-cpu=native | grep '"avx2"'),-C target-feature=+avx2)
 # The Python module for any processor, out of the engine that the engine's tests use: its bits are compared.
-PLAIN := PYO3_BUILD_EXTENSION_MODULE=1 cargo build --quiet --locked --workspace --exclude xtask --all-features --lib
+PLAIN := PYO3_BUILD_EXTENSION_MODULE=1 cargo build --quiet --locked $(TESTED) --lib
 
 # uv: the one at hand, else from PyPI.
 UV := $(shell uv --version >/dev/null 2>&1 && echo uv || echo $(DONE)/uv/bin/uv)
@@ -43,14 +44,14 @@ demo: need-rust need-node need-python $(APP) $(DONE)/run ## run the paper's cran
 	$(BIN)/kingpost serve $(if $(filter true 1,$(CI)),--check)
 
 compile: need-rust need-node need-python $(WASM) $(DONE)/develop ## all that is compiled: the engine for the browser, for Python and for its tests
-	cargo test --locked --workspace $(TESTED_ELSEWHERE) --all-features --no-run
+	cargo test --locked $(TESTED) --no-run
 	$(PLAIN)
 
 test: need-rust need-node need-python need-lint ## every test of every part, and a summary
 	@$(PYTHON) tools/test.py
 
 test-rust: need-rust ## the engine's tests
-	cargo test --locked --workspace $(TESTED_ELSEWHERE) --all-features --no-fail-fast
+	cargo test --locked $(TESTED) --no-fail-fast
 
 test-web: $(NODE_MODULES) $(WASM) ## the app's tests without a browser
 	cd web && npm test
