@@ -123,7 +123,9 @@ export default {
     await stepTo(page, 0.05);
     await says("Paused at 0.05 s.");
     await page.getByTestId("unit-rad").click();
-    await page.waitForFunction(() => document.querySelector("#plot-rates table").textContent.includes("0.05 s"));
+    // A table is written once a second at most.
+    const tabled = (words) => words.every((one) => document.querySelector("#plot-rates table").textContent.includes(one));
+    await page.waitForFunction(tabled, ["0.05 s", "rad/s"]);
     const rows = await page.locator("#plot-rates table tr").allTextContents();
     assert.equal(rows[0], "Pitch, rad/sYaw, rad/sRoll, rad/s");
     assert.match(rows[1], /^Least/);
