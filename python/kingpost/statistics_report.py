@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 # Of these where no channels are named; a floating body's place and angles, and all of the others.
 OF_SHIPS = ("position.z", "roll", "pitch", "yaw")
-ALL_OF = ("wave_elevation", "joint_position", "line_tension", "rope_tension", "rope_daf")
+ALL_OF = ("wave_elevation", "joint_position", "line_tension")
 FEWEST_RUNS, ENOUGH_RUNS = 5, 10
 """Runs that an extreme is fitted to, and those that give an error worth having."""
 SMALLEST_MOTION = 1e-12

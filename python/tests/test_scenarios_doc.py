@@ -93,7 +93,7 @@ def test_the_page_is_a_scenario_that_grows_and_runs(folder, monkeypatch, capsys)
                 ran.append(words[0])
                 words = [*words, "--check", "--port", "0"] if words[0] == "serve" else words
                 assert cli.main(words) == 0, words
-    assert ran == ["check", "run", "statistics", "rao", "serve"]
+    assert ran == ["check", "run", "statistics", "plot", "rao", "serve"]
     shown = capsys.readouterr().out
     assert "pendant.joint_reaction.force_z" in shown
     # Light crane on a wide barge: upright but for a few degrees.
