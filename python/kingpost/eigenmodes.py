@@ -260,8 +260,12 @@ def other_modes(system: Scaled, zero: NDArray) -> list[Mode]:
     a = system.a * units / units[:, None]
     basis = np.linalg.qr(zero / units[:, None], mode="complete")[0]
     zero, rest = basis[:, : zero.shape[1]], basis[:, zero.shape[1] :]
-    values, vectors = np.linalg.eig(rest.T @ a @ rest)
-    lefts = left_vectors(rest.T @ a @ rest, values)
+    inside = rest.T @ a @ rest
+    values, vectors = np.linalg.eig(inside)
+    lefts = left_vectors(inside, values)
+    # What rounding in A does to an eigenvalue, times the product of its vectors (Golub & Van Loan, Matrix
+    # Computations, 7.2.2).
+    rounding = 10 * len(a) * np.finfo(float).eps * np.linalg.norm(a, 2)
     inner, coupling = zero.T @ a @ zero, zero.T @ a @ rest
     further = system.memory[len(system.mass) :]
     named = np.concatenate([np.ones(len(system.mass)), np.any(a[:, n:] != 0.0, axis=0)])
@@ -269,7 +273,7 @@ def other_modes(system: Scaled, zero: NDArray) -> list[Mode]:
     for value, vector, left in zip(values, vectors.T, lefts, strict=True):
         if value.imag < 0:
             continue
-        error = rounding(a, vector, left)
+        error = rounding / max(across(left, vector), SMALLEST_PRODUCT)
         if not value.imag and abs(value) < error:
             value = 0.0
         along_zero = np.linalg.pinv(value * np.eye(len(inner)) - inner) @ (coupling @ vector)
@@ -283,10 +287,9 @@ def other_modes(system: Scaled, zero: NDArray) -> list[Mode]:
     return modes
 
 
-def rounding(a: NDArray, vector: NDArray, left: NDArray) -> float:
-    """What rounding in A does to an eigenvalue (Golub & Van Loan, *Matrix Computations*, 7.2.2)."""
-    across = abs(left @ vector) / (np.linalg.norm(left) * np.linalg.norm(vector))
-    return 10 * len(a) * np.finfo(float).eps * np.linalg.norm(a, 2) / max(across, SMALLEST_PRODUCT)
+def across(left: NDArray, right: NDArray) -> float:
+    """The product of a left and a right vector, as if both were of length 1."""
+    return abs(left @ right) / (np.linalg.norm(left) * np.linalg.norm(right))
 
 
 def left_vectors(a: NDArray, values: NDArray) -> NDArray:
@@ -302,9 +305,8 @@ def left_vectors(a: NDArray, values: NDArray) -> NDArray:
 def memory_share(left: NDArray, state: NDArray, further: NDArray[np.bool_]) -> float:
     """What states that only remember take part in a mode (Perez-Arriaga, Verghese & Schweppe, 1982); of what
     has no left vector of its own, as filters in a row, their share of the motion."""
-    product = left @ state
-    if abs(product) > SMALLEST_PRODUCT * np.linalg.norm(left) * np.linalg.norm(state):
-        parts = (left * state / product).real
+    if across(left, state) > SMALLEST_PRODUCT:
+        parts = (left * state / (left @ state)).real
     else:
         parts = np.abs(state) ** 2 / np.sum(np.abs(state) ** 2)
     return float(np.clip(parts[len(state) - len(further) :][further].sum(), 0.0, 1.0))

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import outcome_report, pooling, statistics
+from .batch import FINISHED
 from .errors import KingpostError
 from .report import fixed, table
 from .results import columns, floating_bodies, unit_of
@@ -26,7 +27,6 @@ FEWEST_RUNS, ENOUGH_RUNS = 5, 10
 """Runs that an extreme is fitted to, and those that give an error worth having."""
 SMALLEST_MOTION = 1e-12
 """What varies by less than this share of its size stands still but for rounding."""
-FINISHED = "finished"
 HEADINGS = {
     "mean": "mean",
     "standard_deviation": "deviation",
