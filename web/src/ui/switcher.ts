@@ -1,11 +1,26 @@
-/** On a narrow screen the controls and the plots take turns; on a wide one both are there. */
+import { byId } from "./dom";
+
+/** The panels take turns: of all on a narrow screen, of those beside the picture on a wide one, where the plots are always there. */
 export function enableSwitcher(): void {
-  const app = document.querySelector<HTMLElement>(".app")!;
-  const buttons = [...document.querySelectorAll<HTMLButtonElement>(".switcher button")];
-  for (const button of buttons) {
-    button.addEventListener("click", () => {
-      app.dataset.panel = button.dataset.panel;
-      for (const other of buttons) other.setAttribute("aria-pressed", String(other === button));
-    });
+  for (const button of buttons()) button.addEventListener("click", () => showPanel(button.dataset.panel!));
+}
+
+/** Opens a panel by its id. */
+export function showPanel(id: string): void {
+  for (const button of buttons()) {
+    const panel = button.dataset.panel!;
+    button.setAttribute("aria-pressed", String(panel === id));
+    byId(panel).classList.toggle("is-open", panel === id);
   }
+}
+
+/** Offers a panel where it has something to show; one that is open and no more offered gives way to the controls. */
+export function offerPanel(id: string, isOffered: boolean): void {
+  const button = buttons().find(({ dataset }) => dataset.panel === id)!;
+  button.hidden = !isOffered;
+  if (!isOffered && byId(id).classList.contains("is-open")) showPanel("controls");
+}
+
+function buttons(): HTMLButtonElement[] {
+  return [...document.querySelectorAll<HTMLButtonElement>(".switcher button")];
 }

@@ -1,0 +1,2 @@
+/** Every text that a person reads, by the area of the page that shows it. */
+export const en = {};
