@@ -8,6 +8,8 @@ export default defineConfig({
   base: "./",
   plugins: [gallery(here("../scenarios"), here("src/engine/pkg"))],
   worker: { format: "es" },
+  // The paper's equations stand beside the Python package.
+  server: { fs: { allow: [".."] } },
   build: {
     target: "es2022",
     assetsInlineLimit: 0,

@@ -1,4 +1,4 @@
-// Writes src/generated: types from the JSON Schemas of the scenario and of what the engine says of it and of its hulls,
+// Writes src/generated: types from the JSON Schemas of the scenario and of what the engine says of it, of its hulls and of its equations,
 // which come from the engine's types.
 import { writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -8,7 +8,7 @@ const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 
 /** Name of each schema, and where its types stand. */
 export const TYPES = Object.fromEntries(
-  ["scenario", "model", "hydrostatics"].map((name) => [name, here(`../src/generated/${name}.d.ts`)]),
+  ["scenario", "model", "hydrostatics", "equations"].map((name) => [name, here(`../src/generated/${name}.d.ts`)]),
 );
 
 export function typesOf(name) {

@@ -63,6 +63,10 @@ export class FakeEngine implements Engine {
     return new Float64Array(x.length * y.length).fill(this.time_s());
   }
 
+  equations_json(): string {
+    return JSON.stringify({ matrices: [], formulas: [] });
+  }
+
   hydrostatics_json(): string {
     throw { kind: "input", message: "the box cannot float" };
   }
@@ -96,6 +100,7 @@ export class FakeEngine implements Engine {
       gravity_m_s2: 9.81,
       sea: null,
       hulls: [],
+      limits: [],
       parameters: [
         { name: "load", label: "Load", unit: "", kind: "boolean", value: this.overrides.load ?? false, range: null, choices: null, live: false },
         { name: "wind", label: "Wind", unit: "m/s", kind: "number", value: this.overrides.wind ?? 8, range: [0, 20], choices: null, live: true },

@@ -32,6 +32,7 @@ const MODEL: ModelInfo = {
   ],
   sea: null,
   hulls: [],
+  limits: [],
   gravity_m_s2: 0,
   parameters: [],
   warnings: [],

@@ -144,6 +144,11 @@ impl Simulation {
         json(&self.scenario.hydrostatic_report_at(&self.inner).map_err(thrown::hydrostatics)?)
     }
 
+    /// The matrices of the moving frame method now, with labels, units and formulas.
+    pub fn equations_json(&mut self) -> Result<JsString, JsValue> {
+        json(&self.inner.equations())
+    }
+
     /// The scenario with defaults, parameters and overrides in place; it reads back to the same.
     pub fn resolved_json(&self) -> JsString {
         self.scenario.to_json().into()

@@ -1,8 +1,9 @@
-//! Writes `schema/scenario.schema.json` from the types of the scenario, and `schema/model.schema.json` and
-//! `schema/hydrostatics.schema.json` from those of what the engine says of it and of its hulls.
+//! Writes `schema/scenario.schema.json` from the types of the scenario, and `schema/model.schema.json`,
+//! `schema/hydrostatics.schema.json` and `schema/equations.schema.json` from those of what the engine says of it, of its
+//! hulls and of its equations.
 
 use kingpost::hydrostatics;
-use kingpost::scenario::json_schema::{json_schema, published_schema};
+use kingpost::scenario::json_schema::{equations_schema, json_schema, published_schema};
 use serde_json::Value;
 use std::path::Path;
 
@@ -11,7 +12,8 @@ fn main() -> std::io::Result<()> {
     std::fs::create_dir_all(&folder)?;
     write(&folder.join("scenario.schema.json"), &json_schema())?;
     write(&folder.join("model.schema.json"), &published_schema())?;
-    write(&folder.join("hydrostatics.schema.json"), &hydrostatics::json_schema())
+    write(&folder.join("hydrostatics.schema.json"), &hydrostatics::json_schema())?;
+    write(&folder.join("equations.schema.json"), &equations_schema())
 }
 
 fn write(file: &Path, schema: &Value) -> std::io::Result<()> {

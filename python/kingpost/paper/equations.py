@@ -7,7 +7,9 @@ e2 our z.
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
+from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -35,42 +37,11 @@ class Equation:
         return rf"$\displaystyle \begin{{aligned}} {aligned} \end{{aligned}}$"
 
 
-_INNER = (
-    r"\dot{{x}}_C^{{(3)}} = R^{{(1)}} \left( R^{{(2/1)}} R^{{(3/2)}} S(s_{{C_3}})^T \omega^{{(3)}} "
-    r"+ R^{{(2/1)}} S(s_{{J_2}})^T \omega^{{(2)}} + S({})^T \omega^{{(1)}} \right) + \dot{{x}}_C^{{(1)}}"
-)
-
 EQUATIONS = {
-    "43": Equation(
-        [_INNER.format("s_{C_2}")],
-        [
-            _INNER.format("s_{C(2/1)}"),
-            r"s_{C(2/1)} = s_{J_1} + s_{C_2} = \left( b, \, l^{(2)}, \, d \right)^T",
-        ],
-    ),
-    "B52": Equation(
-        [
-            r"B_{52} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C(2/1)})^T (R^{(2/1)})^T (R^{(3/2)})^T "
-            r"+ R^{(2/1)} S(s_{J_2})^T (R^{(2/1)})^T + S(s_{C_2})^T \right)"
-        ],
-        [
-            r"B_{52} = R^{(1)} \left( R^{(3/1)} S(s_{C_3})^T (R^{(3/1)})^T "
-            r"+ R^{(2/1)} S(s_{J_2})^T (R^{(2/1)})^T + S(s_{C(2/1)})^T \right)",
-            r"R^{(3/1)} = R^{(2/1)} R^{(3/2)}",
-        ],
-    ),
-    "B53": Equation(
-        [
-            r"B_{53} = R^{(1)} \left( R^{(2/1)} R^{(3/2)} S(s_{C(2/1)})^T (R^{(3/2)})^T e_2 "
-            r"+ R^{(2/1)} S(s_{C_2})^T e_2 \right)"
-        ],
-        [
-            r"B_{53} = R^{(1)} \left( R^{(3/1)} S(s_{C_3})^T (R^{(3/2)})^T e_2 "
-            r"+ R^{(2/1)} S(s_{J_2})^T e_2 \right)"
-        ],
-    ),
+    name: Equation(**forms)
+    for name, forms in json.loads(files(__package__).joinpath("equations.json").read_text()).items()
 }
-"""By the paper's number, or by the block of B."""
+"""By the paper's number, or by the block of B. The app shows the same file."""
 
 
 def arm_velocity(

@@ -1,5 +1,6 @@
 import type { EngineClient } from "../engine/client";
-import type { Hydrostatics } from "../engine/engine";
+import type { Equations, Hydrostatics } from "../engine/engine";
+import { rewind } from "./recording/rewind";
 import type { Session } from "./session";
 
 /** A second engine beside the one that runs, for what takes longer than a picture may wait. */
@@ -8,22 +9,50 @@ export class Aside {
   /** What is open there: a source and its values, as they were handed to the run. */
   private held: { source: unknown; overrides: unknown } | null = null;
   private turn: Promise<unknown> = Promise.resolve();
-  private newest = 0;
+  private readonly newest: Record<string, number> = {};
 
   constructor(private readonly startClient: () => EngineClient) {}
 
   /** How the hulls of the run in hand float at rest with the crane as it stands; null where something newer was asked. */
   hydrostatics(session: Session): Promise<Hydrostatics | null> {
-    const asked = ++this.newest;
-    const result = this.turn.then(() => (asked === this.newest ? this.reckon(session) : null));
+    return this.inTurn("hydrostatics", async () => {
+      const snapshot = await session.snapshot();
+      const client = await this.opened(session);
+      await client?.restore(snapshot);
+      return client?.hydrostatics() ?? null;
+    });
+  }
+
+  /** The matrices of the method at the moment that is shown; null where something newer was asked. */
+  equations(session: Session): Promise<Equations | null> {
+    return this.inTurn("equations", async () => {
+      const { shown } = session;
+      const snapshot = shown.isBack ? null : await session.snapshot();
+      const client = await this.opened(session);
+      if (!client) return null;
+      if (snapshot) await client.restore(snapshot);
+      else await this.goTo(client, session);
+      return client.equations();
+    });
+  }
+
+  /** To an earlier moment; with the parameters of then the engine is no more the one that was opened. */
+  private async goTo(client: EngineClient, { shown, values }: Session): Promise<void> {
+    const { recording, time_s } = shown;
+    if (recording) await rewind(client, recording, time_s, values.inForce, () => (this.held = null));
+  }
+
+  /** Questions of one kind that a newer one overtakes are not answered; one that fails leaves an engine to be opened anew. */
+  private inTurn<T>(kind: string, reckon: () => Promise<T | null>): Promise<T | null> {
+    const asked = (this.newest[kind] ?? 0) + 1;
+    this.newest[kind] = asked;
+    const result = this.turn.then(() => (asked === this.newest[kind] ? reckon() : null));
     this.turn = result.catch(() => (this.held = null));
     return result;
   }
 
-  private async reckon(session: Session): Promise<Hydrostatics | null> {
-    const { source, values } = session;
+  private async opened({ source, values }: Session): Promise<EngineClient | null> {
     const { overrides } = values;
-    const snapshot = await session.snapshot();
     if (!source) return null;
     this.client ??= this.startClient();
     if (this.held?.source !== source || this.held.overrides !== overrides) {
@@ -31,7 +60,6 @@ export class Aside {
       await this.client.open(source.text, source.file, overrides, source.opened ?? null);
       this.held = { source, overrides };
     }
-    await this.client.restore(snapshot);
-    return this.client.hydrostatics();
+    return this.client;
   }
 }

@@ -48,6 +48,10 @@ export class EngineClient {
     return this.ask({ kind: "hydrostatics" });
   }
 
+  equations(): Promise<Replies["equations"]> {
+    return this.ask({ kind: "equations" });
+  }
+
   input(name: string, value: number): Promise<null> {
     return this.ask({ kind: "input", name, value });
   }

@@ -9,6 +9,7 @@ import type {
   DrawnLine,
   HullDescription,
   Input,
+  LimitDescription,
   LoopDescription,
   MeshDescription,
   ParameterDescription,
@@ -16,14 +17,17 @@ import type {
   SphereShape,
   Warning,
 } from "../generated/model";
+import type { Equations } from "../generated/equations";
 import type { HydrostaticReport } from "../generated/hydrostatics";
 import type { SimulationSettings } from "../generated/scenario";
 import { faultOfBreakdown } from "./faults";
 
 export type { Channel, DrawnLine, Warning };
+export type { Equations };
 export type Hydrostatics = HydrostaticReport;
 export type InputInfo = Input;
 export type HullInfo = HullDescription;
+export type LimitInfo = LimitDescription;
 export type LoopInfo = LoopDescription;
 export type MeshInfo = MeshDescription;
 export type PointInfo = PointDescription;
@@ -100,6 +104,8 @@ export interface Engine {
   events_json(first: number): string;
   /** Throws where a hull cannot float. */
   hydrostatics_json(): string;
+  /** The matrices of the method now, and the formulas of their blocks. */
+  equations_json(): string;
   /** The scenario with defaults, parameters and overrides in place. */
   resolved_json(): string;
   inputs_json(): string;

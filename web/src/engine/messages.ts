@@ -1,4 +1,4 @@
-import type { Channel, DrawnLine, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Value, Values, Warning } from "./engine";
+import type { Channel, DrawnLine, Equations, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Value, Values, Warning } from "./engine";
 import type { Surface } from "./surface";
 
 export interface OpenRequest {
@@ -17,6 +17,7 @@ export type Request =
   | { kind: "advance"; wall_s: number; speed: number }
   | { kind: "step" }
   | { kind: "hydrostatics" }
+  | { kind: "equations" }
   | { kind: "input"; name: string; value: number }
   | { kind: "replay" }
   | { kind: "snapshot" }
@@ -94,6 +95,7 @@ export interface Replies {
   advance: Frame | null;
   step: Frame;
   hydrostatics: Hydrostatics;
+  equations: Equations;
   input: null;
   parameter: null;
   replay: Replay;

@@ -1,5 +1,5 @@
 import { asFault, readModel, readSettings } from "./engine";
-import type { Engine, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
+import type { Engine, Equations, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
 import { Events } from "./events";
 import type { Frame, Opened, Replay, Restored, Snapshot } from "./messages";
 import { SurfaceGrid } from "./surface";
@@ -110,6 +110,11 @@ export class Runner {
     } catch (thrown) {
       return { hulls: [], warnings: [asFault(thrown).message] };
     }
+  }
+
+  /** The matrices of the method at the engine's state. */
+  equations(): Equations {
+    return JSON.parse(this.current().equations_json()) as Equations;
   }
 
   input(name: string, value: number): void {

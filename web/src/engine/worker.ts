@@ -62,6 +62,8 @@ async function answer(request: Request): Promise<unknown> {
       return runner.step();
     case "hydrostatics":
       return runner.hydrostatics();
+    case "equations":
+      return runner.equations();
     case "input":
       runner.input(request.name, request.value);
       return null;

@@ -96,6 +96,10 @@ export interface Description {
    */
   hulls: HullDescription[];
   /**
+   * What columns of the results are to keep.
+   */
+  limits: LimitDescription[];
+  /**
    * The knobs with their values.
    */
   parameters: ParameterDescription[];
@@ -423,6 +427,39 @@ export interface MeshDescription {
    * Indices of vertices, counter-clockwise seen from the water.
    */
   triangles: [number, number, number][];
+}
+/**
+ * A limit that a run is held against.
+ */
+export interface LimitDescription {
+  /**
+   * Its name in the scenario.
+   */
+  name: string;
+  /**
+   * The column.
+   */
+  column: string;
+  /**
+   * Unit of the bounds.
+   */
+  unit: string;
+  /**
+   * How many of the column's SI unit that is.
+   */
+  unit_si: number;
+  /**
+   * The smallest value that is allowed.
+   */
+  at_least: number | null;
+  /**
+   * The largest value that is allowed.
+   */
+  at_most: number | null;
+  /**
+   * From when on it counts, s.
+   */
+  from_s: number;
 }
 /**
  * A knob.

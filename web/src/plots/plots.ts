@@ -1,3 +1,4 @@
+import { onPalette } from "../app/palette";
 import type { Run, Session } from "../app/session";
 import { byId, make } from "../ui/dom";
 import { Plot } from "./plot";
@@ -23,7 +24,7 @@ export class Plots {
       moved: () => session.status !== "running" && this.each((plot) => plot.touch()),
     });
     this.addUnitSwitch();
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.each((plot) => plot.restyle()));
+    onPalette(() => this.each((plot) => plot.restyle()));
   }
 
   draw(): void {

@@ -12,13 +12,25 @@ export function showPanel(id: string): void {
     button.setAttribute("aria-pressed", String(panel === id));
     byId(panel).classList.toggle("is-open", panel === id);
   }
+  byId(id).dispatchEvent(new Event(OPENED));
+}
+
+/** Says to a panel that it is in sight: what it shows may be old. */
+const OPENED = "panel-opened";
+
+export function onPanelOpened(id: string, act: () => void): void {
+  byId(id).addEventListener(OPENED, act);
+}
+
+export function isPanelOpen(id: string): boolean {
+  return byId(id).classList.contains("is-open");
 }
 
 /** Offers a panel where it has something to show; one that is open and no more offered gives way to the controls. */
 export function offerPanel(id: string, isOffered: boolean): void {
   const button = buttons().find(({ dataset }) => dataset.panel === id)!;
   button.hidden = !isOffered;
-  if (!isOffered && byId(id).classList.contains("is-open")) showPanel("controls");
+  if (!isOffered && isPanelOpen(id)) showPanel("controls");
 }
 
 function buttons(): HTMLButtonElement[] {

@@ -1,4 +1,5 @@
 import { Color } from "three";
+import { isDark } from "../app/palette";
 
 /** Colours of the 3D view; they come from the page's theme, so that there is one place for them. */
 export interface Palette {
@@ -45,6 +46,6 @@ export function readPalette(): Palette {
     axes: { x: colour("--roll"), y: colour("--pitch"), z: colour("--yaw") },
     label: text("--ink"),
     halo: text("--surface"),
-    isDark: matchMedia("(prefers-color-scheme: dark)").matches,
+    isDark: isDark(),
   };
 }

@@ -2,11 +2,18 @@ import { Playback } from "../app/recording/playback";
 import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
 import { length } from "../app/format";
+import type { Highlight } from "../equations/highlight";
 import { byId, setText } from "../ui/dom";
 import { View } from "./view";
 
+export interface Scene {
+  draw(): void;
+  /** Points out bodies and how they move; null for nothing. */
+  highlight(what: Highlight | null): void;
+}
+
 /** Ties the 3D picture to the run and to its buttons; without WebGL it says so, and the rest runs. */
-export function createScene(session: Session): { draw(): void } {
+export function createScene(session: Session): Scene {
   let view: View;
   try {
     view = new View(byId<HTMLCanvasElement>("canvas"));
@@ -14,7 +21,7 @@ export function createScene(session: Session): { draw(): void } {
     const message = byId("scene-message");
     message.hidden = false;
     message.textContent = "This browser offers no WebGL, so there is no picture; the numbers and plots run.";
-    return { draw() {} };
+    return { draw() {}, highlight() {} };
   }
   showLosses(byId("canvas"), view);
   const frames = byId<HTMLButtonElement>("frames");
@@ -47,6 +54,7 @@ export function createScene(session: Session): { draw(): void } {
       }
       view.draw();
     },
+    highlight: (what) => view.highlight(what),
   };
 }
 

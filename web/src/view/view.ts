@@ -1,12 +1,15 @@
 import { DirectionalLight, Group, HemisphereLight, Mesh, PCFShadowMap, Scene, Sprite, WebGLRenderer } from "three";
 import type { Material, Object3D } from "three";
+import { onPalette } from "../app/palette";
 import type { Run } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
 import type { Frame } from "../engine/messages";
 import type { Surface } from "../engine/surface";
 import { Eye } from "./camera";
-import type { Area } from "./fit";
+import type { Highlight } from "../equations/highlight";
+import type { Area, Box } from "./fit";
 import { Ground } from "./ground";
+import { Marks } from "./highlight";
 import { Linkages } from "./linkages";
 import { DrawnLines } from "./lines";
 import { readPalette } from "./palette";
@@ -45,6 +48,9 @@ export class View {
   private run: Shown | null = null;
   private frame: Pose = { poses: [], line_points: [] };
   private surface: Surface | null = null;
+  private boxes: Box[] = [];
+  private readonly marks = new Marks();
+  private highlighted: Highlight | null = null;
   private framesShown = false;
   private stale = true;
 
@@ -58,10 +64,10 @@ export class View {
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0005;
     this.sun.shadow.normalBias = 0.03;
-    this.scene.add(this.ground, this.sea, this.sky, this.sun, this.sun.target, this.world);
+    this.scene.add(this.ground, this.sea, this.sky, this.sun, this.sun.target, this.world, this.marks.group);
     this.light();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
+    onPalette(() => this.repaint());
   }
 
   /** Builds the bodies; `refit` when it is another model and not the same one reset. */
@@ -78,6 +84,7 @@ export class View {
     });
     this.world.add(...this.bodies);
     const boxes = model.bodies.map((body, i) => boxOf(body, hulls[i]));
+    this.boxes = boxes;
     const thickness = boxes.map((box) => Math.min(...edgesOf(box)));
     this.linkages = new Linkages(model, this.bodies, thickness, this.world, this.palette);
     this.lines = new DrawnLines(run.lines, this.world, this.palette);
@@ -87,6 +94,7 @@ export class View {
     if (axes > 0) this.addFrames(axes);
     this.ground.space(this.spacing());
     this.ground.visible = model.sea === null || model.hulls.length === 0;
+    this.highlight(this.highlighted);
     this.place(frame);
     if (refit) this.eye.fit();
     this.stale = true;
@@ -109,6 +117,13 @@ export class View {
   showFrames(shown: boolean): void {
     this.framesShown = shown;
     if (this.run) this.build(this.run, this.frame, !this.eye.isTaken);
+  }
+
+  /** Points out bodies and how they move, until something else is pointed out. */
+  highlight(what: Highlight | null): void {
+    this.highlighted = what;
+    this.marks.show(what, this.bodies, this.boxes, this.eye.size(), this.palette);
+    this.stale = true;
   }
 
   fit(): void {
@@ -134,6 +149,7 @@ export class View {
       body.quaternion.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 3]);
     });
     this.linkages?.place();
+    this.marks.place(this.bodies);
     this.lines?.place(line_points);
     this.lightFrom(poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0);
     this.stale = true;

@@ -11,6 +11,7 @@ import gestures from "./gestures.mjs";
 import layout from "./layout.mjs";
 import losses from "./losses.mjs";
 import numbers from "./numbers.mjs";
+import panels from "./panels.mjs";
 import recording from "./recording.mjs";
 import saving from "./saving.mjs";
 import scenarios from "./scenarios.mjs";
@@ -33,7 +34,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];

@@ -10,7 +10,7 @@ pub use facts::{ElementDescription, Fact};
 use super::build::flexible::{owner, shape};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
 use crate::model::{Attachment, Loop, Model, Node};
-use crate::simulation::Setup;
+use crate::simulation::{Limit, Setup};
 use crate::spatial::{Twist, Vector3};
 use serde::Serialize;
 use serde_json::Value;
@@ -47,6 +47,8 @@ pub struct Description {
     pub sea: Option<SeaDescription>,
     /// The hulls in it, in the order of results.
     pub hulls: Vec<HullDescription>,
+    /// What columns of the results are to keep.
+    pub limits: Vec<LimitDescription>,
     /// The knobs with their values.
     pub parameters: Vec<ParameterDescription>,
     /// What a person should know of the model before it runs.
@@ -130,6 +132,26 @@ pub struct LoopDescription {
     pub constraints: Vec<String>,
 }
 
+/// A limit that a run is held against.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct LimitDescription {
+    /// Its name in the scenario.
+    pub name: String,
+    /// The column.
+    pub column: String,
+    /// Unit of the bounds.
+    pub unit: String,
+    /// How many of the column's SI unit that is.
+    pub unit_si: f64,
+    /// The smallest value that is allowed.
+    pub at_least: Option<f64>,
+    /// The largest value that is allowed.
+    pub at_most: Option<f64>,
+    /// From when on it counts, s.
+    pub from_s: f64,
+}
+
 /// A knob.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -158,7 +180,7 @@ impl Scenario {
     pub fn describe(&self) -> Result<Description, super::ScenarioError> {
         let setup = self.setup()?;
         let (sea, hulls) = (afloat::sea(self, &setup), afloat::hulls(self, &setup));
-        let Setup { model, world, elements, .. } = setup;
+        let Setup { model, world, elements, limits, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
             modes.filter(|(_, mode)| **mode == crate::model::Mode::Free).map(|(name, _)| name).collect();
@@ -204,6 +226,7 @@ impl Scenario {
             gravity_m_s2: world.gravity,
             sea,
             hulls,
+            limits: limits.into_iter().map(describe_limit).collect(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
             warnings: warnings::of(&model, &world, &elements),
         })
@@ -240,6 +263,12 @@ fn dry_inertia(model: &Model, body: usize, node: &Node) -> [[f64; 3]; 3] {
 fn describe_point(model: &Model, place: &Attachment) -> PointDescription {
     let body = place.body.map_or(schema::WORLD, |body| model.bodies[body].name.as_str());
     PointDescription { body: body.to_owned(), position_m: place.in_body.position.0 }
+}
+
+fn describe_limit(
+    Limit { name, column, unit: (unit, unit_si), bounds: [at_least, at_most], from_s }: Limit,
+) -> LimitDescription {
+    LimitDescription { name, column, unit, unit_si, at_least, at_most, from_s }
 }
 
 fn describe_parameter((parameter, value): (&Parameter, Option<ParameterValue>)) -> ParameterDescription {

@@ -8,6 +8,7 @@ use serde_json::{Map, Value, json};
 use super::describe::Description;
 use super::schema::Scenario;
 use super::units::UNIT_ALIASES;
+use crate::dynamics::moving_frame::Equations;
 use crate::elements::{DrawnLine, Input, Warning};
 use crate::results::Channel;
 
@@ -33,6 +34,11 @@ struct Published {
 /// warnings of a run.
 pub fn published_schema() -> Value {
     published::<Published>()
+}
+
+/// Of what the engine says of the equations of the moving frame method.
+pub fn equations_schema() -> Value {
+    published::<Equations>()
 }
 
 /// The JSON Schema of what the engine writes.

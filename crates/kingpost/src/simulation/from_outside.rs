@@ -2,7 +2,7 @@
 
 use super::errors::check_array;
 use super::{Input, InputError, Setup, Simulation, Watching, stage};
-use crate::dynamics::moving_frame::MovingFrame;
+use crate::dynamics::moving_frame::{Equations, MovingFrame, Naming, Symbols};
 use crate::model::Mode;
 use crate::plant::{Number, Plant, Tangent};
 use crate::spatial::{Frame, Quaternion};
@@ -178,6 +178,12 @@ impl Simulation {
     pub fn moving_frame(&mut self) -> MovingFrame {
         let at = stage(self.interval(), &self.state);
         self.plant.matrices(at)
+    }
+
+    /// The same with labels and units, and their formulas.
+    pub fn equations(&mut self) -> Equations {
+        let matrices = self.moving_frame().named(self.model());
+        Equations { matrices, formulas: Symbols::new(self.model(), Naming::Numbers).matrices() }
     }
 
     /// M* by rows (kg, kg m, kg m^2).

@@ -176,3 +176,27 @@ fn a_body_that_nothing_carries_is_warned_of() {
     assert!((of(true).gravity_m_s2 - 9.80665).abs() < 0.2);
     assert!(of(false).warnings.is_empty() && of(false).gravity_m_s2 == 0.0);
 }
+
+/// A bar has to know what to measure a column by: the bounds are in the limit's unit, a row is in SI.
+#[test]
+fn limits_are_described_with_their_units() {
+    let text = "version: 1
+title: limits
+simulation: {step_s: 0.01, duration_s: 1}
+bodies:
+  ship: {mass_t: 1000, shape: {box: {length_m: 60, width_m: 15, height_m: 8}}, joint: {floating: {}}}
+limits:
+  lean: {column: ship.roll, within: 5, unit: deg, from_s: 2}
+  high: {column: ship.position.z, at_least: -1}
+  off: {column: ship.position.z, at_most: 0, enabled: false}
+";
+    let found = scenario::read(text, "limits.yaml", &[]).expect("it reads").describe().expect("it builds").limits;
+    let names: Vec<&str> = found.iter().map(|limit| limit.name.as_str()).collect();
+    assert_eq!(names, ["lean", "high"]);
+    assert_eq!((found[0].at_least, found[0].at_most, found[0].from_s), (Some(-5.0), Some(5.0), 2.0));
+    assert!((found[0].unit_si - 1f64.to_radians()).abs() < 1e-15);
+    assert_eq!(
+        (found[1].at_least, found[1].at_most, found[1].unit.as_str(), found[1].unit_si),
+        (Some(-1.0), None, "m", 1.0)
+    );
+}

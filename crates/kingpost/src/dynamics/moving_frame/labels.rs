@@ -4,12 +4,14 @@ use super::MovingFrame;
 use crate::model::{Constraint, Mode, Model};
 use crate::spatial::{Frame, hat};
 use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
 
 /// A labelled matrix; `data` by rows.
 ///
 /// A matrix takes a list in the units of its columns to one in the units of its rows, so that each
 /// entry is in its row's unit over its column's: M* (row N m, column rad/s^2) has kg m^2.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NamedMatrix {
     /// As in the paper: `B`, `M_star`, `E_tower/ship`.
     pub name: String,

@@ -31,6 +31,7 @@ use super::Loads;
 use crate::model::{Mode, Model};
 use crate::spatial::{Frame, Vector3};
 use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
 
 /// Which variation of the angular velocity enters Hamilton's principle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +40,16 @@ pub enum Variation {
     Restricted,
     /// `delta omega = d/dt delta pi`, that is D = 0: wrong in space, kept to show what breaks.
     Naive,
+}
+
+/// The method's equations as another language shows them: the matrices at one state, and the formulas of their blocks.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Equations {
+    /// In the order of the theory.
+    pub matrices: Vec<NamedMatrix>,
+    /// Of those that have any, with bodies by their numbers.
+    pub formulas: Vec<SymbolicMatrix>,
 }
 
 /// Every matrix of the method at one state.

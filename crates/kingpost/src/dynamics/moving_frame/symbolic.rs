@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// One matrix by blocks, in LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SymbolicMatrix {
     /// As in [`NamedMatrix`](super::NamedMatrix): `B`, `M_star`, `E_tower/ship`.
     pub name: String,

@@ -1,0 +1,46 @@
+/** Of OpenBridge: for daylight, twilight, a dark bridge and glaring sun. */
+export const PALETTES = ["day", "dusk", "night", "bright"] as const;
+export type PaletteName = (typeof PALETTES)[number];
+
+const KEY = "kingpost.palette";
+const darkness = matchMedia("(prefers-color-scheme: dark)");
+const listeners: (() => void)[] = [];
+
+/** What the person chose; null where the device decides. */
+export function chosenPalette(): PaletteName | null {
+  try {
+    return PALETTES.find((name) => name === localStorage.getItem(KEY)) ?? null;
+  } catch {
+    return null;
+  }
+}
+
+export function choosePalette(name: PaletteName | null): void {
+  try {
+    if (name) localStorage.setItem(KEY, name);
+    else localStorage.removeItem(KEY);
+  } catch {
+    // It holds for this page only where nothing can be kept.
+  }
+  apply(name);
+}
+
+export function isDark(): boolean {
+  return ["dusk", "night"].includes(document.documentElement.dataset.palette ?? "");
+}
+
+/** Is told when the page has other colours. */
+export function onPalette(listener: () => void): void {
+  listeners.push(listener);
+}
+
+/** From the start of the page on. */
+export function enablePalettes(): void {
+  apply(chosenPalette());
+  darkness.addEventListener("change", () => apply(chosenPalette()));
+}
+
+function apply(name: PaletteName | null): void {
+  document.documentElement.dataset.palette = name ?? (darkness.matches ? "dusk" : "day");
+  for (const listener of listeners) listener();
+}

@@ -1,0 +1,8 @@
+/** A formula of LaTeX as MathML, which browsers draw and screen readers read; the reader of LaTeX is loaded with the first. */
+export async function showFormula(element: HTMLElement, latex: string): Promise<void> {
+  if (element.dataset.latex === latex) return;
+  element.dataset.latex = latex;
+  const { default: temml } = await import("temml");
+  // A newer formula may have come while this one was loading.
+  if (element.dataset.latex === latex) temml.render(latex, element, { displayMode: false, throwOnError: false });
+}

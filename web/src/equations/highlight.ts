@@ -1,0 +1,38 @@
+import type { Equations } from "../engine/engine";
+import { stretchesOf } from "./blocks";
+import type { Block, NamedMatrix } from "./blocks";
+import { motionsOf } from "./moved";
+import type { BodyMotion } from "./moved";
+
+/** What a block does, to be drawn on the ship: bodies that it is of, and how they move. */
+export interface Highlight {
+  bodies: number[];
+  motions: BodyMotion[];
+}
+
+/**
+ * Of B and B' the motion that a rate of the block's coordinate gives its body; of M, D and lists of bodies the body itself; of
+ * M*, N* and F* all the bodies that both coordinates move.
+ */
+export function highlightOf({ matrices }: Equations, matrix: NamedMatrix, block: Block, bodyOf: (label: string) => number): Highlight {
+  const b = matrices.find(({ name }) => name === "B");
+  if (!b) return { bodies: [block.rows.body], motions: [] };
+  const columnsOfB = (labels: readonly string[], { from, length }: Block["rows"]) => labels.slice(from, from + length).map((label) => b.column_labels.indexOf(label)).filter((at) => at >= 0);
+  const across = columnsOfB(matrix.column_labels, block.columns);
+  if (matrix.row_labels.join() === b.row_labels.join()) {
+    const own = (motion: BodyMotion) => motion.body === block.rows.body;
+    const motions = across.flatMap((column) => motionsOf(b, column, bodyOf).filter(own));
+    return { bodies: [block.rows.body, block.columns.body].filter((body, at, all) => body >= 0 && all.indexOf(body) === at), motions: partsOf(motions, block, b, bodyOf) };
+  }
+  const moved = (columns: number[]) => new Set(columns.flatMap((column) => motionsOf(b, column, bodyOf).map(({ body }) => body)));
+  const down = columnsOfB(matrix.row_labels, block.rows);
+  const [first, second] = [moved(down), across.length > 0 ? moved(across) : null];
+  return { bodies: [...first].filter((body) => !second || second.has(body)), motions: down.flatMap((column) => motionsOf(b, column, bodyOf)) };
+}
+
+/** A block of B has a body's place or its turning, not both. */
+function partsOf(motions: BodyMotion[], { rows }: Block, b: NamedMatrix, bodyOf: (label: string) => number): BodyMotion[] {
+  const first = stretchesOf(b.row_labels, b.row_units, bodyOf).find(({ body }) => body === rows.body);
+  const isPlace = first?.from === rows.from;
+  return motions.map((motion) => (isPlace ? { ...motion, angular: [0, 0, 0] } : { ...motion, linear: [0, 0, 0] }));
+}

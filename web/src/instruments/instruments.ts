@@ -1,0 +1,81 @@
+import type { Moment } from "../app/recording/recording";
+import type { Run, Session } from "../app/session";
+import { texts } from "../texts";
+import { byId, make, setText } from "../ui/dom";
+import { isPanelOpen, offerPanel, onPanelOpened } from "../ui/switcher";
+import { Alarm } from "./alarm";
+import { LimitBar } from "./bar";
+import { gravest, LimitTrack } from "./limits";
+import type { LimitState } from "./limits";
+import { ReadingTable } from "./reading_table";
+import { paletteChoice, soundSwitch } from "./settings";
+import { ShipDials } from "./ship_dials";
+
+/** The panel of instruments: how the ship leans, the limits of the scenario as bars, and what a crane operator reads off. */
+export class Instruments {
+  private readonly panel = byId("instruments");
+  private readonly tab = document.querySelector<HTMLElement>('.switcher [data-panel="instruments"]')!;
+  private readonly alarm = new Alarm();
+  private readonly said = make("p", { class: "visually-hidden", role: "status" });
+  private readonly body = make("div", { class: "instruments" });
+  private tracks: LimitTrack[] = [];
+  private bars: LimitBar[] = [];
+  private states: LimitState[] = [];
+  private parts: { show(run: Run, moment: Moment): void }[] = [];
+
+  constructor(private readonly session: Session) {
+    this.panel.append(make("h2", { class: "visually-hidden" }, texts.instruments.title), this.body, make("div", { class: "instruments-settings" }, paletteChoice(), soundSwitch(this.alarm)), this.said);
+    session.listen({
+      opened: (run, frame) => this.open(run, frame.rows),
+      advanced: (run, frame) => this.see(run, frame.rows),
+      branched: () => this.tracks.forEach((track) => track.dropAfter(session.shown.time_s)),
+      moved: (run, moment) => this.show(run, moment),
+    });
+    onPanelOpened("instruments", () => this.refresh());
+  }
+
+  private open(run: Run, rows: Float64Array): void {
+    const { model, columns } = run;
+    this.tracks = model.limits.map((limit) => new LimitTrack(limit, columns.at(limit.column)));
+    this.bars = this.tracks.map((track) => new LimitBar(track));
+    this.states = this.tracks.map(() => "waiting");
+    this.see(run, rows);
+    const [dials, readings] = [ShipDials.of(run, this.session), ReadingTable.of(run, this.session)];
+    this.parts = [dials, readings].filter((part) => part !== null);
+    const limits = make("section", { class: "limits" }, make("h3", {}, texts.instruments.limits), make("ul", {}, ...this.bars.map(({ element }) => element)));
+    const elements = [dials?.element, this.bars.length > 0 ? limits : null, readings?.element];
+    this.body.replaceChildren(...elements.filter((element) => element != null));
+    offerPanel("instruments", this.body.childElementCount > 0);
+    this.refresh();
+  }
+
+  private refresh(): void {
+    const { run, shown } = this.session;
+    if (run && shown.moment) this.show(run, shown.moment);
+  }
+
+  private see({ columns }: Run, rows: Float64Array): void {
+    const { width } = columns;
+    for (let from = 0; from < rows.length; from += width) {
+      const row = rows.subarray(from, from + width);
+      for (const track of this.tracks) track.see(columns.read(row, "time"), row);
+    }
+  }
+
+  /** Bars are judged with every picture, for the tab and the alarm, whether the panel is open or not. */
+  private show(run: Run, moment: Moment): void {
+    const states = this.bars.map((bar) => bar.show(moment.time_s, moment.row));
+    if (this.session.status === "running") this.warnOf(states);
+    this.states = states;
+    this.tab.dataset.state = gravest(states);
+    if (isPanelOpen("instruments")) for (const part of this.parts) part.show(run, moment);
+  }
+
+  /** Once for each limit that the run comes to exceed. */
+  private warnOf(states: LimitState[]): void {
+    const now = this.tracks.filter((_, i) => states[i] === "exceeded" && this.states[i] !== "exceeded");
+    if (now.length === 0) return;
+    this.alarm.sound();
+    setText(this.said, texts.instruments.exceeded(now.map(({ limit }) => limit.name.replaceAll("_", " ")).join(", ")));
+  }
+}

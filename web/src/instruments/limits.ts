@@ -1,0 +1,90 @@
+import type { LimitInfo } from "../engine/engine";
+
+/** ok: within the bounds; near: closer to a bound than a tenth of it; exceeded: beyond one; waiting: it does not count yet. */
+export type LimitState = "ok" | "near" | "exceeded" | "waiting";
+
+/** Share of a bound, or of half the span between two, that counts as near. */
+const NEAR = 0.1;
+
+/** The value that was nearest to a bound, or farthest beyond one, in the unit of the limit. */
+export interface Worst {
+  time_s: number;
+  value: number;
+}
+
+/** How far a value is within the bounds; negative beyond one, and for what is no number. */
+export function marginOf({ at_least, at_most }: LimitInfo, value: number): number {
+  if (Number.isNaN(value)) return -Infinity;
+  return Math.min(at_most === null ? Infinity : at_most - value, at_least === null ? Infinity : value - at_least);
+}
+
+/** A limit, with the worst value at every time of a run so far: a list that grows only where the worst gets worse. */
+export class LimitTrack {
+  private worsts: Worst[] = [];
+  /** Largest size of a value so far: what a bound of zero is measured by. */
+  private size = 0;
+
+  constructor(
+    readonly limit: LimitInfo,
+    private readonly place: number,
+  ) {}
+
+  /** The value of a row, in the unit of the limit. */
+  valueIn(row: ArrayLike<number>): number {
+    return row[this.place] / this.limit.unit_si;
+  }
+
+  /** Takes one recorded row into account. */
+  see(time_s: number, row: ArrayLike<number>): void {
+    const value = this.valueIn(row);
+    if (Math.abs(value) > this.size) this.size = Math.abs(value);
+    if (time_s < this.limit.from_s) return;
+    const last = this.worsts.at(-1);
+    if (!last || marginOf(this.limit, value) < marginOf(this.limit, last.value)) this.worsts.push({ time_s, value });
+  }
+
+  /** The run goes on from here: what came after is no more. */
+  dropAfter(time_s: number): void {
+    this.worsts = this.worsts.filter((worst) => worst.time_s <= time_s);
+  }
+
+  /** The worst up to a time; null where no row counted. */
+  worstUntil(time_s: number): Worst | null {
+    let at = this.worsts.length - 1;
+    while (at >= 0 && this.worsts[at].time_s > time_s) at -= 1;
+    return this.worsts[at] ?? null;
+  }
+
+  state(time_s: number, value: number): LimitState {
+    if (time_s < this.limit.from_s) return "waiting";
+    const margin = marginOf(this.limit, value);
+    if (margin < 0) return "exceeded";
+    return margin < NEAR * this.scale() ? "near" : "ok";
+  }
+
+  /** The ends of a bar that shows the bounds and the values so far. */
+  range(): [number, number] {
+    const { at_least, at_most } = this.limit;
+    const room = 0.25 * this.scale();
+    const low = at_least === null ? Math.min(0, ...this.seen()) : Math.min(at_least - room, ...this.seen());
+    const high = at_most === null ? Math.max(low + 3 * this.scale(), ...this.seen()) : Math.max(at_most + room, ...this.seen());
+    return [low, high];
+  }
+
+  private seen(): number[] {
+    return this.worsts.slice(-1).map(({ value }) => value).filter(Number.isFinite);
+  }
+
+  /** What a margin is measured by: half the span, the bound, or where that is zero the largest value so far. */
+  private scale(): number {
+    const { at_least, at_most } = this.limit;
+    if (at_least !== null && at_most !== null) return (at_most - at_least) / 2;
+    return Math.abs(at_most ?? at_least ?? 0) || this.size || 1;
+  }
+}
+
+/** The gravest of some states. */
+export function gravest(states: readonly LimitState[]): LimitState {
+  const order: LimitState[] = ["exceeded", "near", "ok"];
+  return order.find((state) => states.includes(state)) ?? "waiting";
+}

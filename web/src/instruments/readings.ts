@@ -1,0 +1,56 @@
+import type { Channel, ModelInfo } from "../engine/engine";
+
+/** What of a crane at work is read off, by the end of the variable's name: what ropes carry and lead, what is left of gaps, what drives use. */
+const READ = ["_tension", "_offlead", "_sidelead", "_daf", "clearance", "air_gap", "_utilisation", "wave_elevation"];
+/** Back to where the range of a motion is taken from, s. */
+export const RANGE_S = 60;
+
+/** One value that is read off. */
+export interface Reading {
+  /** Whose it is. */
+  thing: string;
+  label: string;
+  column: string;
+  unit: string;
+}
+
+/** Of each thing that the engine shows what a crane operator reads. */
+export function readingsOf(channels: readonly Channel[]): Reading[] {
+  const scalar = channels.filter(({ of_elements, labels }) => of_elements && labels.length === 1);
+  return scalar
+    .filter(({ variable }) => READ.some((ending) => variable.endsWith(ending)))
+    .flatMap(({ labels, long_name, columns, units }) =>
+      labels[0].map((thing, k) => ({ thing, label: withoutThing(long_name), column: columns[k], unit: units[k] })),
+    );
+}
+
+/** Under the name of what it is of, "tension of a line" is "tension". */
+function withoutThing(long_name: string): string {
+  return long_name.replace(/ (of|from|above|that) .*$/, "");
+}
+
+/** A named point whose heave is shown. */
+export interface PointReading {
+  name: string;
+  height: string;
+  speed: string;
+}
+
+/** The named points of bodies that move. */
+export function pointsOf(channels: readonly Channel[]): PointReading[] {
+  const of = (variable: string) => channels.find((channel) => channel.variable === variable);
+  const [position, velocity] = [of("point_position"), of("point_velocity")];
+  if (!position || !velocity) return [];
+  const vertical = position.labels[1].indexOf("z");
+  const width = position.labels[1].length;
+  return position.labels[0].map((name, k) => ({
+    name,
+    height: position.columns[k * width + vertical],
+    speed: velocity.columns[k * width + vertical],
+  }));
+}
+
+/** The body of the first hull. */
+export function hullBodyOf({ hulls }: ModelInfo): string | null {
+  return hulls[0]?.body ?? null;
+}

@@ -1,0 +1,22 @@
+import { chosenPalette, choosePalette, PALETTES } from "../app/palette";
+import type { PaletteName } from "../app/palette";
+import { texts } from "../texts";
+import { make } from "../ui/dom";
+import type { Alarm } from "./alarm";
+
+/** Which colours the page has. */
+export function paletteChoice(): HTMLElement {
+  const { palette, palettes } = texts.instruments;
+  const options = [make("option", { value: "" }, palettes.device), ...PALETTES.map((name) => make("option", { value: name }, palettes[name]))];
+  const select = make("select", { "data-testid": "palette" }, ...options);
+  select.value = chosenPalette() ?? "";
+  select.addEventListener("change", () => choosePalette((select.value || null) as PaletteName | null));
+  return make("label", { class: "setting" }, palette, select);
+}
+
+/** Whether a limit that is exceeded is heard. */
+export function soundSwitch(alarm: Alarm): HTMLElement {
+  const box = make("input", { type: "checkbox", "data-testid": "alarm-sound", checked: !alarm.isMuted });
+  box.addEventListener("change", () => alarm.mute(!box.checked));
+  return make("label", { class: "item item-checkbox" }, box, texts.instruments.sound);
+}

@@ -1,0 +1,80 @@
+// The panels beside the picture: instruments with the limits of the scenario, and the equations with their numbers.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { DESKTOP, openApp, PHONE, sample, stepTo } from "./app.mjs";
+
+const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+
+async function assertAccessible(page, what) {
+  const violations = await page.evaluate(async () => (await window.axe.run({ rules: { "target-size": { enabled: true } } })).violations);
+  const found = violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`));
+  assert.deepEqual(found, [], what);
+}
+
+const palettes = [PHONE, DESKTOP].map((viewport) => [
+  `passes axe with each panel in all four palettes, ${viewport.width}x${viewport.height}`,
+  async (host) => {
+    const { page, close } = await openApp(host, { viewport, query: "?scenario=slew_and_land" });
+    await stepTo(page, 0.1);
+    await page.addScriptTag({ path: AXE });
+    // Colours change at once, not over a moment in which their contrast is another.
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    for (const palette of ["day", "dusk", "night", "bright"]) {
+      await page.getByTestId("show-instruments").click();
+      await page.getByTestId("palette").selectOption(palette);
+      assert.equal(await page.evaluate(() => document.documentElement.dataset.palette), palette);
+      for (const panel of ["instruments", "equations", "controls"]) {
+        await page.getByTestId(`show-${panel}`).click();
+        if (panel === "equations") await page.locator(".matrix").waitFor();
+        await assertAccessible(page, `${palette}, ${panel}`);
+      }
+    }
+    await close();
+  },
+]);
+
+export default {
+  ...Object.fromEntries(palettes),
+
+  async "shows a limit as a bar that turns red when it is exceeded, and keeps its worst value at any moment"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=barge_crane_200t&limits.list.within=0.002" });
+    const bar = page.getByTestId("limit-list");
+    await page.getByTestId("show-instruments").click();
+    assert.match(await bar.textContent(), /list.*Within ±0.002 deg/s);
+    await stepTo(page, 1);
+    const { row } = await sample(page);
+    const heel = Math.abs((row["hull.roll"] * 180) / Math.PI);
+    assert.equal(await bar.getAttribute("data-state"), heel > 0.002 ? "exceeded" : heel > 0.0018 ? "near" : "ok");
+    const meter = bar.getByRole("meter");
+    assert.ok(Math.abs(Math.abs(Number(await meter.getAttribute("aria-valuenow"))) - heel) < 1e-5);
+    // The tab says it beside any other panel.
+    await page.getByTestId("show-controls").click();
+    assert.equal(await page.getByTestId("show-instruments").getAttribute("data-state"), await bar.getAttribute("data-state"));
+    await close();
+  },
+
+  async "shows the numbers of B as the engine has them, of the moment that is shown, and points a block out on the ship"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=paper&motor_1=true" });
+    await page.getByTestId("show-equations").click();
+    await page.locator(".matrix").waitFor();
+    assert.match(await page.locator(".printed").textContent(), /eqs. 43 and 46b/);
+    const cell = page.locator('.matrix td[data-block="2,2"]').first();
+    const atStart = await cell.textContent();
+    await stepTo(page, 1.5);
+    await page.waitForFunction((before) => document.querySelector('.matrix td[data-block="2,1"]').parentElement.textContent !== before, atStart);
+    await page.locator('.matrix td[data-block="4,3"]').first().click();
+    await page.waitForFunction(() => document.querySelector(".matrix-detail").textContent.startsWith("arm.x_dot by luff"));
+    // A unit quantity: the arm's centre moves by its distance from the hinge at a rate of one.
+    const entries = (await page.locator(".matrix-detail").textContent()).split(": ")[1].split(" ").map((text) => Number(text.replaceAll("−", "-")));
+    const model = await page.evaluate(() => window.kingpost.sample().poses);
+    assert.equal(entries.length, 3);
+    assert.ok(Math.hypot(...entries) > 0.1 && model.every(Number.isFinite));
+    // Back at the start, B is what it was.
+    await page.getByTestId("matrix").selectOption("M_star");
+    await page.getByTestId("matrix").selectOption("B");
+    await page.getByTestId("cursor").focus();
+    await page.keyboard.press("Home");
+    await page.waitForFunction((text) => document.querySelector('.matrix td[data-block="2,2"]')?.textContent === text, atStart);
+    await close();
+  },
+};

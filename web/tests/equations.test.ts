@@ -1,0 +1,117 @@
+import { describe, expect, it } from "vitest";
+import { readModel } from "../src/engine/engine";
+import type { Equations } from "../src/engine/engine";
+import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
+import { blocksOf, inCell, stretchesOf } from "../src/equations/blocks";
+import { highlightOf } from "../src/equations/highlight";
+import { unitOf } from "../src/equations/matrix_table";
+import { energyEllipsoid, momentumOf, momentumSphere, sizeOf } from "../src/equations/momentum";
+import type { Vector } from "../src/equations/momentum";
+import { bodyFinder, motionsOf } from "../src/equations/moved";
+import { filesOf, initEngine, read } from "./gallery";
+
+await initEngine();
+
+async function opened(scenario: string, overrides = {}) {
+  const text = read(`scenarios/${scenario}.yaml`);
+  const simulation = new Simulation(text, scenario, JSON.stringify(overrides), await filesOf(text));
+  const model = readModel(simulation.model_json());
+  const bodyOf = bodyFinder(model.bodies.map(({ name }) => name), model.joints);
+  return { simulation, model, bodyOf, equations: () => JSON.parse(simulation.equations_json()) as Equations };
+}
+
+const sorted = (values: number[]) => values.map((value) => value + 0).sort((a, b) => a - b);
+const named = ({ matrices }: Equations, name: string) => matrices.find((matrix) => matrix.name === name)!;
+
+describe("the blocks of a matrix", () => {
+  it.each(["paper", "offshore_vessel", "chain", "dual_draglink_crane", "slew_and_land"])("hold every entry once, and belong to bodies: %s", async (scenario) => {
+    const { equations, bodyOf } = await opened(scenario);
+    for (const matrix of equations().matrices.filter(({ name }) => ["B", "B_dot", "M", "D", "F", "M_star", "N_star", "F_star"].includes(name))) {
+      const rows = stretchesOf(matrix.row_labels, matrix.row_units, bodyOf);
+      const columns = stretchesOf(matrix.column_labels, matrix.column_units, bodyOf);
+      const entries = blocksOf(matrix, rows, columns).flat().flatMap(({ values }) => values.flat());
+      expect(entries).toHaveLength(matrix.data.length);
+      expect(sorted(entries)).toEqual(sorted(matrix.data));
+      expect(rows.every(({ body }) => body >= 0)).toBe(true);
+    }
+  });
+
+  it("stand as the formulas of the paper's crane have them: 6 by 4 in B, without the load", async () => {
+    const { equations, bodyOf } = await opened("paper");
+    const found = equations();
+    const b = named(found, "B");
+    const [rows, columns] = [stretchesOf(b.row_labels, b.row_units, bodyOf), stretchesOf(b.column_labels, b.column_units, bodyOf)];
+    const formula = found.formulas.find(({ name }) => name === "B")!;
+    expect([rows.length, columns.length]).toEqual([formula.rows.length, formula.columns.length]);
+    const isZero = blocksOf(b, rows, columns).map((line) => line.map((block) => block.isZero));
+    expect(isZero).toEqual(formula.blocks.map((line) => line.map((latex) => latex === "0")));
+  });
+
+  it("are written with three digits, as short as they go", () => {
+    expect([0.5, -12.345, 123456, 0.00123, 1].map(inCell)).toEqual(["0.5", "−12.3", "1.2e5", "1.2e−3", "1"]);
+  });
+
+  it("have the unit that takes a column's to a row's", () => {
+    expect([unitOf("m/s", "rad/s"), unitOf("m/s", "m/s"), unitOf("N m", "1"), unitOf("1", "1")]).toEqual(["(m/s)/(rad/s)", "", "N m", ""]);
+  });
+});
+
+describe("a block on the ship", () => {
+  it("moves the bodies as they move at a rate of its coordinate", async () => {
+    const { simulation, model, equations, bodyOf } = await opened("paper", { motor_1: true });
+    simulation.step(500);
+    const found = equations();
+    const b = named(found, "B");
+    // Of all coordinates together, at their rates, the velocities of the bodies: X' = B q'.
+    const rates = named(found, "q_dot");
+    const channels = JSON.parse(simulation.channels_json()) as { columns: string[]; offset: number }[];
+    const row = simulation.row();
+    const place = (column: string) => channels.flatMap(({ columns, offset }) => columns.map((name, k) => [name, offset + k] as const)).find(([name]) => name === column)![1];
+    const arm = model.bodies.findIndex(({ name }) => name === "arm");
+    const sum = [0, 0, 0];
+    rates.row_labels.forEach((label, k) => {
+      const motion = motionsOf(b, b.column_labels.indexOf(label), bodyOf).find(({ body }) => body === arm);
+      motion?.linear.forEach((value, axis) => (sum[axis] += value * rates.data[k]));
+    });
+    const velocity = ["x", "y", "z"].map((axis) => row[place(`arm.velocity.${axis}`)]);
+    sum.forEach((value, axis) => expect(value).toBeCloseTo(velocity[axis], 10));
+    expect(sizeOf(velocity as Vector)).toBeGreaterThan(0.01);
+  });
+
+  it("of M* points out the bodies that both of its coordinates move: the luffing arm, not the tower", async () => {
+    const { model, equations, bodyOf } = await opened("paper");
+    const found = equations();
+    const m = named(found, "M_star");
+    const at = (label: string) => ({ from: m.row_labels.indexOf(label), length: 1, body: bodyOf(label) });
+    const { bodies } = highlightOf(found, m, { rows: at("slew"), columns: at("luff"), values: [[0]], isZero: false }, bodyOf);
+    expect(bodies.map((body) => model.bodies[body].name)).toEqual(["arm"]);
+  });
+});
+
+describe("momentum and energy", () => {
+  const INERTIA = [
+    [4, 0.3, -0.2],
+    [0.3, 9, 0.5],
+    [-0.2, 0.5, 6],
+  ];
+  const omega: Vector = [0.4, -1.1, 0.7];
+
+  it("of a body lie on its sphere and its ellipsoid", () => {
+    const momentum = momentumOf(INERTIA, omega);
+    const energy = (momentum[0] * omega[0] + momentum[1] * omega[1] + momentum[2] * omega[2]) / 2;
+    const sphere = momentumSphere(sizeOf(momentum));
+    expect(sizeOf(sphere([0, 0.6, 0.8]))).toBeCloseTo(sizeOf(momentum), 12);
+    // The unit vector that the ellipsoid takes to this momentum, from its lower triangle.
+    const surface = energyEllipsoid(INERTIA, energy);
+    const columns = [surface([1, 0, 0]), surface([0, 1, 0]), surface([0, 0, 1])];
+    const x = momentum[0] / columns[0][0];
+    const y = (momentum[1] - x * columns[0][1]) / columns[1][1];
+    const z = (momentum[2] - x * columns[0][2] - y * columns[1][2]) / columns[2][2];
+    expect(Math.hypot(x, y, z)).toBeCloseTo(1, 12);
+  });
+
+  it("of a body that rests, and of a point without inertia, are a point", () => {
+    expect(sizeOf(energyEllipsoid(INERTIA, 0)([1, 0, 0]))).toBe(0);
+    expect(sizeOf(energyEllipsoid([[0, 0, 0], [0, 0, 0], [0, 0, 0]], 3)([0, 1, 0]))).toBe(0);
+  });
+});

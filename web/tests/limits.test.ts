@@ -1,0 +1,70 @@
+import { describe, expect, it } from "vitest";
+import type { LimitInfo } from "../src/engine/engine";
+import { gravest, LimitTrack, marginOf } from "../src/instruments/limits";
+
+const HEEL: LimitInfo = { name: "heel", column: "hull.roll", unit: "deg", unit_si: Math.PI / 180, at_least: -5, at_most: 5, from_s: 0 };
+const GAP: LimitInfo = { ...HEEL, name: "gap", column: "gap", unit: "m", unit_si: 1, at_least: 0, at_most: null };
+const deg = (value: number) => [0, (value * Math.PI) / 180];
+
+function tracked(limit: LimitInfo, values: number[], interval_s = 1): LimitTrack {
+  const track = new LimitTrack(limit, 1);
+  values.forEach((value, k) => track.see(k * interval_s, [k * interval_s, value * limit.unit_si]));
+  return track;
+}
+
+describe("a limit", () => {
+  it("reads a column of SI in its own unit", () => {
+    expect(new LimitTrack(HEEL, 1).valueIn(deg(3))).toBeCloseTo(3, 12);
+  });
+
+  it("is near within a tenth of half its span, and exceeded beyond a bound, on either side", () => {
+    const track = new LimitTrack(HEEL, 1);
+    const states = [0, 4.4, 4.6, -4.6, 5.1, -5.1].map((value) => track.state(0, value));
+    expect(states).toEqual(["ok", "ok", "near", "near", "exceeded", "exceeded"]);
+  });
+
+  it("is exceeded by what is no number", () => {
+    expect(marginOf(HEEL, NaN)).toBe(-Infinity);
+    expect(new LimitTrack(HEEL, 1).state(0, NaN)).toBe("exceeded");
+  });
+
+  it("measures a bound of zero by the largest value so far", () => {
+    const track = tracked(GAP, [4, 2, 3]);
+    expect([track.state(3, 1), track.state(3, 0.3), track.state(3, -0.1)]).toEqual(["ok", "near", "exceeded"]);
+  });
+
+  it("does not count before its time", () => {
+    const track = tracked({ ...HEEL, from_s: 2 }, [9, 9, 1]);
+    expect(track.state(1, 9)).toBe("waiting");
+    expect(track.worstUntil(1)).toBeNull();
+    expect(track.worstUntil(2)).toEqual({ time_s: 2, value: expect.closeTo(1, 12) });
+  });
+
+  it("has the worst value of any earlier time, of the shorter side where it has two", () => {
+    const track = tracked(HEEL, [1, -2, 1.5, -4, 3]);
+    const worsts = [0, 1, 2, 3, 4].map((time_s) => track.worstUntil(time_s)!.value);
+    expect(worsts.map((value) => Number(value.toFixed(9)))).toEqual([1, -2, -2, -4, -4]);
+  });
+
+  it("forgets what came after the moment that the run goes on from", () => {
+    const track = tracked(HEEL, [1, -2, 4]);
+    track.dropAfter(1);
+    track.see(2, deg(3));
+    expect(track.worstUntil(9)!.value).toBeCloseTo(3, 12);
+  });
+
+  it("has its bounds, its value and its worst on its bar", () => {
+    const [low, high] = tracked(HEEL, [1, -8, 4]).range();
+    expect(low).toBeLessThanOrEqual(-8);
+    expect(high).toBeGreaterThan(5);
+    const ofGap = tracked(GAP, [4, 2]).range();
+    expect(ofGap[0]).toBeLessThan(0);
+    expect(ofGap[1]).toBeGreaterThan(4);
+  });
+});
+
+it("takes the gravest of several states", () => {
+  expect(gravest(["ok", "near", "waiting"])).toBe("near");
+  expect(gravest(["near", "exceeded"])).toBe("exceeded");
+  expect(gravest([])).toBe("waiting");
+});
