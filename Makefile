@@ -116,6 +116,7 @@ $(WASM): $(ENGINE) $(call sources,crates/kingpost-wasm xtask) | need-rust
 	cargo xtask wasm
 
 $(APP): $(NODE_MODULES) $(WASM) $(GALLERY) $(call sources,web/src web/public web/vite) \
+    python/kingpost/paper/equations.json \
     $(wildcard web/*.html web/*.json web/*.ts)
 	cd web && npm run build
 	@touch $@
