@@ -1,4 +1,58 @@
+import type { BodyInfo, ModelInfo } from "../engine/engine";
+import { rotate } from "../view/fit";
+
 export type Vector = [number, number, number];
+export type Inertia = Vector[];
+
+/** Bodies that move as one: no joint between them moves. The first carries the others. */
+export type Rigid = number[];
+
+/** The bodies of a model in groups that move as one, in the order of their first. */
+export function rigidsOf({ bodies, joints }: ModelInfo): Rigid[] {
+  const rigids: Rigid[] = [];
+  bodies.forEach(({ name, parent }, at) => {
+    const joint = joints.find(({ body }) => body === name);
+    const isStill = joint !== undefined && joint.free_coordinates.length + joint.prescribed.length === 0;
+    const carrier = isStill ? rigids.find((rigid) => rigid.some((body) => bodies[body].name === parent)) : undefined;
+    if (carrier) carrier.push(at);
+    else rigids.push([at]);
+  });
+  return rigids;
+}
+
+/** Inertia of bodies that move as one about their common centre of mass, in the axes of the first; poses are x y z qw qx qy qz a body. */
+export function inertiaOf(rigid: Rigid, bodies: readonly BodyInfo[], poses: ArrayLike<number>): Inertia {
+  const placeOf = (body: number) => [0, 1, 2].map((k) => poses[7 * body + k]) as Vector;
+  const mass = rigid.reduce((sum, body) => sum + bodies[body].mass_kg, 0);
+  const centre = [0, 1, 2].map((k) => rigid.reduce((sum, body) => sum + bodies[body].mass_kg * placeOf(body)[k], 0) / (mass || 1));
+  const first = axesOf(rigid[0], poses);
+  const total: Inertia = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
+  for (const body of rigid) {
+    const own = axesOf(body, poses);
+    // Axes of the body, and its place from the common centre, in those of the first.
+    const turned = first.map((axis) => own.map((other) => dot(axis, other)));
+    const d = first.map((axis) => dot(axis, placeOf(body).map((value, k) => value - centre[k])));
+    const { mass_kg, inertia_kg_m2 } = bodies[body];
+    for (let i = 0; i < 3; i++) {
+      for (let j = 0; j < 3; j++) {
+        const about = dot(turned[i], inertia_kg_m2.map((row) => dot(row, turned[j])));
+        total[i][j] += about + mass_kg * ((i === j ? dot(d, d) : 0) - d[i] * d[j]);
+      }
+    }
+  }
+  return total;
+}
+
+/** The axes of a body in the world. */
+function axesOf(body: number, poses: ArrayLike<number>): number[][] {
+  const at = 7 * body + 3;
+  const turn = [poses[at], poses[at + 1], poses[at + 2], poses[at + 3]] as const;
+  return ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as const).map((axis) => [...rotate(turn, axis)]);
+}
+
+function dot(a: readonly number[], b: readonly number[]): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /** A surface as the image of the unit sphere. */
 export type Surface = (unit: Vector) => Vector;

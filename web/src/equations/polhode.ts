@@ -1,8 +1,8 @@
 import type { Run, Session } from "../app/session";
 import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
-import { circlesOf, energyEllipsoid, momentumOf, momentumSphere, sizeOf } from "./momentum";
-import type { Vector } from "./momentum";
+import { circlesOf, energyEllipsoid, inertiaOf, momentumOf, momentumSphere, rigidsOf, sizeOf } from "./momentum";
+import type { Rigid, Vector } from "./momentum";
 
 /** Back to where the path is drawn from, s. */
 const PATH_S = 120;
@@ -14,7 +14,7 @@ const FILLS = 0.9;
 const KEY_TURN = Math.PI / 18;
 const DRAG_TURN = 0.01;
 
-/** A body's angular momentum in its own axes: on the momentum sphere and the energy ellipsoid, where a free body's polhode lies. */
+/** A body's angular momentum about its centre of mass, in its own axes, with the bodies that move as one with it: on the momentum sphere and the energy ellipsoid, where a free body's polhode lies. */
 export class Polhode {
   readonly element: HTMLElement;
   private readonly choice = make("select", { "aria-label": texts.equations.polhode_body, "data-testid": "polhode-body" });
@@ -24,6 +24,7 @@ export class Polhode {
   /** Of the view: about the vertical, and from above, rad. */
   private view: [number, number] = [0.7, 0.5];
   private run: Run | null = null;
+  private rigids: Rigid[] = [];
 
   constructor(private readonly session: Session) {
     const { polhode, polhode_help } = texts.equations;
@@ -37,7 +38,9 @@ export class Polhode {
 
   begin(run: Run): void {
     this.run = run;
-    this.choice.replaceChildren(...run.model.bodies.map(({ name }) => make("option", { value: name }, name)));
+    this.rigids = rigidsOf(run.model);
+    const nameOf = (rigid: Rigid) => rigid.map((body) => run.model.bodies[body].name).join(" + ");
+    this.choice.replaceChildren(...this.rigids.map((rigid, k) => make("option", { value: k }, nameOf(rigid))));
     this.show();
   }
 
@@ -45,16 +48,18 @@ export class Polhode {
     const { run } = this;
     const { recording, time_s, moment } = this.session.shown;
     if (!run || !recording || !moment || !this.details.open) return;
-    const body = run.model.bodies.find(({ name }) => name === this.choice.value)!;
-    const places = ["x", "y", "z"].map((axis) => run.columns.at(`${body.name}.angular_velocity.${axis}`));
-    const momentumIn = (row: ArrayLike<number>) => momentumOf(body.inertia_kg_m2, places.map((place) => row[place]) as Vector);
+    const rigid = this.rigids[Number(this.choice.value)];
+    const { bodies } = run.model;
+    const inertia = inertiaOf(rigid, bodies, moment.poses);
+    const places = ["x", "y", "z"].map((axis) => run.columns.at(`${bodies[rigid[0]].name}.angular_velocity.${axis}`));
+    const momentumIn = (row: ArrayLike<number>) => momentumOf(inertia, places.map((place) => row[place]) as Vector);
     const { items } = recording.rows;
     const from = Math.max(0, recording.rows.indexAt(time_s - PATH_S));
     const path = items.slice(from, recording.rows.indexAt(time_s) + 1).map(({ row }) => momentumIn(row));
     const now = momentumIn(moment.row);
     const omega = places.map((place) => moment.row[place]) as Vector;
     const energy_J = (omega[0] * now[0] + omega[1] * now[1] + omega[2] * now[2]) / 2;
-    this.draw(path, now, energy_J, body.inertia_kg_m2);
+    this.draw(path, now, energy_J, inertia);
     const text = texts.equations.polhode_now(sizeOf(now).toPrecision(3), energy_J.toPrecision(3));
     setText(this.words, text);
     this.canvas.setAttribute("aria-label", text);

@@ -50,8 +50,9 @@ export class ReadingTable {
     const { rows } = this.session.shown.recording!;
     for (const { column, unit, cells } of this.rows) {
       const [word, factor] = SHOWN[unit] ?? [unit, 1];
+      const now = columns.read(row, column);
       const [low, high] = rangeOf(rows, columns.at(column), time_s);
-      const values = [columns.read(row, column), low, high].map((value) => number(value * factor));
+      const values = [now, Math.min(now, low), Math.max(now, high)].map((value) => number(value * factor));
       cells.forEach((cell, k) => setText(cell, k === 0 ? `${values[0]} ${word}`.trimEnd() : values[k]));
     }
   }

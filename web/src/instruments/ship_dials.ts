@@ -41,8 +41,10 @@ export class ShipDials {
     const { recording } = this.session.shown;
     for (const { column, dial, value, range } of this.dials) {
       const angle = columns.read(row, column) * DEGREES;
-      const [low, high] = rangeOf(recording!.rows, columns.at(column), time_s).map((end) => end * DEGREES);
-      dial.show(angle, Math.min(low, angle), Math.max(high, angle));
+      const range_rad = rangeOf(recording!.rows, columns.at(column), time_s);
+      const low = Math.min(angle, range_rad[0] * DEGREES);
+      const high = Math.max(angle, range_rad[1] * DEGREES);
+      dial.show(angle, low, high);
       setText(value, `${fixed(angle, 1)}°`);
       setText(range, texts.instruments.minute(`${fixed(low, 1)}° … ${fixed(high, 1)}°`));
     }
