@@ -15,9 +15,20 @@ export interface Palette {
   pin: Color;
   line: Color;
   grid: Color;
-  /** Of the water. */
-  trough: Color;
-  crest: Color;
+  /** Of the air and the water. */
+  zenith: Color;
+  haze: Color;
+  sun: Color;
+  deep: Color;
+  shallow: Color;
+  foam: Color;
+  /** Of the room around where there is no sea. */
+  studioHigh: Color;
+  studioLow: Color;
+  /** Of what stands on a deck. */
+  house: Color;
+  window: Color;
+  fitting: Color;
   axes: { x: Color; y: Color; z: Color };
   label: string;
   halo: string;
@@ -41,8 +52,17 @@ export function readPalette(): Palette {
     pin: colour("--scene-pin"),
     line: colour("--scene-line"),
     grid: colour("--scene-grid"),
-    trough: colour("--scene-trough"),
-    crest: colour("--scene-crest"),
+    zenith: colour("--scene-zenith"),
+    haze: colour("--scene-haze"),
+    sun: colour("--scene-sun"),
+    deep: colour("--scene-deep"),
+    shallow: colour("--scene-shallow"),
+    foam: colour("--scene-foam"),
+    studioHigh: colour("--sky-high"),
+    studioLow: colour("--sky-low"),
+    house: colour("--scene-house"),
+    window: colour("--scene-window"),
+    fitting: colour("--scene-fitting"),
     axes: { x: colour("--roll"), y: colour("--pitch"), z: colour("--yaw") },
     label: text("--ink"),
     halo: text("--surface"),

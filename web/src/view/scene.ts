@@ -36,7 +36,7 @@ export function createScene(session: Session): Scene {
   session.listen({
     opened: (run, frame, isAnother) => {
       view.build(run, frame, isAnother);
-      view.showSea(frame.surface, true);
+      view.showSea(frame.surface);
       setText(byId("scene-note"), noteOf(run.model, view.spacing()));
     },
   });
@@ -49,7 +49,7 @@ export function createScene(session: Session): Scene {
       // What is the same is not drawn again; between two poses every moment is another.
       if (moment && moment.poses !== drawn) {
         view.show(moment);
-        view.showSea(moment.surface, false);
+        view.showSea(moment.surface);
         drawn = moment.poses;
       }
       view.draw();

@@ -1,113 +1,235 @@
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Mesh, MeshStandardMaterial } from "three";
-import { LINES, OFFSETS } from "../engine/surface";
+import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Mesh, ShaderMaterial, UniformsLib, UniformsUtils } from "three";
+import { OFFSETS } from "../engine/surface";
 import type { Surface } from "../engine/surface";
-import type { Palette } from "./palette";
+import { FINISH_GLSL, SKY_GLSL, WATER_GLSL } from "./air";
+import type { Air } from "./air";
+import { setDefine } from "./sky";
+import { drawnWaves, heightAt, refined, roughness } from "./waves";
+import type { DrawnWaves } from "./waves";
 
-/** Least height that the colours of trough and crest stand for, m: a ripple looks like one. */
-const LEAST_HEIGHT_M = 0.5;
 /** Between these distances, in lengths of the hull, the waves level out: the lines get too far apart to carry them. */
-const LEVEL_BETWEEN = [2, 5];
-/** Between these the water fades into the sky. */
-const FADE_BETWEEN = [4, 11.5];
+const LEVEL_BETWEEN = [1.4, 3.6] as const;
+/** Lines from the middle within which the sea's roughness is taken. */
+const ROUGH_LINES = 20;
+/** Ripples: the tile in lengths of the hull, steepness with waves and on still water, speed in tiles a second. */
+const TILE = 0.16;
+const RIPPLE_SLOPE = { waves: 0.16, still: 0.05 };
+const DRIFT_PER_S = 0.03;
+/** Haze, in lengths of the hull. */
+const VISIBILITY = 45;
+/** A drawn frame moves the ripples by so much time at most, s: not by a pause. */
+const LONGEST_FRAME_S = 0.1;
 
-/** The surface of the sea as the engine gives it, to be seen through; far from the ship it is level and fades out. */
-export class Sea extends Mesh<BufferGeometry, MeshStandardMaterial> {
-  private readonly positions = attribute(3);
-  private readonly normals = attribute(3);
-  private readonly colours = attribute(4);
-  private readonly heights = new Float32Array(LINES * LINES);
-  /** How much of the wave is drawn at each crossing. */
-  private readonly shares = byDistance(LEVEL_BETWEEN);
-  private trough = new Color();
-  private crest = new Color();
-  /** The highest that was seen, m. */
-  private height_m = LEAST_HEIGHT_M;
+const VERTEX = /* glsl */ `
+  #include <common>
+  #include <shadowmap_pars_vertex>
+  attribute vec2 slope;
+  attribute float foam;
+  attribute float share;
+  uniform float crestHeight_m;
+  varying vec3 place;
+  varying vec2 slopes;
+  varying vec3 cover;
+  #ifdef FLAT
+    varying vec3 tint;
+    ${SKY_GLSL}
+    ${WATER_GLSL}
+  #endif
+  void main() {
+    vec4 worldPosition = modelMatrix * vec4(position, 1.0);
+    vec4 mvPosition = viewMatrix * worldPosition;
+    vec3 transformedNormal = normalMatrix * normalize(vec3(-slope, 1.0));
+    place = worldPosition.xyz;
+    slopes = slope;
+    cover = vec3(foam, 0.34 * clamp(place.z / crestHeight_m, -1.0, 1.0), share);
+    gl_Position = projectionMatrix * mvPosition;
+    #include <shadowmap_vertex>
+    #ifdef FLAT
+      vec3 towards = place - cameraPosition;
+      float distance_m = length(towards);
+      towards /= distance_m;
+      vec3 normal = normalize(vec3(-slope, 1.0));
+      if (dot(normal, towards) < 0.0) tint = hazed(waterColour(-towards, normal, cover.y, 0.8 * foam, 1.0), towards, distance_m);
+      else tint = undersideColour(towards, normal, distance_m);
+    #endif
+  }`;
 
-  constructor() {
-    const material = new MeshStandardMaterial({ vertexColors: true, transparent: true, side: DoubleSide, roughness: 0.32, forceSinglePass: true });
+const FRAGMENT = /* glsl */ `
+  #include <common>
+  #include <packing>
+  #include <dithering_pars_fragment>
+  #include <lights_pars_begin>
+  #include <shadowmap_pars_fragment>
+  #include <shadowmask_pars_fragment>
+  varying vec3 place;
+  varying vec2 slopes;
+  varying vec3 cover;
+  #ifdef FLAT
+    varying vec3 tint;
+    void main() {
+      gl_FragColor = vec4(tint, 1.0);
+      ${FINISH_GLSL}
+    }
+  #else
+    uniform vec2 edgeMiddle;
+    uniform float edge_m;
+    ${SKY_GLSL}
+    ${WATER_GLSL}
+    // Foam breaks up into streaks and flecks.
+    float flecked(float foam, vec2 at) {
+      float grain = texture2D(ripples, 1.9 * at / tile_m + 0.5 * drift).x * texture2D(ripples, 0.63 * at.yx / tile_m).y;
+      return smoothstep(0.52 - 0.5 * foam, 0.8 - 0.5 * foam, 2.2 * grain) * smoothstep(0.0, 0.4, foam);
+    }
+    void main() {
+      vec3 towards = place - cameraPosition;
+      float distance_m = length(towards);
+      towards /= distance_m;
+      vec2 small = rippleAt(place.xy, distance_m, 1.0 - cover.z);
+      vec3 normal = normalize(vec3(-slopes - small, 1.0));
+      float light = getShadowMask();
+      if (dot(normalize(vec3(-slopes, 1.0)), towards) > 0.0 || !gl_FrontFacing) {
+        gl_FragColor = vec4(undersideColour(towards, normal, distance_m), 0.9);
+      } else {
+        float foam = flecked(cover.x, place.xy);
+        vec3 colour = hazed(waterColour(-towards, normal, cover.y, foam, light), towards, distance_m);
+        // Steeply down a part of what is under the surface shows through.
+        float seenThrough = 0.26 * smoothstep(0.05, 0.75, -towards.z) * (1.0 - foam);
+        float end = 1.0 - smoothstep(0.8 * edge_m, edge_m, length(place.xy - edgeMiddle));
+        gl_FragColor = vec4(colour, (1.0 - seenThrough) * end);
+      }
+      ${FINISH_GLSL}
+    }
+  #endif`;
+
+/** The surface of the sea around the ship as the engine gives it; the sky draws the level sea beyond. */
+export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
+  private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
+  private drawn: DrawnWaves | null = null;
+  private surface: Surface | null = null;
+  private isFine = true;
+  private shares: Float32Array<ArrayBuffer> = new Float32Array();
+  private last_ms = 0;
+
+  constructor(private readonly air: Air) {
+    const material = new ShaderMaterial({
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      side: DoubleSide,
+      transparent: true,
+      depthWrite: true,
+      dithering: true,
+      lights: true,
+      forceSinglePass: true,
+    });
     super(new BufferGeometry(), material);
-    this.geometry.setAttribute("position", this.positions);
-    this.geometry.setAttribute("normal", this.normals);
-    this.geometry.setAttribute("color", this.colours);
-    this.geometry.setIndex(triangles());
-    byDistance(FADE_BETWEEN).forEach((cover, at) => this.colours.setW(at, cover));
+    material.uniforms = {
+      ...UniformsUtils.clone(UniformsLib.lights),
+      ...air,
+      crestHeight_m: { value: 1 },
+      edge_m: { value: 1 },
+      edgeMiddle: { value: [0, 0] },
+    };
     this.frustumCulled = false;
     this.receiveShadow = true;
     this.visible = false;
   }
 
-  paint(palette: Palette): void {
-    this.trough = palette.trough;
-    this.crest = palette.crest;
-    this.material.opacity = palette.isDark ? 0.78 : 0.72;
-  }
-
-  /** Forgets how high the waves of the run before were. */
-  begin(): void {
-    this.height_m = LEAST_HEIGHT_M;
+  /** How much is drawn of it: ripples, and lines between the engine's. */
+  detail(ripples: boolean): void {
+    setDefine(this.material, "FLAT", !ripples);
+    this.material.transparent = ripples;
+    if (ripples === this.isFine && this.shares.length > 0) return;
+    this.isFine = ripples;
+    this.show(this.surface);
   }
 
   /** Nothing is shown where there is no sea. */
   show(surface: Surface | null): void {
     this.visible = surface !== null;
+    this.surface = surface;
     if (!surface) return;
-    const { heights, shares } = this;
-    surface.elevation_m.forEach((elevation, at) => {
-      heights[at] = shares[at] * elevation;
-      if (Math.abs(heights[at]) > this.height_m) this.height_m = Math.abs(heights[at]);
-    });
-    for (let i = 0; i < LINES; i++) for (let j = 0; j < LINES; j++) this.put(surface, i, j);
-    for (const one of [this.positions, this.normals, this.colours]) one.needsUpdate = true;
+    const { x_m, y_m, elevation_m } = this.isFine ? refined(surface) : surface;
+    this.lay(x_m.length);
+    const drawn = drawnWaves({ x_m, y_m, elevation_m }, (i, j) => this.shares[i * x_m.length + j]);
+    this.drawn = drawn;
+    const { position, slope, foam } = this.geometry.attributes as Record<string, BufferAttribute>;
+    for (let i = 0, at = 0; i < x_m.length; i++) for (let j = 0; j < y_m.length; j++, at++) position.setXYZ(at, x_m[i], y_m[j], drawn.height_m[at]);
+    slope.array.set(drawn.slope);
+    foam.array.set(drawn.foam);
+    for (const one of [position, slope, foam]) one.needsUpdate = true;
+    this.suit(drawn);
   }
 
-  /** Once a crossing and frame: nothing is made here. */
-  private put({ x_m, y_m }: Surface, i: number, j: number): void {
-    const { heights, trough, crest } = this;
-    const at = i * LINES + j;
-    this.positions.setXYZ(at, x_m[i], y_m[j], heights[at]);
-    const west = i > 0 ? i - 1 : 0;
-    const east = i < LINES - 1 ? i + 1 : i;
-    const south = j > 0 ? j - 1 : 0;
-    const north = j < LINES - 1 ? j + 1 : j;
-    const alongX = (heights[east * LINES + j] - heights[west * LINES + j]) / (x_m[east] - x_m[west]);
-    const alongY = (heights[i * LINES + north] - heights[i * LINES + south]) / (y_m[north] - y_m[south]);
-    const up = 1 / Math.sqrt(alongX * alongX + alongY * alongY + 1);
-    this.normals.setXYZ(at, -alongX * up, -alongY * up, up);
-    const share = 0.5 + (0.5 * heights[at]) / this.height_m;
-    this.colours.setXYZ(
-      at,
-      trough.r + share * (crest.r - trough.r),
-      trough.g + share * (crest.g - trough.g),
-      trough.b + share * (crest.b - trough.b),
-    );
+  /** Height of the water at a place, m; null where there is none. */
+  heightAt(x: number, y: number): number | null {
+    return this.visible && this.drawn ? heightAt(this.drawn, x, y) : null;
+  }
+
+  /** Ripples, haze and colours to the size of the ship and the roughness of the sea. */
+  private suit(drawn: DrawnWaves): void {
+    const { air } = this;
+    const { x_m, y_m, height_m } = drawn;
+    const half = (x_m[x_m.length - 1] - x_m[0]) / 2;
+    const length_m = half / OFFSETS[OFFSETS.length - 1];
+    const rough = roughness(drawn, ROUGH_LINES);
+    air.tile_m.value = TILE * length_m;
+    air.visibility_m.value = VISIBILITY * length_m;
+    air.rippleSlope.value = rough > 0 ? RIPPLE_SLOPE.waves : RIPPLE_SLOPE.still;
+    air.farSlope.value = 1.2 * rough;
+    const { uniforms } = this.material;
+    uniforms.edge_m.value = half;
+    uniforms.edgeMiddle.value = [x_m[0] + half, y_m[0] + half];
+    let highest = 0.01 * length_m;
+    for (const height of height_m) if (height > highest) highest = height;
+    uniforms.crestHeight_m.value = highest;
+    if (rough > 0 && !this.calm.matches) this.driftOn();
+  }
+
+  private driftOn(): void {
+    const now_ms = performance.now();
+    const passed_s = Math.min((now_ms - this.last_ms) / 1000, LONGEST_FRAME_S);
+    this.last_ms = now_ms;
+    const { value } = this.air.drift;
+    value.set((value.x + DRIFT_PER_S * passed_s) % 1000, (value.y + 0.6 * DRIFT_PER_S * passed_s) % 1000);
+  }
+
+  /** Makes room for so many lines along each axis, where there is another number of them. */
+  private lay(lines: number): void {
+    if (this.shares.length === lines * lines) return;
+    this.shares = sharesOf(lines);
+    this.geometry.dispose();
+    this.geometry = new BufferGeometry();
+    const attribute = (size: number) => new BufferAttribute(new Float32Array(lines * lines * size), size).setUsage(DynamicDrawUsage);
+    this.geometry.setAttribute("position", attribute(3));
+    this.geometry.setAttribute("slope", attribute(2));
+    this.geometry.setAttribute("foam", attribute(1));
+    this.geometry.setAttribute("share", new BufferAttribute(this.shares, 1));
+    this.geometry.setIndex(triangles(lines));
   }
 }
 
-/** For each crossing 1 around the middle, 0 beyond, and smoothly down between these distances. */
-function byDistance([from, to]: number[]): Float32Array {
-  const shares = new Float32Array(LINES * LINES);
-  OFFSETS.forEach((x, i) =>
-    OFFSETS.forEach((y, j) => {
-      const t = Math.min(1, Math.max(0, (Math.hypot(x, y) - from) / (to - from)));
-      shares[i * LINES + j] = 1 - t * t * (3 - 2 * t);
-    }),
-  );
-  return shares;
-}
-
-function attribute(size: number): BufferAttribute {
-  const made = new BufferAttribute(new Float32Array(LINES * LINES * size), size);
-  made.setUsage(DynamicDrawUsage);
-  return made;
+/** How much of the wave is drawn at each crossing: 1 around the middle, 0 beyond, and smoothly down between. */
+function sharesOf(lines: number): Float32Array<ArrayBuffer> {
+  const step = (lines - 1) / (OFFSETS.length - 1);
+  const offset = (k: number) => {
+    const [low, high] = [OFFSETS[Math.floor(k / step)], OFFSETS[Math.ceil(k / step)]];
+    return (low + high) / 2;
+  };
+  const [from, to] = LEVEL_BETWEEN;
+  return Float32Array.from({ length: lines * lines }, (_, at) => {
+    const distance = Math.hypot(offset(Math.floor(at / lines)), offset(at % lines));
+    const t = Math.min(1, Math.max(0, (distance - from) / (to - from)));
+    return 1 - t * t * (3 - 2 * t);
+  });
 }
 
 /** Two a cell, counter-clockwise from above. */
-function triangles(): number[] {
+function triangles(lines: number): number[] {
   const indices: number[] = [];
-  for (let i = 0; i + 1 < LINES; i++) {
-    for (let j = 0; j + 1 < LINES; j++) {
-      const at = i * LINES + j;
-      indices.push(at, at + LINES, at + 1, at + 1, at + LINES, at + LINES + 1);
+  for (let i = 0; i + 1 < lines; i++) {
+    for (let j = 0; j + 1 < lines; j++) {
+      const at = i * lines + j;
+      indices.push(at, at + lines, at + 1, at + 1, at + lines, at + lines + 1);
     }
   }
   return indices;

@@ -1,11 +1,13 @@
-import { DirectionalLight, Group, HemisphereLight, Mesh, PCFShadowMap, Scene, Sprite, WebGLRenderer } from "three";
-import type { Material, Object3D } from "three";
+import { ACESFilmicToneMapping, FogExp2, Group, Mesh, PCFShadowMap, Scene, Sprite, WebGLRenderer } from "three";
+import type { Color, Material, Object3D } from "three";
 import { onPalette } from "../app/palette";
 import type { Run } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
 import type { Frame } from "../engine/messages";
 import type { Surface } from "../engine/surface";
+import { airOf } from "./air";
 import { Eye } from "./camera";
+import { Daylight } from "./daylight";
 import type { Highlight } from "../equations/highlight";
 import type { Area, Box } from "./fit";
 import { Ground } from "./ground";
@@ -14,6 +16,7 @@ import { Linkages } from "./linkages";
 import { DrawnLines } from "./lines";
 import { readPalette } from "./palette";
 import type { Palette } from "./palette";
+import { Drawing } from "./quality";
 import { Sea } from "./sea";
 import { boxOf, edgesOf, solidOf, withFrame } from "./solids";
 import type { ShapedHull } from "./solids";
@@ -26,6 +29,9 @@ const LABEL_PX = 58;
 /** Length of a body frame, as a part of the longest diagonal of a body. */
 const FRAME_LENGTH = 0.14;
 
+/** How dense the water is to look through, over the longest diagonal of a body. */
+const FOG = 0.22;
+
 /** What of a run is drawn. */
 type Shown = Pick<Run, "model" | "lines">;
 /** What of a moment is drawn. */
@@ -37,9 +43,10 @@ export class View {
   private readonly scene = new Scene();
   private readonly eye: Eye;
   private readonly ground = new Ground();
-  private readonly sea = new Sea();
-  private readonly sun = new DirectionalLight(0xffffff);
-  private readonly sky = new HemisphereLight();
+  private readonly air = airOf();
+  private readonly sea = new Sea(this.air);
+  private readonly daylight: Daylight;
+  private readonly drawing: Drawing;
   private readonly world = new Group();
   private bodies: Group[] = [];
   private linkages: Linkages | null = null;
@@ -47,7 +54,6 @@ export class View {
   private lines: DrawnLines | null = null;
   private run: Shown | null = null;
   private frame: Pose = { poses: [], line_points: [] };
-  private surface: Surface | null = null;
   private boxes: Box[] = [];
   private readonly marks = new Marks();
   private highlighted: Highlight | null = null;
@@ -56,15 +62,15 @@ export class View {
 
   /** Throws where the browser has no WebGL. */
   constructor(private readonly canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer.toneMapping = ACESFilmicToneMapping;
     this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.autoUpdate = false;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.eye = new Eye(canvas, () => (this.stale = true), () => coversOf(canvas));
-    this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(2048, 2048);
-    this.sun.shadow.bias = -0.0005;
-    this.sun.shadow.normalBias = 0.03;
-    this.scene.add(this.ground, this.sea, this.sky, this.sun, this.sun.target, this.world, this.marks.group);
+    this.daylight = new Daylight(this.renderer, this.air);
+    this.drawing = Drawing.of(this.renderer);
+    this.scene.add(this.ground, this.sea, this.daylight, this.world, this.marks.group);
     this.light();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     onPalette(() => this.repaint());
@@ -94,6 +100,7 @@ export class View {
     if (axes > 0) this.addFrames(axes);
     this.ground.space(this.spacing());
     this.ground.visible = model.sea === null || model.hulls.length === 0;
+    if (this.daylight.surround(!this.ground.visible)) this.detail();
     this.highlight(this.highlighted);
     this.place(frame);
     if (refit) this.eye.fit();
@@ -101,9 +108,7 @@ export class View {
   }
 
   /** The sea around; null where there is none to draw. */
-  showSea(surface: Surface | null, isNew: boolean): void {
-    if (isNew) this.sea.begin();
-    this.surface = surface;
+  showSea(surface: Surface | null): void {
     this.sea.show(surface);
     this.stale = true;
   }
@@ -137,9 +142,11 @@ export class View {
 
   draw(): void {
     this.eye.update(performance.now());
-    if (!this.stale) return;
+    if (!this.stale) return this.drawing.rest();
     this.stale = false;
+    this.lookFrom(this.eye.camera.position);
     this.renderer.render(this.scene, this.eye.camera);
+    if (this.drawing.drew(performance.now())) this.detail();
   }
 
   private place({ poses, line_points }: Pose): void {
@@ -151,21 +158,20 @@ export class View {
     this.linkages?.place();
     this.marks.place(this.bodies);
     this.lines?.place(line_points);
-    this.lightFrom(poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0);
+    const [x, y, z] = [poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0];
+    this.daylight.follow(x, y, z, this.eye.size());
+    this.ground.reachFrom(x, y, this.eye.size());
+    this.renderer.shadowMap.needsUpdate = true;
     this.stale = true;
   }
 
-  /** The sun goes with the ship, so that the shadow stays sharp wherever it drifts. */
-  private lightFrom(x: number, y: number, z: number): void {
-    const size = this.eye.size();
-    this.sun.target.position.set(x, y, z);
-    this.sun.position.set(x - 0.7 * size, y - 0.9 * size, z + 2 * size);
-    this.ground.reachFrom(x, y, size);
-    const shadow = this.sun.shadow.camera;
-    shadow.left = shadow.bottom = -1.1 * size;
-    shadow.right = shadow.top = 1.1 * size;
-    shadow.far = 6 * size;
-    shadow.updateProjectionMatrix();
+  /** Under water everything that is far takes the water's colour. */
+  private lookFrom({ x, y, z }: { x: number; y: number; z: number }): void {
+    const water_m = this.sea.heightAt(x, y);
+    const isUnder = water_m !== null && z < water_m;
+    if (this.air.underWater.value === isUnder) return;
+    this.air.underWater.value = isUnder;
+    this.scene.fog = isUnder ? new FogExp2(fogColour(this.palette), FOG / this.eye.size()) : null;
   }
 
   private addFrames(length: number): void {
@@ -177,13 +183,20 @@ export class View {
 
   private light(): void {
     this.ground.paint(this.palette);
-    this.sea.paint(this.palette);
-    this.sea.show(this.surface);
-    this.sun.intensity = this.palette.isDark ? 2.2 : 2.4;
-    this.sky.intensity = this.palette.isDark ? 1.1 : 1.5;
-    this.sky.color.set(0xffffff);
-    this.sky.groundColor.set(this.palette.isDark ? 0x46566a : 0x9aa8b5);
-    this.sky.position.set(0, 0, 1);
+    this.daylight.paint(this.palette);
+    this.scene.fog?.color.copy(fogColour(this.palette));
+    this.detail();
+  }
+
+  /** Draws in the detail that the machine keeps up with. */
+  private detail(): void {
+    const { tier } = this.drawing;
+    this.sea.detail(tier.ripples);
+    this.scene.environment = this.daylight.detail(tier);
+    this.scene.environmentIntensity = this.daylight.skyLight;
+    this.renderer.setPixelRatio(this.pixelRatio());
+    this.renderer.shadowMap.needsUpdate = true;
+    this.stale = true;
   }
 
   /** Makes everything that is drawn anew. */
@@ -194,10 +207,14 @@ export class View {
     this.stale = true;
   }
 
+  private pixelRatio(): number {
+    return Math.min(this.drawing.tier.pixelRatio, devicePixelRatio);
+  }
+
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement!;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.setPixelRatio(this.pixelRatio());
     this.renderer.setSize(width, height, false);
     this.eye.resize(width, height);
     if (this.framesShown && this.run) this.build(this.run, this.frame, false);
@@ -219,6 +236,11 @@ function coversOf(canvas: HTMLCanvasElement): Area[] {
     .map((part) => part.getBoundingClientRect())
     .map(({ left, top, right, bottom }) => ({ left: left - picture.left, top: top - picture.top, right: right - picture.left, bottom: bottom - picture.top }))
     .filter(({ left, top, right, bottom }) => right > left && left < picture.width && right > 0 && top < picture.height && bottom > 0);
+}
+
+/** As the depths are painted at the height of the eye. */
+function fogColour({ deep, shallow }: Palette): Color {
+  return deep.clone().lerp(shallow, 0.4);
 }
 
 function shapedHull(model: ModelInfo, body: string): ShapedHull | undefined {
