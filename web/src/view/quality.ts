@@ -94,7 +94,8 @@ export class Drawing {
     const gl = renderer.getContext();
     const names = gl.getExtension("WEBGL_debug_renderer_info");
     const name = String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-    if (new URLSearchParams(location.search).get("quality") === "best") return new Drawing(new Quality(), true);
+    // For pictures that are kept: `#quality=best` after the address.
+    if (new URLSearchParams(location.hash.slice(1)).get("quality") === "best") return new Drawing(new Quality(), true);
     if (SOFTWARE.test(name)) return new Drawing(new Quality(LOWEST), true);
     return new Drawing(new Quality(matchMedia("(pointer: coarse)").matches ? 1 : 0), false);
   }
