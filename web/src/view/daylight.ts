@@ -8,7 +8,7 @@ import { Sky } from "./sky";
 
 /** Strengths of the lights; the sky's where it lights by itself, the plain one where it does not. */
 const LIGHT = {
-  day: { sun: 2.9, sky: 0.95, plain: 2.1 },
+  day: { sun: 2.3, sky: 0.6, plain: 1.15 },
   night: { sun: 2.1, sky: 2.2, plain: 1.7 },
 };
 /** Reach of the shadows, in sizes of what throws them. */

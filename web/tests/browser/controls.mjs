@@ -39,7 +39,7 @@ export default {
   },
 
   async "leaves a Step of very many steps off when it is paused or reset"(host) {
-    const { page, close } = await openApp(host, { query: "?scenario=paper&simulation.step_s=1e-7" });
+    const { page, close } = await openApp(host, { query: "?scenario=paper&simulation.step_s=1e-8" });
     await page.getByTestId("step").click();
     await page.waitForFunction(() => window.kingpost.sample().status === "stepping");
     assert.equal(await page.locator("#start-label").textContent(), "Pause");
