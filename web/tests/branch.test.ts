@@ -1,30 +1,13 @@
 import { describe, expect, it, vi } from "vitest";
-import { Session } from "../src/app/session";
-import type { EngineClient } from "../src/engine/client";
-import type { Value, Values } from "../src/engine/engine";
-import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
-import { Runner } from "../src/engine/runner";
-import { bits, filesOf, initEngine, read } from "./gallery";
+import type { Session } from "../src/app/session";
+import type { Values } from "../src/engine/engine";
+import { openedDirectly } from "./direct";
+import { bits, initEngine } from "./gallery";
 
 await initEngine();
 
-/** A session on the engine itself, without a worker. */
 async function opened(scenario: string, overrides: Values = {}): Promise<Session> {
-  const text = read(`scenarios/${scenario}.yaml`);
-  const files = JSON.parse(await filesOf(text)) as Record<string, string>;
-  const runner = new Runner((...of) => new Simulation(...of), () => 0);
-  const client = {
-    open: async (...[one, file, values]: [string, string, Values]) => runner.open(one, file, values, files),
-    advance: async (wall_s: number, speed: number) => runner.advance(wall_s, speed),
-    step: async () => runner.step(),
-    input: async (name: string, value: number) => runner.input(name, value),
-    parameter: async (name: string, value: Value) => runner.parameter(name, value),
-    snapshot: async () => runner.snapshot(),
-    restore: async (snapshot: Uint8Array) => runner.restore(snapshot),
-    replay: async () => ({ ...runner.replay(), files: [] }),
-  } as unknown as EngineClient;
-  const session = new Session(client);
-  await session.open({ text, file: `${scenario}.yaml` }, overrides);
+  const session = await openedDirectly(scenario, overrides);
   expect(session.fault).toBeNull();
   return session;
 }

@@ -4,6 +4,7 @@ import { Session } from "../src/app/session";
 import { faultOfControl } from "../src/app/faults";
 import type { EngineClient } from "../src/engine/client";
 import type { Fault, Value, Values } from "../src/engine/engine";
+import type { LeverMove } from "../src/engine/messages";
 import { Runner } from "../src/engine/runner";
 import { FakeEngine } from "./fake";
 
@@ -34,9 +35,9 @@ function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
     open: (text: string, file: string, overrides: Values) => later(() => runner.open(text, file, overrides)),
     advance: (wall_s: number, speed: number) => later(() => runner.advance(wall_s, speed)),
     step: () => later(() => runner.step()),
-    input: (name: string, value: number) => later(() => (runner.input(name, value), null)),
+    input: (name: string, value: number) => later(() => runner.input(name, value)),
     snapshot: () => later(() => runner.snapshot()),
-    restore: (snapshot: Uint8Array) => later(() => runner.restore(snapshot)),
+    restore: (snapshot: Uint8Array, moves: LeverMove[]) => later(() => runner.restore(snapshot, moves)),
     replay: () => later(() => ({ ...runner.replay(), files: [] })),
     parameter: (name: string, value: Value) => later(() => (runner.parameter(name, value), null)),
   } as unknown as EngineClient;

@@ -1,5 +1,5 @@
 import { Columns } from "../engine/columns";
-import type { Channel, DrawnLine, Fault, InputInfo, ModelInfo } from "../engine/engine";
+import type { Channel, DrawnLine, Fault, InputInfo, JointAxis, ModelInfo } from "../engine/engine";
 import type { Frame, Opened } from "../engine/messages";
 import { Accuracy } from "./accuracy";
 import type { Moment } from "./recording/recording";
@@ -16,7 +16,9 @@ export interface Run {
   lines: DrawnLine[];
   channels: Channel[];
   columns: Columns;
+  /** With the values that they have. */
   inputs: InputInfo[];
+  jointAxes: JointAxis[];
   accuracy: Accuracy;
 }
 
@@ -34,6 +36,8 @@ export interface Listener {
   advanced?(run: Run, frame: Frame): void;
   /** Another moment is shown: a newer one, or one that was looked up. */
   moved?(run: Run, moment: Moment): void;
+  /** A hand set an input of the run. */
+  inputsChanged?(run: Run): void;
   /** The run goes on from an earlier moment: what came after is no more. */
   branched?(run: Run): void;
   statusChanged?(status: Status): void;
@@ -41,7 +45,7 @@ export interface Listener {
   faulted?(fault: Fault | null): void;
 }
 
-export function runOf({ model, lines, channels, inputs }: Opened): Run {
+export function runOf({ model, lines, channels, inputs, joint_axes }: Opened): Run {
   const columns = new Columns(channels);
-  return { model, lines, channels, columns, inputs, accuracy: new Accuracy(columns) };
+  return { model, lines, channels, columns, inputs, jointAxes: joint_axes, accuracy: new Accuracy(columns) };
 }

@@ -1,7 +1,7 @@
 import type { EngineClient } from "../engine/client";
 import type { Fault, Value, Values } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
-import type { Frame, Opened } from "../engine/messages";
+import type { Frame, LeverMove, Opened } from "../engine/messages";
 import { faultOfControl, faultOfLostRun } from "./faults";
 import { Recording } from "./recording/recording";
 import { rewind } from "./recording/rewind";
@@ -24,6 +24,7 @@ export class Session extends Told {
   private resetDue = false;
   /** Live values on their way to the engine. */
   private readonly live = new Latest<Value>((name, value) => this.setLive(name, value));
+  private readonly levers = new Latest<number>((name, value) => this.moveLever(name, value));
   /** Openings and resets under way. */
   private readonly turns = new Turns(() => this.goOn());
   /** What was asked for while one was under way, to be done after it. */
@@ -111,9 +112,26 @@ export class Session extends Told {
   }
 
   /** Acts from the moment that is shown on. */
-  async setInput(name: string, value: number): Promise<void> {
-    if (!(await this.isAtCursor())) return;
-    await this.asked(this.client.input(name, value)).catch((fault: Fault) => this.reportOfRun(fault));
+  setInput(name: string, value: number): Promise<void> {
+    return this.levers.set(name, value);
+  }
+
+  /** What was meant for a run that a reset replaces is meant for the new one. */
+  private async moveLever(name: string, value: number): Promise<void> {
+    const { source } = this;
+    await this.turns.over();
+    if (source !== this.source || !(await this.isAtCursor())) return;
+    const { run } = this;
+    await this.asked(this.client.input(name, value)).then(
+      (time_s) => run && run === this.run && this.noteMove(run, { time_s, input: name, value }),
+      (fault: Fault) => run === this.run && this.reportOfRun(fault),
+    );
+  }
+
+  private noteMove(run: Run, move: LeverMove): void {
+    this.shown.recording?.noteMove(move);
+    run.inputs = run.inputs.map((input) => (input.name === move.input ? { ...input, value: move.value } : input));
+    this.emit((listener) => listener.inputsChanged?.(run));
   }
 
   /** The run in hand as a scenario file; null where it cannot be one, which is reported. */
@@ -277,6 +295,7 @@ export class Session extends Told {
     this.isRecovering = true;
     this.pause();
     this.live.clear();
+    this.levers.clear();
     const { run } = this;
     await this.reopen();
     // Values that waited for a reset may have been refused.

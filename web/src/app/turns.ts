@@ -10,6 +10,11 @@ export class Turns {
     return this.left > 0;
   }
 
+  /** Resolves where nothing is left to do. */
+  async over(): Promise<void> {
+    while (this.isBusy) await this.last;
+  }
+
   take<T>(work: () => Promise<T>): Promise<T> {
     this.left += 1;
     const result = this.last.then(work).finally(() => {

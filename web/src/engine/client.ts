@@ -1,6 +1,6 @@
 import type { Fault, Value, Values } from "./engine";
 import { faultOfBreakdown, faultOfSilence, isOfEngine, UNLOADED } from "./faults";
-import type { FromWorker, Replies, Reply, Request } from "./messages";
+import type { FromWorker, LeverMove, Replies, Reply, Request } from "./messages";
 
 /** How often the worker is asked for a sign of life while an answer is due, ms. */
 const LOOK_EVERY_MS = 1000;
@@ -52,7 +52,8 @@ export class EngineClient {
     return this.ask({ kind: "equations" });
   }
 
-  input(name: string, value: number): Promise<null> {
+  /** When it acts, s. */
+  input(name: string, value: number): Promise<number> {
     return this.ask({ kind: "input", name, value });
   }
 
@@ -69,8 +70,9 @@ export class EngineClient {
     return this.ask({ kind: "snapshot" });
   }
 
-  restore(snapshot: Uint8Array): Promise<Replies["restore"]> {
-    return this.ask({ kind: "restore", snapshot });
+  /** `moves` are those of the way on from there, to be made again. */
+  restore(snapshot: Uint8Array, moves: LeverMove[] = []): Promise<Replies["restore"]> {
+    return this.ask({ kind: "restore", snapshot, moves });
   }
 
   private ask<K extends Request["kind"]>(request: Request & { kind: K }): Promise<Replies[K]> {

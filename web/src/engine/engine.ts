@@ -69,6 +69,34 @@ export function readSettings(resolvedJson: string): Settings {
   return (JSON.parse(resolvedJson) as { simulation: Settings }).simulation;
 }
 
+/** The axis that a joint turns about or slides along, where it has one. */
+export interface JointAxis {
+  /** The child. */
+  body: string;
+  /** In the parent's drawing frame. */
+  axis: [number, number, number];
+  /** The joint from the child's centre of mass, m; zero where the child turns about its own centre. */
+  arm_m: [number, number, number];
+}
+
+type ResolvedBody = { joint?: Record<string, { axis?: unknown; child_position_m?: unknown }>; centre_of_mass_m?: unknown };
+
+/** Of the joints of a resolved scenario those with one axis. */
+export function readJointAxes(resolvedJson: string): JointAxis[] {
+  const { bodies = {} } = JSON.parse(resolvedJson) as { bodies?: Record<string, ResolvedBody> };
+  return Object.entries(bodies).flatMap(([body, { joint, centre_of_mass_m }]) => {
+    const [given] = Object.values(joint ?? {});
+    if (!isVector(given?.axis)) return [];
+    const [at, centre] = [given.child_position_m, centre_of_mass_m].map((one) => (isVector(one) ? one : [0, 0, 0]));
+    const arm_m = at.map((one, k) => one - centre[k]) as JointAxis["arm_m"];
+    return [{ body, axis: given.axis, arm_m }];
+  });
+}
+
+function isVector(given: unknown): given is [number, number, number] {
+  return Array.isArray(given) && given.length === 3;
+}
+
 /** What the engine throws, or anything else that went wrong, in one shape. */
 export interface Fault {
   kind: string;

@@ -1,15 +1,10 @@
 import type { Engine, Warning } from "./engine";
+import type { LeverMove } from "./messages";
 
 interface Happened {
   time_s: number;
   element: string;
   what: string;
-}
-
-interface LeverMove {
-  time_s: number;
-  input: string;
-  value: number;
 }
 
 /** Moves of a lever that follow one another within this are one, s: a hand draws it. */

@@ -1,4 +1,4 @@
-import type { Channel, DrawnLine, Equations, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Value, Values, Warning } from "./engine";
+import type { Channel, DrawnLine, Equations, Fault, Hydrostatics, InputInfo, JointAxis, ModelInfo, Settings, Value, Values, Warning } from "./engine";
 import type { Surface } from "./surface";
 
 export interface OpenRequest {
@@ -21,14 +21,21 @@ export type Request =
   | { kind: "input"; name: string; value: number }
   | { kind: "replay" }
   | { kind: "snapshot" }
-  | { kind: "restore"; snapshot: Uint8Array }
+  | { kind: "restore"; snapshot: Uint8Array; moves: LeverMove[] }
   | { kind: "parameter"; name: string; value: Value };
+
+/** A lever that a hand set. */
+export interface LeverMove {
+  time_s: number;
+  input: string;
+  value: number;
+}
 
 /** A state of the engine to go on from. */
 export interface Snapshot {
   time_s: number;
   bytes: Uint8Array;
-  /** Whether something was set by hand just before: nothing is between one of these and the next. */
+  /** Whether a parameter was set just before: none is set between one of these and the next. */
   isChange: boolean;
 }
 
@@ -39,7 +46,7 @@ export interface Frame {
   /** Poses and points of lines at the same times, one after another. */
   row_poses: Float64Array;
   row_line_points: Float64Array;
-  /** States passed, now and then and wherever something was set by hand. */
+  /** States passed, now and then and wherever a parameter was set. */
   keyframes: Snapshot[];
   /** The row now, on a recording time or not. */
   row: Float64Array;
@@ -65,6 +72,7 @@ export interface Opened {
   settings: Settings;
   channels: Channel[];
   inputs: InputInfo[];
+  joint_axes: JointAxis[];
   frame: Frame;
 }
 
@@ -96,7 +104,8 @@ export interface Replies {
   step: Frame;
   hydrostatics: Hydrostatics;
   equations: Equations;
-  input: null;
+  /** When it acts, s. */
+  input: number;
   parameter: null;
   replay: Replay;
   snapshot: Uint8Array;

@@ -1,7 +1,7 @@
-import { asFault, readModel, readSettings } from "./engine";
+import { asFault, readJointAxes, readModel, readSettings } from "./engine";
 import type { Engine, Equations, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
 import { Events } from "./events";
-import type { Frame, Opened, Replay, Restored, Snapshot } from "./messages";
+import type { Frame, LeverMove, Opened, Replay, Restored, Snapshot } from "./messages";
 import { SurfaceGrid } from "./surface";
 
 /** Longest stretch of wall time that one frame may catch up with, s: a slow machine runs slowly. */
@@ -34,8 +34,10 @@ export class Runner {
   private stepsAtOnce = 1;
   private owed_s = 0;
   private fault: Fault | null = null;
-  /** Whether something was set by hand since the last step. */
+  /** Whether a parameter was set since the last step. */
   private isSet = false;
+  /** Moves of levers to be made again on a way that is gone again. */
+  private again: LeverMove[] = [];
   private events = new Events();
 
   constructor(
@@ -55,13 +57,16 @@ export class Runner {
     this.owed_s = 0;
     this.fault = null;
     this.isSet = false;
+    this.again = [];
     this.events = new Events();
     const start = nothing();
     this.record(start);
+    const resolved = engine.resolved_json();
     return {
       model,
       lines: JSON.parse(engine.lines_json()),
-      settings: readSettings(engine.resolved_json()),
+      settings: readSettings(resolved),
+      joint_axes: readJointAxes(resolved),
       channels: JSON.parse(engine.channels_json()),
       inputs: JSON.parse(engine.inputs_json()),
       frame: this.frame(start),
@@ -91,8 +96,8 @@ export class Runner {
     return this.current().snapshot();
   }
 
-  /** The run goes on from a state that it had; a fault that it came to later is no more. */
-  restore(snapshot: Uint8Array): Restored {
+  /** The run goes on from a state that it had, and makes these moves again; a fault that it came to later is no more. */
+  restore(snapshot: Uint8Array, moves: LeverMove[] = []): Restored {
     const engine = this.current();
     engine.restore(snapshot);
     this.steps = Math.round(engine.time_s() / engine.step_s());
@@ -100,6 +105,8 @@ export class Runner {
     this.fault = null;
     this.isSet = false;
     this.events = new Events();
+    this.again = [...moves];
+    this.moveAgain();
     return { inputs: JSON.parse(engine.inputs_json()), frame: this.frame(nothing()) };
   }
 
@@ -117,9 +124,11 @@ export class Runner {
     return JSON.parse(this.current().equations_json()) as Equations;
   }
 
-  input(name: string, value: number): void {
-    this.current().set_input(name, value);
-    this.isSet = true;
+  /** When it acts, s. */
+  input(name: string, value: number): number {
+    const engine = this.current();
+    engine.set_input(name, value);
+    return engine.time_s();
   }
 
   parameter(name: string, value: Value): void {
@@ -148,13 +157,26 @@ export class Runner {
     return this.stepsPerRecord - (this.steps % this.stepsPerRecord);
   }
 
+  /** Makes the moves that are due. */
+  private moveAgain(): void {
+    while (this.again.length > 0 && this.toNextMove() <= 0) {
+      const { input, value } = this.again.shift()!;
+      this.current().set_input(input, value);
+    }
+  }
+
+  private toNextMove(): number {
+    const [next] = this.again;
+    return next ? Math.round(next.time_s / this.current().step_s()) - this.steps : Infinity;
+  }
+
   private take(wanted: number, deadline_ms: number): Taken {
     const engine = this.current();
     const taken = nothing();
     let left = this.fault ? 0 : wanted;
     if (left > 0 && this.isSet) this.keep(taken);
     for (let from_ms = this.now_ms(); left > 0 && from_ms < deadline_ms; from_ms = this.now_ms()) {
-      const n = Math.min(left, this.toNextRecord(), this.stepsAtOnce);
+      const n = Math.min(left, this.toNextRecord(), this.stepsAtOnce, this.toNextMove());
       try {
         engine.step(n);
       } catch (thrown) {
@@ -165,6 +187,7 @@ export class Runner {
       this.steps += n;
       taken.steps += n;
       left -= n;
+      this.moveAgain();
       this.pace(n, this.now_ms() - from_ms);
       if (this.steps % this.stepsPerRecord === 0) this.record(taken);
     }

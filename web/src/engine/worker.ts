@@ -65,14 +65,13 @@ async function answer(request: Request): Promise<unknown> {
     case "equations":
       return runner.equations();
     case "input":
-      runner.input(request.name, request.value);
-      return null;
+      return runner.input(request.name, request.value);
     case "replay":
       return replay();
     case "snapshot":
       return runner.snapshot();
     case "restore":
-      return runner.restore(request.snapshot);
+      return runner.restore(request.snapshot, request.moves);
     case "parameter":
       runner.parameter(request.name, request.value);
       return null;

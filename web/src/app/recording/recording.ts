@@ -1,6 +1,6 @@
 import type { Columns } from "../../engine/columns";
 import type { Values, Warning } from "../../engine/engine";
-import type { Frame, Snapshot } from "../../engine/messages";
+import type { Frame, LeverMove, Snapshot } from "../../engine/messages";
 import type { Surface } from "../../engine/surface";
 import { between, posesBetween } from "./between";
 import { Noted } from "./noted";
@@ -46,6 +46,7 @@ export class Recording {
   private readonly pictures: Series<PictureAtSea>;
   private readonly keyframes: Series<Keyframe>;
   private readonly told = { warnings: new Noted(), events: new Noted() };
+  private moves: LeverMove[] = [];
   private merged: { from: (readonly Warning[])[]; marks: readonly Warning[] } = { from: [], marks: [] };
   /** The newest, on a recording time or not. */
   now: Moment;
@@ -148,11 +149,22 @@ export class Recording {
     return this.keyframes.items[this.keyframes.indexAt(time_s)];
   }
 
+  /** A hand set a lever. */
+  noteMove(move: LeverMove): void {
+    this.moves.push(move);
+  }
+
+  /** Moves of levers from a time to another, those at both among them. */
+  movesBetween(from_s: number, to_s: number): LeverMove[] {
+    return this.moves.filter(({ time_s }) => time_s >= from_s && time_s <= to_s);
+  }
+
   /** The run goes on from here: what came after is forgotten. */
   dropAfter(frame: Frame): void {
     this.now = this.momentOf(frame);
     const { time_s } = this.now;
     for (const series of [this.rows, this.pictures, this.keyframes]) series.dropAfter(time_s);
+    this.moves = this.moves.filter((move) => move.time_s <= time_s);
     for (const told of Object.values(this.told)) told.dropAfter(time_s);
   }
 

@@ -5,7 +5,7 @@ import type { Recording } from "./recording";
 
 /**
  * Brings the engine back to a recorded time: a keyframe before it is restored, and the way from there is gone again, to the
- * same bits, for nothing was set in between. `values` are the parameters that the engine has now; those that were set
+ * same bits: the moves of levers in between are made again, and no parameter was set. `values` are the parameters that the engine has now; those that were set
  * under way are told to `set` where they go back.
  */
 export async function rewind(
@@ -23,8 +23,11 @@ export async function rewind(
     await client.parameter(name, value);
     set(name, value);
   }
-  const restored = await client.restore(keyframe.bytes);
+  const moves = recording.movesBetween(keyframe.time_s, time_s);
+  const restored = await client.restore(keyframe.bytes, moves);
   let { frame } = restored;
   while (recording.timeOf(frame.row) < time_s && !frame.fault) frame = await client.step();
-  return { ...restored, frame };
+  const last = new Map(moves.map(({ input, value }) => [input, value]));
+  const inputs = restored.inputs.map((input) => ({ ...input, value: last.get(input.name) ?? input.value }));
+  return { inputs, frame };
 }

@@ -1,0 +1,83 @@
+import { Quaternion, Vector3 } from "three";
+import type { Run } from "../app/run";
+import type { InputInfo } from "../engine/engine";
+
+/** The axes of two sticks: left and right, across (x, positive to the right) and along (y, positive away from the hand). */
+export const AXES = ["left_x", "left_y", "right_x", "right_y"] as const;
+export type Axis = (typeof AXES)[number];
+
+/** An input on an axis of a stick; `reversed` where the stick's positive side is the input's negative one. */
+export interface Place {
+  input: string;
+  reversed: boolean;
+}
+
+export type Places = Partial<Record<Axis, Place>>;
+
+/** slew: about an upright axis; raise: a boom about a level one; hoist: a drum, which turns about its own centre; other: what the model does not say. */
+type Motion = "slew" | "raise" | "hoist" | "other";
+
+interface Moved extends Place {
+  motion: Motion;
+  /** Bodies from what moves down to the ground. */
+  depth: number;
+}
+
+/** Which input goes to which axis where nothing else was chosen: slew and the first boom left, hoist and the next boom right, others where room is left. */
+export function placesOf(run: Run, poses: ArrayLike<number>): Places {
+  const waiting = onSticks(run.inputs)
+    .map((input) => movedBy(run, poses, input.name))
+    .sort((a, b) => a.depth - b.depth);
+  const take = (fits: (moved: Moved) => boolean): Place | undefined => {
+    const at = waiting.findIndex(fits);
+    if (at < 0) return undefined;
+    const [{ input, reversed }] = waiting.splice(at, 1);
+    return { input, reversed };
+  };
+  const first = (motion: Motion) => take((moved) => moved.motion === motion);
+  const places: Places = { left_x: first("slew"), left_y: first("raise"), right_y: first("hoist"), right_x: first("raise") };
+  for (const axis of ["right_y", "left_x", "left_y", "right_x"] as const) places[axis] ??= take(() => true);
+  return places;
+}
+
+/** Inputs that a stick can spring back from: a hand sets them, and zero is between their ends. */
+export function onSticks(inputs: readonly InputInfo[]): InputInfo[] {
+  return inputs.filter(({ signal, lower, upper }) => !signal && lower < 0 && upper > 0);
+}
+
+/** What an input moves: the body of the joint that its drive names, or the last of the bodies that the drive stands between. */
+function movedBy({ model, jointAxes }: Run, poses: ArrayLike<number>, input: string): Moved {
+  const parents = new Map(model.bodies.map(({ name, parent }) => [name, parent]));
+  const values = model.elements.find(({ name, group }) => name === input && group === "drives")?.facts.map(({ value }) => value) ?? [];
+  const named = model.joints.find(({ name, kind }) => kind === "revolute" && values.includes(name));
+  let body = named?.body ?? values.filter((value) => parents.has(value)).at(-1);
+  // What is fixed to its parent moves with it.
+  while (body !== undefined && parents.has(body) && model.joints.find((joint) => joint.body === body)?.kind === "fixed") body = parents.get(body);
+  const joint = jointAxes.find((one) => one.body === body);
+  if (!joint || model.joints.find((one) => one.body === body)?.kind !== "revolute") return { input, motion: "other", reversed: false, depth: Infinity };
+  const place = (name: string | undefined) => model.bodies.findIndex((one) => one.name === name);
+  const axis = turned(joint.axis, poses, place(parents.get(joint.body)));
+  const motion = motionAbout(axis, turned(joint.arm_m, poses, place(joint.body)), named !== undefined);
+  return { input, ...motion, depth: depthOf(parents, joint.body) };
+}
+
+/** A stick to the right turns to the right, as seen from above; away from the hand lowers and pays out. `arm` leads from the child's centre to the joint. */
+function motionAbout(axis: Vector3, arm: Vector3, isOfJoint: boolean): { motion: Motion; reversed: boolean } {
+  if (Math.abs(axis.z) > Math.hypot(axis.x, axis.y)) return { motion: "slew", reversed: axis.z > 0 };
+  if (arm.length() < 1e-9) return { motion: "hoist", reversed: false };
+  // A drive between two bodies pushes a boom up.
+  const raises = isOfJoint ? axis.clone().cross(arm).z < 0 : true;
+  return { motion: "raise", reversed: raises };
+}
+
+/** A vector of a body's axes, in the world's; poses are x y z qw qx qy qz a body, and the world has none. */
+function turned(vector: readonly [number, number, number], poses: ArrayLike<number>, body: number): Vector3 {
+  const [w, x, y, z] = body < 0 ? [1, 0, 0, 0] : [3, 4, 5, 6].map((k) => poses[7 * body + k]);
+  return new Vector3(...vector).applyQuaternion(new Quaternion(x, y, z, w));
+}
+
+function depthOf(parents: ReadonlyMap<string, string>, body: string): number {
+  let depth = 0;
+  for (let at: string | undefined = body; at !== undefined; at = parents.get(at)) depth += 1;
+  return depth;
+}
