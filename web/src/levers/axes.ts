@@ -1,6 +1,7 @@
-import { Quaternion, Vector3 } from "three";
 import type { Run } from "../app/run";
 import type { InputInfo } from "../engine/engine";
+import { cross, rotate } from "../view/fit";
+import type { Vec3 } from "../view/fit";
 
 /** The axes of two sticks: left and right, across (x, positive to the right) and along (y, positive away from the hand). */
 export const AXES = ["left_x", "left_y", "right_x", "right_y"] as const;
@@ -62,18 +63,19 @@ function movedBy({ model, jointAxes }: Run, poses: ArrayLike<number>, input: str
 }
 
 /** A stick to the right turns to the right, as seen from above; away from the hand lowers and pays out. `arm` leads from the child's centre to the joint. */
-function motionAbout(axis: Vector3, arm: Vector3, isOfJoint: boolean): { motion: Motion; reversed: boolean } {
-  if (Math.abs(axis.z) > Math.hypot(axis.x, axis.y)) return { motion: "slew", reversed: axis.z > 0 };
-  if (arm.length() < 1e-9) return { motion: "hoist", reversed: false };
+function motionAbout(axis: Vec3, arm: Vec3, isOfJoint: boolean): { motion: Motion; reversed: boolean } {
+  if (Math.abs(axis[2]) > Math.hypot(axis[0], axis[1])) return { motion: "slew", reversed: axis[2] > 0 };
+  if (Math.hypot(...arm) < 1e-9) return { motion: "hoist", reversed: false };
   // A drive between two bodies pushes a boom up.
-  const raises = isOfJoint ? axis.clone().cross(arm).z < 0 : true;
+  const raises = isOfJoint ? cross(axis, arm)[2] < 0 : true;
   return { motion: "raise", reversed: raises };
 }
 
 /** A vector of a body's axes, in the world's; poses are x y z qw qx qy qz a body, and the world has none. */
-function turned(vector: readonly [number, number, number], poses: ArrayLike<number>, body: number): Vector3 {
-  const [w, x, y, z] = body < 0 ? [1, 0, 0, 0] : [3, 4, 5, 6].map((k) => poses[7 * body + k]);
-  return new Vector3(...vector).applyQuaternion(new Quaternion(x, y, z, w));
+function turned(vector: Vec3, poses: ArrayLike<number>, body: number): Vec3 {
+  if (body < 0) return vector;
+  const at = 7 * body + 3;
+  return rotate([poses[at], poses[at + 1], poses[at + 2], poses[at + 3]], vector);
 }
 
 function depthOf(parents: ReadonlyMap<string, string>, body: string): number {

@@ -1,5 +1,7 @@
 import type { Session } from "../app/session";
 import type { InputInfo, ParameterInfo } from "../engine/engine";
+import { onSticks } from "../levers/axes";
+import { texts } from "../texts";
 import { checkbox, choice, number, sliderRange } from "./items";
 import type { Item } from "./items";
 import { byId, make } from "./dom";
@@ -11,12 +13,16 @@ export class Controls {
   private items: Item[] = [];
   private inputs: Item[] = [];
 
-  constructor(private readonly session: Session) {
+  constructor(
+    private readonly session: Session,
+    private readonly chooseAxes: () => void,
+  ) {
     this.form.addEventListener("submit", (event) => event.preventDefault());
     session.listen({
       opened: (run, _frame, isAnother) => (isAnother ? this.build(run.model.parameters) : this.showLevers()),
       valuesChanged: () => this.show(),
       branched: (run) => this.showInputs(run.inputs),
+      inputsChanged: (run) => this.showInputs(run.inputs),
     });
   }
 
@@ -46,7 +52,14 @@ export class Controls {
     const words = taken.map((input) => `${input.name.replaceAll("_", " ")} by ${input.signal}`).join(", ");
     const note = taken.length > 0 ? make("p", { class: "muted" }, `Set by the scenario: ${words}.`) : null;
     const kept = free ? make("p", { class: "muted" }, "Save scenario keeps the lever moves as an operation.") : null;
-    this.levers.replaceChildren(...[free, kept, note].filter((one) => one !== null));
+    this.levers.replaceChildren(...[free, this.axesButton(inputs), kept, note].filter((one) => one !== null));
+  }
+
+  private axesButton(inputs: readonly InputInfo[]): HTMLElement | null {
+    if (onSticks(inputs).length === 0) return null;
+    const button = make("button", { type: "button", class: "button", "data-testid": "choose-axes" }, texts.levers.choose_axes);
+    button.addEventListener("click", this.chooseAxes);
+    return button;
   }
 
   private item(parameter: ParameterInfo): Item {

@@ -231,7 +231,7 @@ export class View {
 /** What of the page stands on the picture, in its pixels. */
 function coversOf(canvas: HTMLCanvasElement): Area[] {
   const picture = canvas.getBoundingClientRect();
-  const parts = [...document.querySelectorAll(".floating, .scene-tools, .scene-note, .frames-legend, .readouts")];
+  const parts = [...document.querySelectorAll(".floating, .stick, .scene-tools, .scene-note, .frames-legend, .readouts")];
   return parts
     .map((part) => part.getBoundingClientRect())
     .map(({ left, top, right, bottom }) => ({ left: left - picture.left, top: top - picture.top, right: right - picture.left, bottom: bottom - picture.top }))

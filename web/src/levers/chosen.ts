@@ -1,0 +1,56 @@
+import { AXES } from "./axes";
+import type { Place, Places } from "./axes";
+
+const PLACES_KEY = "kingpost.levers.";
+const HIDDEN_KEY = "kingpost.levers_hidden";
+
+/** Which input a person chose for each axis in this scenario; null where the model decides. */
+export function chosenPlaces(file: string): Places | null {
+  try {
+    const text = localStorage.getItem(PLACES_KEY + file);
+    return text === null ? null : placesIn(JSON.parse(text));
+  } catch {
+    return null;
+  }
+}
+
+export function choosePlaces(file: string, places: Places | null): void {
+  keep(PLACES_KEY + file, places && JSON.stringify(places));
+}
+
+/** Whether a person put the sticks away. */
+export function areHidden(): boolean {
+  try {
+    return localStorage.getItem(HIDDEN_KEY) !== null;
+  } catch {
+    return false;
+  }
+}
+
+export function hideSticks(hidden: boolean): void {
+  keep(HIDDEN_KEY, hidden ? "yes" : null);
+}
+
+/** Where nothing can be kept, it holds for this page only. */
+function keep(key: string, text: string | null): void {
+  try {
+    if (text === null) localStorage.removeItem(key);
+    else localStorage.setItem(key, text);
+  } catch {
+    // As a browser does whose storage is denied.
+  }
+}
+
+/** What is stored may be of another version of the page. */
+function placesIn(stored: unknown): Places {
+  const places: Places = {};
+  for (const axis of AXES) {
+    const place = (stored as Record<string, unknown> | null)?.[axis];
+    if (isPlace(place)) places[axis] = place;
+  }
+  return places;
+}
+
+function isPlace(stored: unknown): stored is Place {
+  return typeof stored === "object" && stored !== null && "input" in stored && typeof stored.input === "string" && "reversed" in stored && typeof stored.reversed === "boolean";
+}

@@ -1,0 +1,44 @@
+import type { InputInfo } from "../engine/engine";
+import { texts } from "../texts";
+import { make } from "../ui/dom";
+import { AXES } from "./axes";
+import type { Axis, Places } from "./axes";
+
+/** Asks which input each axis of the sticks has; `choose` hears every choice, and null for what the model says. */
+export function askForPlaces(inputs: readonly InputInfo[], places: Places, choose: (places: Places | null) => Places): void {
+  const dialog = make("dialog", { class: "axes-dialog", "aria-labelledby": "axes-title" });
+  const rows = make("div", { class: "axes-rows" });
+  const show = (now: Places): void => {
+    const pick = (next: Places) => show(choose(next));
+    const focus = document.activeElement?.id;
+    rows.replaceChildren(...AXES.map((axis) => rowOf(axis, inputs, now, pick)));
+    if (focus && rows.querySelector(`#${focus}`)) rows.querySelector<HTMLElement>(`#${focus}`)!.focus();
+  };
+  const standard = make("button", { type: "button", class: "button", "data-testid": "axes-standard" }, texts.levers.standard);
+  standard.addEventListener("click", () => show(choose(null)));
+  const close = make("button", { type: "button", class: "button button-primary", "data-testid": "axes-close" }, texts.levers.close);
+  close.addEventListener("click", () => dialog.close());
+  dialog.append(make("h2", { id: "axes-title" }, texts.levers.axes_title), rows, make("div", { class: "axes-buttons" }, standard, close));
+  dialog.addEventListener("close", () => dialog.remove());
+  document.body.append(dialog);
+  show(places);
+  dialog.showModal();
+}
+
+function rowOf(axis: Axis, inputs: readonly InputInfo[], places: Places, pick: (places: Places) => void): HTMLElement {
+  const place = places[axis];
+  const options = inputs.map(({ name }) => make("option", { value: name, selected: name === place?.input }, name.replaceAll("_", " ")));
+  const select = make("select", { id: `axis-${axis}`, "data-testid": `axis-${axis}` }, make("option", { value: "" }, texts.levers.none), ...options);
+  select.addEventListener("change", () => pick(placed(places, axis, select.value)));
+  const box = make("input", { type: "checkbox", id: `reverse-${axis}`, checked: place?.reversed ?? false, disabled: !place, "data-testid": `reverse-${axis}` });
+  box.addEventListener("change", () => place && pick({ ...places, [axis]: { ...place, reversed: box.checked } }));
+  const reverse = make("label", { class: "item item-checkbox", for: `reverse-${axis}` }, box, make("span", {}, texts.levers.reverse));
+  return make("div", { class: "axes-row" }, make("label", { for: `axis-${axis}` }, texts.levers.axes[axis]), select, reverse);
+}
+
+/** An input has one axis: where it goes to another one, it leaves the one before, and keeps its sense. */
+export function placed(places: Places, axis: Axis, input: string): Places {
+  const held = Object.values(places).find((place) => place?.input === input);
+  const others = Object.entries(places).filter(([name, place]) => name !== axis && place && place.input !== input);
+  return { ...Object.fromEntries(others), ...(input && { [axis]: { input, reversed: held?.reversed ?? false } }) };
+}

@@ -1,0 +1,43 @@
+import type { Axis } from "./axes";
+
+/** Keys of the axes, to the positive side and to the negative one. */
+const KEYS: Record<string, [Axis, number]> = {
+  w: ["left_y", 1],
+  s: ["left_y", -1],
+  d: ["left_x", 1],
+  a: ["left_x", -1],
+  i: ["right_y", 1],
+  k: ["right_y", -1],
+  l: ["right_x", 1],
+  j: ["right_x", -1],
+};
+
+/** Up, left, down, right of each stick. */
+export const HINTS = { left: ["W", "A", "S", "D"], right: ["I", "J", "K", "L"] };
+
+/** How far a stick goes while Shift is down. */
+const FINE = 0.3;
+
+/** The letters move the sticks while no text is typed; `take` hears null where the last of an axis is let go. */
+export function enableKeys(take: (axis: Axis, deflection: number | null) => void): void {
+  const down = new Map<string, number>();
+  const tell = (axis: Axis) => {
+    const sides = [...down].filter(([key]) => KEYS[key][0] === axis);
+    take(axis, sides.length === 0 ? null : sides.reduce((sum, [key, size]) => sum + size * KEYS[key][1], 0));
+  };
+  const letGo = (key: string) => down.delete(key) && tell(KEYS[key][0]);
+  addEventListener("keydown", (event) => {
+    const key = event.key.toLowerCase();
+    if (!(key in KEYS) || event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;
+    const size = event.shiftKey ? FINE : 1;
+    if (down.get(key) === size) return;
+    down.set(key, size);
+    tell(KEYS[key][0]);
+  });
+  addEventListener("keyup", ({ key }) => letGo(key.toLowerCase()));
+  addEventListener("blur", () => [...down.keys()].forEach(letGo));
+}
+
+function isTyping(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && target.closest("input, select, textarea, dialog, [contenteditable]") !== null;
+}
