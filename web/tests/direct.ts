@@ -1,32 +1,72 @@
 import { Session } from "../src/app/session";
 import type { EngineClient } from "../src/engine/client";
-import type { Value, Values } from "../src/engine/engine";
+import type { Engine, InputInfo, Value, Values } from "../src/engine/engine";
+import { asFault } from "../src/engine/engine";
 import type { LeverMove } from "../src/engine/messages";
 import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { Runner } from "../src/engine/runner";
 import { filesOf, read } from "./gallery";
 
-/** The engine itself behind a client, without a worker; scenarios name files of the gallery alone. */
-export function directClient(now_ms: () => number = () => 0): EngineClient {
-  const runner = new Runner((...of) => new Simulation(...of), now_ms);
-  const client = {
-    async open(text: string, file: string, values: Values) {
-      return runner.open(text, file, values, JSON.parse(await filesOf(text)) as Record<string, string>);
-    },
-    advance: async (wall_s: number, speed: number) => runner.advance(wall_s, speed),
-    step: async () => runner.step(),
-    input: async (name: string, value: number) => runner.input(name, value),
-    parameter: async (name: string, value: Value) => runner.parameter(name, value),
-    snapshot: async () => runner.snapshot(),
-    restore: async (snapshot: Uint8Array, moves: LeverMove[]) => runner.restore(snapshot, moves),
-    replay: async () => ({ ...runner.replay(), files: [] }),
-  };
-  return client as unknown as EngineClient;
+/**
+ * The engine itself behind a client, without a worker: it answers in turn, late where `isLate` says so. A look at the clock takes
+ * `look_ms`; without, a frame computes all that is asked of it. Scenarios name files of the gallery alone.
+ */
+export class DirectEngine {
+  private engine: Engine | null = null;
+  private clock_ms = 0;
+  private turn: Promise<unknown> = Promise.resolve();
+  private asked = 0;
+  readonly runner = new Runner(
+    (...of) => (this.engine = new Simulation(...of)),
+    () => (this.clock_ms += this.look_ms),
+  );
+  readonly client: EngineClient;
+
+  constructor(
+    private readonly isLate: () => boolean = () => false,
+    private readonly look_ms = 0,
+  ) {
+    const { runner } = this;
+    const client = {
+      open: (text: string, file: string, values: Values) =>
+        this.inTurn(async () => runner.open(text, file, values, JSON.parse(await filesOf(text)) as Record<string, string>)),
+      advance: (wall_s: number, speed: number) => this.inTurn(() => runner.advance(wall_s, speed)),
+      step: () => this.inTurn(() => runner.step()),
+      input: (name: string, value: number) => this.inTurn(() => runner.input(name, value)),
+      parameter: (name: string, value: Value) => this.inTurn(() => runner.parameter(name, value)),
+      snapshot: () => this.inTurn(() => runner.snapshot()),
+      restore: (snapshot: Uint8Array, moves: LeverMove[] = []) => this.inTurn(() => runner.restore(snapshot, moves)),
+      replay: () => this.inTurn(() => ({ ...runner.replay(), files: [] })),
+    };
+    this.client = client as unknown as EngineClient;
+  }
+
+  /** The engine's own. */
+  inputs(): InputInfo[] {
+    return JSON.parse(this.engine!.inputs_json()) as InputInfo[];
+  }
+
+  get isBusy(): boolean {
+    return this.asked > 0;
+  }
+
+  private inTurn<T>(work: () => T | Promise<T>): Promise<T> {
+    this.asked += 1;
+    const answer = this.turn
+      .then(() => this.isLate() && new Promise((resolve) => setImmediate(resolve)))
+      .then(work)
+      .catch((thrown: unknown) => {
+        throw asFault(thrown);
+      })
+      .finally(() => (this.asked -= 1));
+    this.turn = answer.catch(() => undefined);
+    return answer;
+  }
 }
 
 /** A scenario of the gallery in a session of its own. */
 export async function openedDirectly(scenario: string, overrides: Values = {}): Promise<Session> {
-  const session = new Session(directClient());
+  const session = new Session(new DirectEngine().client);
   await session.open({ text: read(`scenarios/${scenario}.yaml`), file: `${scenario}.yaml` }, overrides);
   return session;
 }

@@ -33,6 +33,8 @@ export class Runner {
   private stepsPerRecord = 1;
   private stepsAtOnce = 1;
   private owed_s = 0;
+  /** The newest row's time. */
+  private recorded_s = 0;
   private fault: Fault | null = null;
   /** Whether a parameter was set since the last step. */
   private isSet = false;
@@ -102,6 +104,7 @@ export class Runner {
     engine.restore(snapshot);
     this.steps = Math.round(engine.time_s() / engine.step_s());
     this.owed_s = 0;
+    this.recorded_s = engine.time_s();
     this.fault = null;
     this.isSet = false;
     this.events = new Events();
@@ -181,7 +184,7 @@ export class Runner {
         engine.step(n);
       } catch (thrown) {
         this.fault = asFault(thrown);
-        this.record(taken);
+        if (engine.time_s() > this.recorded_s) this.record(taken);
         break;
       }
       this.steps += n;
@@ -196,6 +199,7 @@ export class Runner {
 
   private record(taken: Taken): void {
     const engine = this.current();
+    this.recorded_s = engine.time_s();
     taken.rows.push(engine.row());
     taken.poses.push(engine.poses());
     taken.line_points.push(engine.line_points());

@@ -49,9 +49,9 @@ export function onSticks(inputs: readonly InputInfo[]): InputInfo[] {
 /** What an input moves: the body of the joint that its drive names, or the last of the bodies that the drive stands between. */
 function movedBy({ model, jointAxes }: Run, poses: ArrayLike<number>, input: string): Moved {
   const parents = new Map(model.bodies.map(({ name, parent }) => [name, parent]));
-  const values = model.elements.find(({ name, group }) => name === input && group === "drives")?.facts.map(({ value }) => value) ?? [];
-  const named = model.joints.find(({ name, kind }) => kind === "revolute" && values.includes(name));
-  let body = named?.body ?? values.filter((value) => parents.has(value)).at(-1);
+  const facts = model.elements.find(({ name, group }) => name === input && group === "drives")?.facts ?? [];
+  const named = model.joints.find(({ name }) => name === facts.find(({ label }) => label === "joint")?.value);
+  let body = named?.body ?? facts.filter(({ value }) => parents.has(value)).at(-1)?.value;
   // What is fixed to its parent moves with it.
   while (body !== undefined && parents.has(body) && model.joints.find((joint) => joint.body === body)?.kind === "fixed") body = parents.get(body);
   const joint = jointAxes.find((one) => one.body === body);

@@ -27,7 +27,7 @@ export class Drive {
     const facts = model.elements.find((one) => one.name === name && one.group === "drives")?.facts ?? [];
     const own = channels.filter(({ labels }) => labels.length === 1 && labels[0].includes(name));
     const joints = channels.find(({ variable }) => variable === "joint_velocity");
-    const joint = facts.map(({ value }) => joints?.labels[0].indexOf(value) ?? -1).find((at) => at >= 0) ?? -1;
+    const joint = joints?.labels[0].indexOf(facts.find(({ label }) => label === "joint")?.value ?? "") ?? -1;
     const rate = own.find((channel) => isRate(channel.units[0]));
     const column = joint >= 0 ? joints!.columns[joint] : rate?.columns[rate.labels[0].indexOf(name)];
     this.rateAt = column === undefined ? -1 : columns.at(column);

@@ -18,6 +18,8 @@ interface Shown {
   slider: HTMLElement;
   mark: HTMLElement;
   line: HTMLElement;
+  /** Of the greatest rate, what the drive does. */
+  share: HTMLElement;
 }
 
 /** A stick for a thumb: a pad with a knob, what the drives do as marks beside it, and a line of words for each of its axes. */
@@ -58,7 +60,9 @@ export class Stick {
     });
     slider.addEventListener("keydown", (event) => this.key(lever, event));
     const mark = make("span", { class: `stick-mark stick-mark-${way}`, "aria-hidden": "true", hidden: true });
-    return { lever, isAcross, slider, mark, line: make("p", { class: "stick-line" }) };
+    const share = make("span", { class: "stick-share" });
+    const line = make("p", { class: "stick-line" }, make("span", { class: "stick-name" }, `${isAcross ? "↔" : "↕"} ${lever.name}`), share);
+    return { lever, isAcross, slider, mark, line, share };
   }
 
   private listen(): void {
@@ -113,7 +117,7 @@ export class Stick {
     axis.mark.style.setProperty("--share", String(of.signed(doing?.share || 0)));
     for (const part of [axis.mark, axis.line]) part.dataset.limit = isHard ? "hard" : limits.length > 0 ? "speed" : "none";
     const does = doing && Number.isFinite(doing.rate) ? `${fixed(doing.rate, 2)} ${of.drive.unit}` : "";
-    setText(axis.line, `${axis.isAcross ? "↔" : "↕"} ${of.name}${does ? ` ${does}` : ""}`);
+    setText(axis.share, Number.isFinite(doing?.share) ? `${fixed(100 * of.signed(doing!.share), 0)} %` : "");
     const words = [texts.levers.asked(Math.round(100 * deflection)), does && texts.levers.does(does), ...limits.map((limit) => texts.levers.limits[limit] ?? texts.levers.at_limit(limit))];
     say(axis.slider, Math.round(100 * deflection), words.filter((word) => word).join(", "));
   }

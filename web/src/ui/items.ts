@@ -54,7 +54,7 @@ export function number({ name, label, unit, range }: Numeric, set: (value: numbe
   const element = make("div", { class: "item item-number" }, head);
   const slider = range && sliderFor(name, text, range);
   if (slider && range) {
-    const [low, high] = range.map((end) => make("span", { class: "slider-end", "aria-hidden": "true" }, withoutRounding(end).replace("-", "−")));
+    const [low, high] = range.map((end) => make("span", { class: "slider-end", "aria-hidden": "true" }, inShort(end).replace("-", "−")));
     element.append(make("div", { class: "slider" }, low, slider, high));
     slider.addEventListener("input", () => set(slider.valueAsNumber));
   }
@@ -73,6 +73,10 @@ export function number({ name, label, unit, range }: Numeric, set: (value: numbe
       mark(element, pending);
     },
   };
+}
+
+function inShort(value: number): string {
+  return String(Number(value.toPrecision(4)));
 }
 
 /** A number that was degrees, was turned to radians and back, as it was written. */
