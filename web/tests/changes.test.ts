@@ -166,6 +166,7 @@ class Trial {
     // What the page says of the run is what the engine has.
     expect(this.engine.runner.replay().time_s, this.last()).toBe(recording.now.time_s);
     expect(run!.inputs, this.last()).toEqual(this.engine.inputs());
+    if (this.made.length % 20 === 0) for (const { name, value } of this.engine.parameters()) expect(session.values.inForce[name], `${name}: ${this.last()}`).toBe(value);
     expect(session.pending().every((name) => name in session.values.wanted), this.last()).toBe(true);
   }
 

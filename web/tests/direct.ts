@@ -1,7 +1,7 @@
 import { Session } from "../src/app/session";
 import type { EngineClient } from "../src/engine/client";
-import type { Engine, InputInfo, Value, Values } from "../src/engine/engine";
-import { asFault } from "../src/engine/engine";
+import type { Engine, InputInfo, ParameterInfo, Value, Values } from "../src/engine/engine";
+import { asFault, readModel } from "../src/engine/engine";
 import type { LeverMove } from "../src/engine/messages";
 import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { Runner } from "../src/engine/runner";
@@ -44,6 +44,10 @@ export class DirectEngine {
   /** The engine's own. */
   inputs(): InputInfo[] {
     return JSON.parse(this.engine!.inputs_json()) as InputInfo[];
+  }
+
+  parameters(): ParameterInfo[] {
+    return readModel(this.engine!.model_json()).parameters;
   }
 
   get isBusy(): boolean {

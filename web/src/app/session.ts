@@ -40,6 +40,8 @@ export class Session extends Told {
   /** Opens another scenario; one that does not read leaves the run in hand as it was. */
   open(source: Source, overrides: Values): Promise<boolean> {
     this.pause();
+    this.live.clear();
+    this.levers.clear();
     return this.turns.take(async () => {
       try {
         this.accept(await this.read(source, overrides), { ...overrides }, source);
@@ -102,8 +104,8 @@ export class Session extends Told {
 
   /** A live value that is refused waits for the reset. */
   private async setLive(name: string, value: Value): Promise<void> {
-    if (!(await this.isAtCursor())) return;
-    const run = this.run;
+    if (!(await this.isReady()) || this.values.inForce[name] === value) return;
+    const { run } = this;
     await this.asked(this.client.parameter(name, value)).then(
       () => run === this.run && this.values.apply(name, value),
       (fault: Fault) => this.reportOfRun(faultOfControl(fault, run?.model.parameters ?? [])),
@@ -118,9 +120,7 @@ export class Session extends Told {
 
   /** What was meant for a run that a reset replaces is meant for the new one. */
   private async moveLever(name: string, value: number): Promise<void> {
-    const { source } = this;
-    await this.turns.over();
-    if (source !== this.source || !(await this.isAtCursor())) return;
+    if (!(await this.isReady())) return;
     const { run } = this;
     await this.asked(this.client.input(name, value)).then(
       (time_s) => run && run === this.run && this.noteMove(run, { time_s, input: name, value }),
@@ -179,6 +179,16 @@ export class Session extends Told {
   private async isAtCursor(): Promise<boolean> {
     if (this.shown.isBack) await this.branch();
     return !this.shown.isBack;
+  }
+
+  /** Waits for what is under way: false where another scenario is open then, or the run cannot be brought to the moment that is shown. */
+  private async isReady(): Promise<boolean> {
+    const { source } = this;
+    do {
+      await this.turns.over();
+      if (source !== this.source || !(await this.isAtCursor())) return false;
+    } while (this.turns.isBusy);
+    return true;
   }
 
   private async goBack(run: Run, recording: Recording, time_s: number): Promise<void> {
