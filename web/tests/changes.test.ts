@@ -166,8 +166,15 @@ class Trial {
     // What the page says of the run is what the engine has.
     expect(this.engine.runner.replay().time_s, this.last()).toBe(recording.now.time_s);
     expect(run!.inputs, this.last()).toEqual(this.engine.inputs());
-    if (this.made.length % 20 === 0) for (const { name, value } of this.engine.parameters()) expect(session.values.inForce[name], `${name}: ${this.last()}`).toBe(value);
+    if (this.made.length % 20 === 0) for (const parameter of this.engine.parameters()) this.checkValue(parameter);
     expect(session.pending().every((name) => name in session.values.wanted), this.last()).toBe(true);
+  }
+
+  /** Degrees come back from radians rounded. */
+  private checkValue({ name, value }: ParameterInfo): void {
+    const has = this.session.values.inForce[name];
+    if (typeof value === "number") expect(has, `${name}: ${this.last()}`).toBeCloseTo(value, 9);
+    else expect(has, `${name}: ${this.last()}`).toBe(value);
   }
 
   last(): string {

@@ -78,6 +78,13 @@ export class Session extends Told {
     return this.reopen();
   }
 
+  /** As a reset, and the run goes on if it went. */
+  restart(): void {
+    const { isGoing } = this;
+    void this.reset();
+    if (isGoing) this.start();
+  }
+
   /** Calls together are one. */
   private async reopen(): Promise<void> {
     if (this.resetDue) return;
@@ -116,6 +123,11 @@ export class Session extends Told {
   /** Acts from the moment that is shown on. */
   setInput(name: string, value: number): Promise<void> {
     return this.levers.set(name, value);
+  }
+
+  /** What an input is set to, or will be at once. */
+  input(name: string): number {
+    return this.levers.due(name) ?? this.run?.inputs.find((input) => input.name === name)?.value ?? 0;
   }
 
   /** What was meant for a run that a reset replaces is meant for the new one. */

@@ -43,6 +43,11 @@ export class Latest<T> {
     }
   }
 
+  /** A value that is on its way. */
+  due(name: string): T | undefined {
+    return this.waiting.get(name);
+  }
+
   clear(): void {
     this.waiting.clear();
   }

@@ -38,7 +38,7 @@ export class Levers {
       opened: (run, { poses }) => this.open(run, poses),
       branched: () => this.sendHeld(),
       inputsChanged: () => this.show(),
-      moved: (run, moment) => this.move(run, moment),
+      moved: (_run, moment) => this.move(moment),
       statusChanged: () => this.show(),
     });
     enableKeys((axis, deflection) => this.takeAxis(axis, "keys", deflection));
@@ -161,21 +161,21 @@ export class Levers {
     this.show();
   }
 
-  private move(run: Run, moment: Moment): void {
-    if (this.session.status === "running") for (const own of this.levers) this.wind(run, own, moment.time_s);
+  private move(moment: Moment): void {
+    if (this.session.status === "running") for (const own of this.levers) this.wind(own, moment.time_s);
     this.show();
   }
 
   /** A stick of an angle or a length moves it on, as fast as the stick says. */
-  private wind(run: Run, own: (typeof this.levers)[number], time_s: number): void {
+  private wind(own: (typeof this.levers)[number], time_s: number): void {
     const { lever } = own;
     if (!lever.isPosition) return;
     const passed_s = time_s - own.wound_s;
     if (lever.deflection === 0 || passed_s < 0 || passed_s > 10) own.wound_s = time_s;
     else if (passed_s >= WIND_EVERY_S) {
       own.wound_s = time_s;
-      const { name, value } = run.inputs.find((input) => input.name === lever.input.name)!;
-      void this.session.setInput(name, lever.valueAfter(value, passed_s));
+      const { name } = lever.input;
+      void this.session.setInput(name, lever.valueAfter(this.session.input(name), passed_s));
     }
   }
 
@@ -185,7 +185,7 @@ export class Levers {
     if (!run || !moment || this.box.hidden) return;
     for (const own of this.levers) {
       const { lever, stick } = own;
-      const value = run.inputs.find(({ name }) => name === lever.input.name)?.value ?? 0;
+      const value = this.session.input(lever.input.name);
       const doing = lever.drive.doing(moment.row);
       stick.show(lever, lever.isHeld ? lever.deflection : lever.deflectionOf(value), doing);
       const isAtLimit = doing.limits.length > 0;

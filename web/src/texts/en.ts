@@ -36,6 +36,11 @@ export const en = {
     polhode_now: (momentum: string, energy: string) => `Angular momentum ${momentum} N m s, energy of turning ${energy} J.`,
     polhode_help: "In the body's own axes: the sphere of this size of angular momentum, the ellipsoid of this energy, and the path so far (polhode). A body that is free of moments stays on both. Drag, or use the arrow keys, to turn the view.",
   },
+  controls: {
+    live: "acts at once",
+    restart: "at a restart",
+    restart_now: "Restart with these values",
+  },
   levers: {
     sides: { left: "Left stick", right: "Right stick" },
     asked: (percent: number) => `asked ${percent} %`,

@@ -10,6 +10,7 @@ import { byId, make } from "./dom";
 export class Controls {
   private readonly form = byId<HTMLFormElement>("parameters");
   private readonly levers = make("div", { id: "levers" });
+  private readonly restart = this.restartButton();
   private items: Item[] = [];
   private inputs: Item[] = [];
 
@@ -41,6 +42,13 @@ export class Controls {
       this.form.append(make("p", { class: "muted" }, "This scenario has no parameters."));
     }
     this.show();
+  }
+
+  /** Stands under the control that was changed last and waits for a restart. */
+  private restartButton(): HTMLElement {
+    const button = make("button", { type: "button", class: "button is-due", "data-testid": "restart" }, texts.controls.restart_now);
+    button.addEventListener("click", () => this.session.restart());
+    return button;
   }
 
   /** A lever for each input that a hand sets, and what sets the others. */
@@ -95,11 +103,20 @@ export class Controls {
   }
 
   private show(): void {
-    const pending = new Set(this.session.status === "idle" ? [] : this.session.pending());
+    const pending = this.session.status === "idle" ? [] : this.session.pending();
     for (const item of this.items) {
       const value = this.session.value(item.name);
-      if (value !== undefined) item.show(value, pending.has(item.name));
+      if (value !== undefined) item.show(value, pending.includes(item.name));
     }
+    this.offerRestart(pending);
+  }
+
+  private offerRestart(pending: string[]): void {
+    if (pending.length === 0) return this.restart.remove();
+    const last = pending.map((name) => this.items.find((item) => item.name === name)?.element).filter((element) => element !== undefined).at(-1);
+    // What waits may be a setting of the numerics alone.
+    if (!last) byId("settings").append(this.restart);
+    else if (last.nextElementSibling !== this.restart) last.after(this.restart);
   }
 }
 

@@ -1,4 +1,5 @@
 import type { ParameterInfo, Value } from "../engine/engine";
+import { texts } from "../texts";
 import { make } from "./dom";
 
 /** One control: its element, and how it shows a value and that the value waits for a reset. */
@@ -8,12 +9,12 @@ export interface Item {
   show(value: Value, pending: boolean): void;
 }
 
-type Named = Pick<ParameterInfo, "name" | "label">;
+type Named = Pick<ParameterInfo, "name" | "label"> & Partial<Pick<ParameterInfo, "live">>;
 type Numeric = Named & Pick<ParameterInfo, "unit" | "range">;
 
-export function checkbox({ name, label }: Named, set: (value: boolean) => void): Item {
+export function checkbox({ name, label, live }: Named, set: (value: boolean) => void): Item {
   const input = make("input", { type: "checkbox", id: id(name), "data-testid": `parameter-${name}` });
-  const element = make("label", { class: "item item-checkbox", for: id(name) }, input, make("span", {}, label));
+  const element = make("label", { class: "item item-checkbox", for: id(name) }, input, make("span", {}, label, whenOf(live)));
   input.addEventListener("change", () => set(input.checked));
   return {
     name,
@@ -25,10 +26,10 @@ export function checkbox({ name, label }: Named, set: (value: boolean) => void):
   };
 }
 
-export function choice({ name, label, choices }: Named & Pick<ParameterInfo, "choices">, set: (value: string) => void): Item {
+export function choice({ name, label, live, choices }: Named & Pick<ParameterInfo, "choices">, set: (value: string) => void): Item {
   const options = (choices ?? []).map((one) => make("option", { value: one }, one.replaceAll("_", " ")));
   const select = make("select", { id: id(name), "data-testid": `parameter-${name}` }, ...options);
-  const element = make("div", { class: "item item-choice" }, make("label", { for: id(name) }, label), select);
+  const element = make("div", { class: "item item-choice" }, make("label", { for: id(name) }, label, whenOf(live)), select);
   select.addEventListener("change", () => set(select.value));
   return {
     name,
@@ -40,8 +41,15 @@ export function choice({ name, label, choices }: Named & Pick<ParameterInfo, "ch
   };
 }
 
+/** When a change takes effect; for what is no parameter nothing. */
+function whenOf(live: boolean | undefined): Node | string {
+  if (live === undefined) return "";
+  const { live: at_once, restart } = texts.controls;
+  return make("span", { class: live ? "item-when item-live" : "item-when item-restart" }, live ? at_once : restart);
+}
+
 /** A slider with its number beside it, editable; without a range the number alone. */
-export function number({ name, label, unit, range }: Numeric, set: (value: number) => void): Item {
+export function number({ name, label, live, unit, range }: Numeric, set: (value: number) => void): Item {
   const text = unit ? `${label}, ${unit}` : label;
   const box = make("input", {
     type: "number",
@@ -50,7 +58,7 @@ export function number({ name, label, unit, range }: Numeric, set: (value: numbe
     inputmode: "decimal",
     "data-testid": `parameter-${name}`,
   });
-  const head = make("div", { class: "item-head" }, make("label", { for: id(name) }, text), box);
+  const head = make("div", { class: "item-head" }, make("label", { for: id(name) }, text, whenOf(live)), box);
   const element = make("div", { class: "item item-number" }, head);
   const slider = range && sliderFor(name, text, range);
   if (slider && range) {

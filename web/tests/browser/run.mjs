@@ -9,6 +9,7 @@ import controls from "./controls.mjs";
 import faults from "./faults.mjs";
 import gestures from "./gestures.mjs";
 import layout from "./layout.mjs";
+import levers from "./levers.mjs";
 import losses from "./losses.mjs";
 import numbers from "./numbers.mjs";
 import panels from "./panels.mjs";
@@ -34,7 +35,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels, ...levers }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];

@@ -1,0 +1,269 @@
+// The crane by hand: two thumbs on a phone, keys, a gamepad, and what a run that is under way takes.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { DESKTOP, item, openApp, PHONE, sample, settle, stepTo } from "./app.mjs";
+
+const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+const QUAYSIDE = "?scenario=quayside_lift";
+const QUAY_HEIGHT_M = 2;
+const BOX_HEIGHT_M = 2.4;
+
+/** Two thumbs, each on a stick or off it. */
+class Thumbs {
+  static async on(page) {
+    const box = async (id) => page.getByTestId(id).boundingBox();
+    const thumbs = new Thumbs();
+    thumbs.page = page;
+    thumbs.pads = [await box("stick-left"), await box("stick-right")];
+    thumbs.down = [null, null];
+    thumbs.session = await page.context().newCDPSession(page);
+    return thumbs;
+  }
+
+  points() {
+    const at = ({ x, y, width, height }, [across, along], id) => ({ x: x + width * (0.5 + 0.36 * across), y: y + height * (0.5 - 0.36 * along), id });
+    return this.down.map((place, id) => place && at(this.pads[id], place, id)).filter((point) => point !== null);
+  }
+
+  /** Puts a thumb on a stick, or moves it there; across and along from -1 to 1. */
+  async move(stick, ...place) {
+    const isNew = this.down[stick] === null;
+    this.down[stick] = isNew ? [0, 0] : place;
+    await this.session.send("Input.dispatchTouchEvent", { type: isNew ? "touchStart" : "touchMove", touchPoints: this.points() });
+    if (isNew) await this.move(stick, ...place);
+  }
+
+  async letGo(stick) {
+    const lifted = this.points().filter(({ id }) => id === stick);
+    this.down[stick] = null;
+    await this.session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: lifted });
+  }
+}
+
+const LEFT = 0;
+const RIGHT = 1;
+
+/** Waits until a column of the row that is shown is so. */
+const until = (page, column, test) => page.waitForFunction(([name, body]) => new Function("value", `return ${body}`)(window.kingpost.sample().row[name]), [column, test], { timeout: 120_000 });
+const asked = async (page, input) => Number(await page.getByTestId(`lever-${input}`).getAttribute("aria-valuenow"));
+const waitAsked = (page, input, percent) => page.waitForFunction(([id, value]) => document.querySelector(`[data-testid="${id}"]`).getAttribute("aria-valuenow") === value, [`lever-${input}`, String(percent)]);
+
+/** Picks the box up, carries it over the quay and sets it down, as far as its height and the crane's angle say. */
+async function landByThumb(page) {
+  const thumbs = await Thumbs.on(page);
+  await page.getByTestId("speed").selectOption("5");
+  await page.getByTestId("start").click();
+  await thumbs.move(RIGHT, 0, -1);
+  await until(page, "box.position.z", "value > 5.5");
+  // Both thumbs at once: it goes on up while the crane begins to slew to port.
+  await thumbs.move(LEFT, 0.8, 0);
+  await until(page, "box.position.z", "value > 7");
+  await thumbs.letGo(RIGHT);
+  assert.equal(await asked(page, "hoist"), 0, "the stick springs back");
+  assert.ok((await asked(page, "slewing_gear")) > 50, "the other thumb still holds its own");
+  await until(page, "slew.joint_position", "value < -1.35");
+  await thumbs.letGo(LEFT);
+  await until(page, "box.position.y", "value > 16");
+  await until(page, "slew.joint_velocity", "Math.abs(value) < 1e-3");
+  await thumbs.move(RIGHT, 0, 0.9);
+  await until(page, "box.position.z", "value < 4.3");
+  await thumbs.move(RIGHT, 0, 0.4);
+  await until(page, "on_quay.contact_normal_force", "value > 4e4");
+  await until(page, "hoist_rope.rope_tension", "value < 100");
+  await thumbs.letGo(RIGHT);
+}
+
+async function violations(page) {
+  await page.addScriptTag({ path: AXE });
+  const found = await page.evaluate(async () => (await window.axe.run({ rules: { "target-size": { enabled: true } } })).violations);
+  return found.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`));
+}
+
+/** A gamepad of the standard layout, whose axes the test sets. */
+async function plugIn(page) {
+  await page.evaluate(() => {
+    window.pad = { id: "A pad of the test", connected: true, mapping: "standard", axes: [0, 0, 0, 0], buttons: [] };
+    navigator.getGamepads = () => [window.pad];
+    dispatchEvent(Object.assign(new Event("gamepadconnected"), { gamepad: window.pad }));
+  });
+}
+
+const accessible = [PHONE, DESKTOP, { width: 320, height: 640 }, { width: 844, height: 390 }].flatMap((viewport) =>
+  ["light", "dark"].map((colorScheme) => [
+    `passes axe with the sticks, ${colorScheme}, ${viewport.width}x${viewport.height}`,
+    async (host) => {
+      const { page, close } = await openApp(host, { query: QUAYSIDE, viewport, colorScheme });
+      await stepTo(page, 0.1);
+      const stick = await page.getByTestId("stick-right").boundingBox();
+      assert.ok(stick.x + stick.width <= viewport.width && stick.y + stick.height <= viewport.height, JSON.stringify(stick));
+      const left = await page.getByTestId("stick-left").boundingBox();
+      assert.ok(left.x >= 0 && left.x + left.width < stick.x, "the sticks stand apart");
+      assert.deepEqual(await page.evaluate(() => [document.documentElement.scrollWidth, scrollY]), [viewport.width, 0]);
+      assert.deepEqual(await violations(page), []);
+      await close();
+    },
+  ]),
+);
+
+export default {
+  async "lifts a box from the deck to the quay with two thumbs on a phone"(host) {
+    const { page, close } = await openApp(host, { query: QUAYSIDE, viewport: PHONE });
+    await landByThumb(page);
+    await page.getByTestId("start").click();
+    await page.waitForFunction(() => window.kingpost.sample().status === "paused");
+    const { row } = await sample(page);
+    assert.ok(Math.abs(row["box.position.z"] - QUAY_HEIGHT_M - BOX_HEIGHT_M / 2) < 0.1, `the box stands at ${row["box.position.z"]} m`);
+    assert.ok(row["box.position.y"] > 12, `over the quay, at y = ${row["box.position.y"]} m`);
+    assert.ok(row["on_quay.contact_normal_force"] > 4e4 && row["on_deck.contact_normal_force"] === 0, "the quay carries it");
+    assert.deepEqual(await page.evaluate(() => [scrollX, scrollY, visualViewport.scale]), [0, 0, 1], "the page stands still under the thumbs");
+    await close();
+  },
+
+  async "keeps the load in sight between the sticks on a phone, and puts the sticks away"(host) {
+    const { page, close } = await openApp(host, { query: QUAYSIDE, viewport: PHONE });
+    const scene = await page.locator("#scene").boundingBox();
+    for (const id of ["stick-left", "stick-right"]) {
+      const { x, y, width, height } = await page.getByTestId(id).boundingBox();
+      assert.ok(y > scene.y + scene.height / 2 && y + height <= scene.y + scene.height, `${id} is in the lower half of the picture`);
+      assert.ok(x >= 0 && x + width <= PHONE.width && width >= 88, `${id} is ${width} wide at ${x}`);
+    }
+    await page.getByTestId("levers-button").click();
+    assert.equal(await page.getByTestId("stick-left").isVisible(), false);
+    await page.reload();
+    await page.waitForFunction(() => window.kingpost?.sample());
+    assert.equal(await page.getByTestId("stick-left").isVisible(), false, "they stay away");
+    await page.getByTestId("levers-button").click();
+    assert.equal(await page.getByTestId("stick-left").isVisible(), true);
+    await page.getByTestId("gallery").selectOption("paper");
+    await page.waitForFunction(() => document.title.includes("Jardim"));
+    assert.equal(await page.getByTestId("levers-button").isVisible(), false, "where nothing is to steer there are no sticks");
+    await close();
+  },
+
+  async "moves the levers by letters, and not while a number is typed"(host) {
+    const { page, close } = await openApp(host, { query: QUAYSIDE });
+    await page.getByTestId("start").click();
+    await page.keyboard.down("k");
+    await page.keyboard.down("d");
+    await until(page, "hoist.drive_reference_rate", "value < -0.5");
+    assert.deepEqual([await asked(page, "hoist"), await asked(page, "slewing_gear")], [-100, 100]);
+    assert.equal(Number(await item(page, "input-hoist").inputValue()), -2, "the slider among the controls follows");
+    await page.keyboard.up("k");
+    await page.keyboard.up("d");
+    await waitAsked(page, "hoist", 0);
+    await page.getByTestId("start").click();
+    await item(page, "box_t").focus();
+    await page.keyboard.press("k");
+    assert.equal(await asked(page, "hoist"), 0);
+    await close();
+  },
+
+  async "says what a drive does, and that it is at its limit, to those who do not see it"(host) {
+    const { page, close } = await openApp(host, { query: QUAYSIDE });
+    const lever = page.getByTestId("lever-hoist");
+    await lever.focus();
+    await page.keyboard.press("End");
+    assert.match(await lever.getAttribute("aria-valuetext"), /^asked 100 %/);
+    await page.getByText("The run stands still").waitFor();
+    await page.getByTestId("start").click();
+    await page.waitForFunction(() => /asked 100 %, does 2.00 rad\/s, at its greatest speed/.test(document.querySelector('[data-testid="lever-hoist"]').getAttribute("aria-valuetext")));
+    await lever.focus();
+    await page.keyboard.press("0");
+    await waitAsked(page, "hoist", 0);
+    await close();
+  },
+
+  async "shows a lever as the engine has it where the run is brought back, and at a reset"(host) {
+    const { page, close } = await openApp(host, { query: QUAYSIDE });
+    await stepTo(page, 0.3);
+    await page.getByTestId("lever-hoist").focus();
+    for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowDown");
+    await stepTo(page, 0.6);
+    await page.keyboard.press("0");
+    await page.getByTestId("lever-hoist").focus();
+    await page.keyboard.press("0");
+    await waitAsked(page, "hoist", 0);
+    await stepTo(page, 0.9);
+    await page.getByTestId("cursor").focus();
+    for (let i = 0; i < 4; i++) await page.keyboard.press("ArrowLeft");
+    await page.getByTestId("step").click();
+    await waitAsked(page, "hoist", -50);
+    await page.getByTestId("reset").click();
+    await settle(page);
+    await waitAsked(page, "hoist", 0);
+    await close();
+  },
+
+  async "takes a gamepad"(host) {
+    const { page, close } = await openApp(host, { query: QUAYSIDE });
+    await plugIn(page);
+    await page.getByText("Gamepad connected").waitFor();
+    await page.getByTestId("start").click();
+    await page.evaluate(() => (window.pad.axes = [0, 0, 0, 1]));
+    await waitAsked(page, "hoist", -100);
+    await until(page, "hoist.drive_reference_rate", "value < -0.5");
+    await page.evaluate(() => (window.pad.axes = [0, 0, 0, 0]));
+    await waitAsked(page, "hoist", 0);
+    await close();
+  },
+
+  async "gives an axis another input, and keeps that"(host) {
+    const { page, close } = await openApp(host, { query: QUAYSIDE });
+    const places = () => page.evaluate(() => [...document.querySelectorAll(".stick")].map((stick) => [...stick.querySelectorAll("[role=slider]")].map((axis) => axis.getAttribute("aria-label"))));
+    assert.deepEqual(await places(), [["slewing gear", "main luffing"], ["knuckle luffing", "hoist"]]);
+    await page.getByTestId("choose-axes").click();
+    await page.getByTestId("axis-left_y").selectOption("hoist");
+    await page.getByTestId("reverse-left_y").check();
+    assert.deepEqual(await violations(page), []);
+    await page.getByTestId("axes-close").click();
+    assert.deepEqual(await places(), [["slewing gear", "hoist"], ["knuckle luffing"]]);
+    await page.reload();
+    await page.waitForFunction(() => window.kingpost?.sample());
+    assert.deepEqual(await places(), [["slewing gear", "hoist"], ["knuckle luffing"]]);
+    await page.keyboard.down("w");
+    await waitAsked(page, "hoist", 100);
+    await page.waitForFunction(() => document.querySelector('[data-testid="parameter-input-hoist"]').value === "-2");
+    await page.keyboard.up("w");
+    await page.getByTestId("choose-axes").click();
+    await page.getByTestId("axes-standard").click();
+    await page.getByTestId("axes-close").click();
+    assert.deepEqual(await places(), [["slewing gear", "main luffing"], ["knuckle luffing", "hoist"]]);
+    await close();
+  },
+
+  async "winds a drive of an angle on for as long as a stick is held"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch&winch_angle_rad=0" });
+    await page.getByTestId("start").click();
+    await page.keyboard.down("i");
+    await until(page, "winch.joint_position", "value > 1");
+    await page.keyboard.up("i");
+    const { row } = await sample(page);
+    await page.waitForTimeout(3000);
+    const later = await sample(page);
+    assert.ok(later.row["winch.joint_position"] < row["winch.joint_position"] + 3, "it stops where the stick is let go");
+    assert.ok(Number(await item(page, "input-hoist").inputValue()) > 1);
+    await close();
+  },
+
+  async "sets the sea under way, and offers a restart for what cannot be set so"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_moored" });
+    await stepTo(page, 0.5);
+    await page.getByTestId("slider-significant_height_m").fill("4");
+    await page.waitForFunction(() => window.kingpost.sample().pending.length === 0 && document.querySelector('[data-testid="parameter-significant_height_m"]').value === "4");
+    assert.equal(await page.getByTestId("restart").count(), 0);
+    assert.match(await page.locator(".item", { has: item(page, "current_x_m_s") }).textContent(), /acts at once/);
+    const load = page.locator(".item", { has: item(page, "load_t") });
+    assert.match(await load.textContent(), /at a restart/);
+    await page.getByTestId("start").click();
+    await item(page, "load_t").fill("30");
+    await item(page, "load_t").blur();
+    assert.deepEqual((await sample(page)).pending, ["load_t"]);
+    await page.getByTestId("restart").click();
+    await page.waitForFunction(() => window.kingpost.sample().status === "running" && window.kingpost.sample().pending.length === 0);
+    assert.equal(await page.getByTestId("restart").count(), 0);
+    assert.equal(await item(page, "load_t").inputValue(), "30");
+    await close();
+  },
+
+  ...Object.fromEntries(accessible),
+};
