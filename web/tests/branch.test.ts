@@ -82,6 +82,28 @@ describe("a run that branches from an earlier moment", () => {
     expect(session.run!.inputs.find(({ name }) => name === "hoist")!.value).toBe(-66);
   });
 
+  it("has the same bits after hundreds of moves of a lever, which take no room among the states to go back to", async () => {
+    const session = await opened("quayside_lift");
+    for (let i = 0; i < 300; i++) {
+      await session.setInput("hoist", -Math.abs(Math.sin(0.1 * i)));
+      await session.setInput("slewing_gear", 0.05 * Math.cos(0.07 * i));
+      session.start();
+      await session.advance(0.03);
+      session.pause();
+    }
+    const before = recorded(session);
+    const moves = session.shown.recording!.movesBetween(0, Infinity).length;
+    session.scrub(4);
+    await session.setInput("main_luffing", 0);
+    expect(session.shown.recording!.now.time_s).toBe(4);
+    expect(session.run!.inputs.find(({ name }) => name === "hoist")!.value).toBeCloseTo(-Math.abs(Math.sin(0.1 * 133)), 9);
+    expect(differences(before, recorded(session))).toEqual([]);
+    expect(session.shown.recording!.movesBetween(0, Infinity).length).toBeLessThan(0.6 * moves);
+    session.scrub(2);
+    await session.setInput("main_luffing", 0);
+    expect(bits(session.shown.recording!.now.poses)).toEqual(before.get(2)!.slice(session.run!.columns.width));
+  });
+
   it("has another future where a lever is moved at the moment, which branches there and then", async () => {
     const session = await opened("lowering_by_winch");
     await run(session, 5);

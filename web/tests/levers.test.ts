@@ -1,5 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { placesOf } from "../src/levers/axes";
+import { placed } from "../src/levers/dialog";
+import { Lever, withoutDeadZone } from "../src/levers/lever";
 import { openedDirectly } from "./direct";
 import { initEngine } from "./gallery";
 
@@ -25,4 +27,71 @@ describe("the axes of the sticks", () => {
   ])("are those of what the inputs move: %s, %j", async (scenario, overrides, places) => {
     expect(await placesIn(scenario, overrides)).toEqual(places);
   });
+});
+
+/** The lever of an input on the axis that the model gives it. */
+async function leverOf(scenario: string, name: string, overrides = {}) {
+  const session = await openedDirectly(scenario, overrides);
+  const { run, shown } = session;
+  const [axis, place] = Object.entries(placesOf(run!, shown.moment!.poses)).find(([, one]) => one?.input === name)!;
+  const lever = new Lever(axis as "left_x", place, run!.inputs.find((input) => input.name === name)!, run!);
+  return { session, lever };
+}
+
+describe("a lever", () => {
+  it("has a dead zone in the middle, none at its ends, and steps that a thumb can hold", () => {
+    expect([0, 0.05, -0.08, 1, -1.7].map(withoutDeadZone)).toEqual([0, 0, 0, 1, -1]);
+    expect(withoutDeadZone(0.54)).toBeCloseTo(0.5, 9);
+    expect(withoutDeadZone(0.541)).toBe(withoutDeadZone(0.54));
+  });
+
+  it("sets its input between the ends as the stick stands between its own, the other way round where it is reversed", async () => {
+    const { lever } = await leverOf("quayside_lift", "hoist");
+    lever.take("thumb", -0.5);
+    expect(lever.value).toBe(-1);
+    expect(lever.deflectionOf(-1)).toBe(-0.5);
+    const { lever: slew } = await leverOf("quayside_lift", "slewing_gear");
+    slew.take("keys", 1);
+    expect(slew.value).toBeCloseTo((-3 * Math.PI) / 180, 12);
+    expect(slew.deflectionOf(slew.value)).toBe(1);
+  });
+
+  it("goes with the hand that moves it farthest, and springs back when the last lets go", async () => {
+    const { lever } = await leverOf("quayside_lift", "hoist");
+    lever.take("gamepad", 0.2);
+    lever.take("keys", -1);
+    expect(lever.deflection).toBe(-1);
+    lever.take("keys", null);
+    expect(lever.deflection).toBe(0.2);
+    lever.take("gamepad", null);
+    expect([lever.isHeld, lever.value]).toEqual([false, 0]);
+  });
+
+  it("winds an angle on at the drive's greatest speed, and no farther than the input goes", async () => {
+    const { lever } = await leverOf("lowering_by_winch", "hoist");
+    expect(lever.isPosition).toBe(true);
+    lever.take("thumb", 0.5);
+    expect(lever.valueAfter(10, 2)).toBeCloseTo(10 + 0.5 * 1.2 * 2, 12);
+    expect(lever.valueAfter(lever.input.upper, 2)).toBe(lever.input.upper);
+  });
+
+  it("reads off the row what its drive does, and the limits that it is at", async () => {
+    const { session, lever } = await leverOf("quayside_lift", "hoist");
+    const doing = () => lever.drive.doing(session.shown.moment!.row);
+    expect(doing()).toMatchObject({ limits: [] });
+    await session.setInput("hoist", 2);
+    session.start();
+    for (let i = 0; i < 40; i++) await session.advance(0.1);
+    expect(doing().limits).toEqual(["speed"]);
+    expect(doing().share).toBeCloseTo(1, 2);
+    expect(lever.drive.unit).toBe("rad/s");
+    const { lever: knuckle } = await leverOf("quayside_lift", "knuckle_luffing");
+    expect([knuckle.drive.unit, knuckle.drive.greatest]).toEqual(["m/s", 0.05]);
+  });
+});
+
+it("gives an input one axis, and it keeps its sense where it moves to another", () => {
+  const places = { left_x: { input: "slew", reversed: true }, right_y: { input: "hoist", reversed: false } };
+  expect(placed(places, "left_y", "slew")).toEqual({ left_y: { input: "slew", reversed: true }, right_y: places.right_y });
+  expect(placed(places, "right_y", "")).toEqual({ left_x: places.left_x });
 });

@@ -88,6 +88,11 @@ describe("the runner", () => {
     expect(engine.taken.length).toBe(length);
   });
 
+  it("has a row once where the run ends at a recording time", () => {
+    const { runner } = opened(new FakeEngine({}, 0.001, 0.01, 0.03));
+    expect(times(runner.advance(0.1, 1)!.rows)).toEqual([0.01, 0.02, 0.03]);
+  });
+
   it("tells of a hull that cannot float as a warning, for the run goes on", () => {
     const { runner } = opened(new FakeEngine());
     expect(runner.hydrostatics()).toEqual({ hulls: [], warnings: ["the box cannot float"] });

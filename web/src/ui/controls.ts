@@ -86,11 +86,11 @@ export class Controls {
   private lever(name: string): Item {
     const input = this.session.run!.inputs.find((one) => one.name === name)!;
     const range = sliderRange(input);
-    const lever = number({ name: `input-${name}`, label: name.replaceAll("_", " "), unit: input.unit, range }, (value) => {
+    const lever = number({ name: `input-${name}`, label: name.replaceAll("_", " "), unit: input.unit === "1" ? "" : input.unit, range }, (value) => {
       void this.session.setInput(name, value);
       lever.show(value, false);
     });
-    lever.show(input.value, false);
+    lever.show(inShort(input.value), false);
     return lever;
   }
 
@@ -98,7 +98,7 @@ export class Controls {
   private showInputs(inputs: readonly InputInfo[]): void {
     for (const { name, element, show } of this.inputs) {
       const input = inputs.find((one) => `input-${one.name}` === name);
-      if (input && !element.contains(document.activeElement)) show(input.value, false);
+      if (input && !element.contains(document.activeElement)) show(inShort(input.value), false);
     }
   }
 
@@ -118,6 +118,11 @@ export class Controls {
     if (!last) byId("settings").append(this.restart);
     else if (last.nextElementSibling !== this.restart) last.after(this.restart);
   }
+}
+
+/** A stick sets many digits, and its lever has few places. */
+function inShort(value: number): number {
+  return Number(value.toPrecision(4));
 }
 
 function group(name: string, kind: string, elements: HTMLElement[]): HTMLElement | null {
