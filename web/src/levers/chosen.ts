@@ -7,7 +7,7 @@ const HIDDEN_KEY = "kingpost.levers_hidden";
 /** Which input a person chose for each axis in this scenario; null where the model decides. */
 export function chosenPlaces(file: string): Places | null {
   try {
-    const text = localStorage.getItem(PLACES_KEY + file);
+    const text = kept(PLACES_KEY + file);
     return text === null ? null : placesIn(JSON.parse(text));
   } catch {
     return null;
@@ -20,24 +20,31 @@ export function choosePlaces(file: string, places: Places | null): void {
 
 /** Whether a person put the sticks away. */
 export function areHidden(): boolean {
-  try {
-    return localStorage.getItem(HIDDEN_KEY) !== null;
-  } catch {
-    return false;
-  }
+  return kept(HIDDEN_KEY) !== null;
 }
 
 export function hideSticks(hidden: boolean): void {
   keep(HIDDEN_KEY, hidden ? "yes" : null);
 }
 
-/** Where nothing can be kept, it holds for this page only. */
+/** What holds for this page, where its storage is denied. */
+const here = new Map<string, string>();
+
 function keep(key: string, text: string | null): void {
   try {
     if (text === null) localStorage.removeItem(key);
     else localStorage.setItem(key, text);
   } catch {
-    // As a browser does whose storage is denied.
+    if (text === null) here.delete(key);
+    else here.set(key, text);
+  }
+}
+
+function kept(key: string): string | null {
+  try {
+    return localStorage.getItem(key);
+  } catch {
+    return here.get(key) ?? null;
   }
 }
 

@@ -30,9 +30,12 @@ export class Levers {
   private levers: { lever: Lever; stick: Stick; sent_ms: number; timer: number; wound_s: number; wasAtLimit: boolean }[] = [];
   private standard: Places = {};
   private built = "";
+  /** Put away by the person; also where that cannot be stored. */
+  private isAway = areHidden();
   private messageTimer = 0;
 
   constructor(private readonly session: Session) {
+    this.write();
     this.button.addEventListener("click", () => this.toggle());
     session.listen({
       opened: (run, { poses }) => this.open(run, poses),
@@ -46,6 +49,13 @@ export class Levers {
       (axis, deflection) => this.takeAxis(axis, "gamepad", deflection),
       (name, isThere) => this.say(isThere ? texts.levers.gamepad(name) : texts.levers.gamepad_gone),
     );
+  }
+
+  private write(): void {
+    this.box.setAttribute("aria-label", texts.levers.title);
+    setText(this.button, texts.levers.title);
+    setText(byId("about-sticks-title"), texts.levers.about_title);
+    setText(byId("about-sticks"), texts.levers.about);
   }
 
   /** Asks which input each axis has. */
@@ -63,6 +73,7 @@ export class Levers {
 
   private choose(run: Run, places: Places | null): Places {
     choosePlaces(this.file, places);
+    for (const { lever } of this.levers) this.letGo(lever);
     this.build(run, places ?? this.standard);
     this.show();
     return places ?? this.standard;
@@ -85,7 +96,8 @@ export class Levers {
       return input ? [{ axis, place, input }] : [];
     });
     this.button.hidden = inputs.size === 0;
-    const kind = JSON.stringify([run.model.title, placed.map(({ axis, place, input }) => [axis, place, input.lower, input.upper]), run.columns.width]);
+    const drives = run.model.elements.filter(({ name }) => inputs.has(name));
+    const kind = JSON.stringify([placed.map(({ axis, place, input }) => [axis, place, input.lower, input.upper]), drives, run.columns.names]);
     if (kind !== this.built) this.make(placed.map(({ axis, place, input }) => new Lever(axis, place, input, run)));
     this.built = kind;
     this.showButton();
@@ -102,17 +114,15 @@ export class Levers {
   }
 
   private toggle(): void {
-    hideSticks(!this.box.hidden);
-    this.isHiddenHere = !this.box.hidden;
-    for (const { lever } of this.levers) if (this.box.hidden) this.letGo(lever);
+    this.isAway = !this.isAway;
+    hideSticks(this.isAway);
+    if (this.isAway) for (const { lever } of this.levers) this.letGo(lever);
     this.showButton();
+    this.show();
   }
 
-  /** Also where nothing can be stored. */
-  private isHiddenHere = areHidden();
-
   private showButton(): void {
-    this.box.hidden = this.button.hidden || this.isHiddenHere;
+    this.box.hidden = this.button.hidden || this.isAway;
     this.button.setAttribute("aria-pressed", String(!this.box.hidden));
     document.documentElement.dataset.levers = this.box.hidden ? "away" : "there";
   }

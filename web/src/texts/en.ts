@@ -42,6 +42,13 @@ export const en = {
     restart_now: "Restart with these values",
   },
   levers: {
+    title: "Levers",
+    about_title: "The sticks",
+    about:
+      "Where a scenario has levers, two sticks stand over the picture, as in a crane's cab: towards you hoists and raises a boom, away " +
+      "lowers, left and right slew. The letters W A S D and I J K L move them too, with Shift a little, and so does a gamepad. A stick " +
+      "that is let go springs back; while the run stands still, a lever is set for when it goes on. The marks on the rim show what the " +
+      "drives do: amber at their greatest speed, red where torque, force or power is at its limit.",
     sides: { left: "Left stick", right: "Right stick" },
     asked: (percent: number) => `asked ${percent} %`,
     does: (rate: string) => `does ${rate}`,
