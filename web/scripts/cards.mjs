@@ -8,6 +8,8 @@ import { serve } from "./serve.mjs";
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const CARD = { width: 720, height: 450 };
 const HERO = { width: 1600, height: 700 };
+/** The ship stands so far from the left of the hero, whose words are there: it is cut out of a wider picture. */
+const HERO_CENTRE = 0.68;
 /** The moment of each picture, with what is set over the file; `left` and `up` are turns of the view from where it fits, by arrow keys. */
 const SHOTS = {
   paper: { time_s: 1.2, values: "motor_1=true&load=true&torque_history=pulse" },
@@ -38,15 +40,15 @@ const SHOTS = {
   sphere_decay: { time_s: 1.5 },
   chain: { time_s: 1.5 },
   tennis_racket: { time_s: 3.3 },
-  hero: { scenario: "offshore_vessel", time_s: 65, values: "waves=true", size: HERO, scale: 1, quality: 0.8, left: 6, up: -5, nearer: 6 },
+  hero: { scenario: "offshore_vessel", time_s: 65, values: "waves=true", size: { ...HERO, width: 2 * HERO_CENTRE * HERO.width }, clip: { x: 0, y: 0, ...HERO }, quality: 0.8, left: 2, up: -5, nearer: 1 },
 };
 /** The picture alone fills the page. */
 const ALONE = `.scene { position: fixed !important; inset: 0; z-index: 99; border: 0 !important; border-radius: 0 !important }
-  .scene > :not(canvas), .alert { display: none !important }`;
+  .scene > :not(canvas), .alert { display: none !important } canvas { outline: 0 !important }`;
 
 async function shoot(browser, address, name) {
-  const { scenario = name, time_s, values = "", size = CARD, scale = 1, quality = 0.74, left = 0, up = -4, nearer = 0 } = SHOTS[name];
-  const context = await browser.newContext({ viewport: size, deviceScaleFactor: scale, colorScheme: "light", reducedMotion: "reduce" });
+  const { scenario = name, time_s, values = "", size = CARD, clip, quality = 0.74, left = 0, up = -4, nearer = 0 } = SHOTS[name];
+  const context = await browser.newContext({ viewport: size, deviceScaleFactor: 1, colorScheme: "light", reducedMotion: "reduce" });
   const page = await context.newPage();
   page.setDefaultTimeout(300_000);
   await page.goto(`${address}?scenario=${scenario}&${values}#quality=best`);
@@ -56,7 +58,7 @@ async function shoot(browser, address, name) {
   await page.waitForTimeout(1000);
   await turn(page, { left, up, nearer });
   await page.waitForTimeout(1500);
-  const png = (await page.screenshot()).toString("base64");
+  const png = (await page.screenshot({ clip })).toString("base64");
   const webp = await page.evaluate(toWebp, { png, quality });
   writeFileSync(here(`../public/cards/${name}.webp`), Buffer.from(webp, "base64"));
   console.log(`public/cards/${name}.webp: ${Math.round((0.75 * webp.length) / 1000)} kB`);
@@ -76,6 +78,8 @@ async function runTo(page, time_s) {
 }
 
 async function turn(page, { left, up, nearer }) {
+  // The whole of the page is the picture's now.
+  await page.getByTestId("canvas").press("Home");
   const press = async (key, times) => {
     for (let k = 0; k < times; k += 1) await page.getByTestId("canvas").press(key);
   };

@@ -13,7 +13,7 @@ export function cardOf(entry: GalleryEntry): HTMLAnchorElement {
   return make("a", { class: "card", href: addressOf(entry.name), "data-testid": `card-${entry.name}` }, pictureOf(entry), ...words);
 }
 
-/** The paper's ship opens with a motor on, so that Start moves it. */
+/** The paper's ship opens so that Start moves it. */
 export function addressOf(name: string): string {
   return queryOf(name === OPENING.scenario ? OPENING : { scenario: name, values: {} });
 }
