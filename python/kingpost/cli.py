@@ -1,6 +1,7 @@
 """The command `kingpost`.
 
-Exit codes: 0 done; 1 the run failed, what was computed is kept; 2 the input is wrong.
+Exit codes: 0 done; 1 the run failed, what was computed is kept; 2 the input is wrong; 130 it was interrupted (Ctrl-C, or
+the system asked it to end), what was computed is kept.
 """
 
 from __future__ import annotations
@@ -9,8 +10,11 @@ import argparse
 import json
 import math
 import os
+import signal
 import sys
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn
 
@@ -38,7 +42,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     options = parser().parse_args(arguments)
     try:
-        return options.command(options)
+        with _ended_as_interrupted():
+            return options.command(options)
     except RunError as error:
         return _fail(error, FAILED)
     except KingpostError as error:
@@ -49,6 +54,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # The reader of a pipe left; keep Python from complaining about it at its end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return DONE
+
+
+@contextmanager
+def _ended_as_interrupted() -> Iterator[None]:
+    """Where the system or a terminal that closes ends the program, what was computed is kept, as at Ctrl-C."""
+
+    def interrupt(*_: object) -> NoReturn:
+        raise KeyboardInterrupt
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    ends = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    before = {end: signal.signal(end, interrupt) for end in ends if signal.getsignal(end) is signal.SIG_DFL}
+    try:
+        yield
+    finally:
+        for end, handler in before.items():
+            signal.signal(end, handler)
 
 
 def parser() -> argparse.ArgumentParser:
