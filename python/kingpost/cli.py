@@ -1,7 +1,7 @@
 """The command `kingpost`.
 
-Exit codes: 0 done; 1 the run failed, what was computed is kept; 2 the input is wrong; 130 it was interrupted (Ctrl-C, or
-the system asked it to end), what was computed is kept.
+Exit codes: 0 done; 1 the run failed, what was computed is kept; 2 the input is wrong; 130 it was
+interrupted (Ctrl-C, or the system asked it to end), what was computed is kept.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 @contextmanager
 def _ended_as_interrupted() -> Iterator[None]:
-    """Where the system or a terminal that closes ends the program, what was computed is kept, as at Ctrl-C."""
+    """Where the system, or a terminal that closes, ends the program, do as at Ctrl-C."""
 
     def interrupt(*_: object) -> NoReturn:
         raise KeyboardInterrupt
