@@ -254,6 +254,33 @@ def test_nothing_else_is_served(address, path):
     assert refused.value.code == 404
 
 
+@pytest.mark.parametrize("path", ["%00", "a%00b", "%0d%0aX:1", "%7f"])
+def test_an_address_with_characters_that_no_file_has_is_not_found(address, path):
+    """Source: a path with a zero byte raises in the operating system's calls, and was a traceback."""
+    assert fetch(address, path).status == 404
+
+
+@pytest.mark.parametrize(
+    ("host", "status"),
+    [("localhost:1", 200), ("[::1]:80", 200), ("192.168.1.7", 200), ("evil.example", 421), ("", 421)],
+)
+def test_another_name_that_leads_to_this_machine_reads_nothing(address, host, status):
+    """Source: DNS rebinding: a web page whose name is made to lead here would read a private scenario."""
+    with closing(HTTPConnection(urlsplit(address).netloc, timeout=20)) as connection:
+        connection.putrequest("GET", "/scenarios/index.json", skip_host=True)
+        connection.putheader("Host", host)
+        connection.endheaders()
+        assert connection.getresponse().status == status
+
+
+def test_every_answer_tells_the_browser_to_load_nothing_from_elsewhere(address):
+    """Source: OWASP's secure headers."""
+    for path in ("", "scenarios/index.json", "nonesuch"):
+        headers = fetch(address, path).headers
+        assert headers["X-Content-Type-Options"] == "nosniff"
+        assert "default-src 'self'" in headers["Content-Security-Policy"]
+
+
 def test_the_check_fetches_page_engine_and_scenario(app, small, capsys):
     """Source: the public contract of --check."""
     assert main(["serve", str(small), "--port", "0", "--check"]) == 0
