@@ -26,6 +26,8 @@ import { Settings } from "./ui/settings";
 import { enableSwitcher } from "./ui/switcher";
 import { Transport } from "./ui/transport";
 import { showWarnings } from "./ui/warnings";
+import { LinkNotice } from "./share/notice";
+import { enableSharing } from "./share/share";
 import { createScene } from "./view/scene";
 
 enablePalettes();
@@ -37,6 +39,8 @@ showWarnings(session);
 showAbout(session);
 enableSwitcher();
 enableSaving(session);
+enableSharing(session);
+const linkNotice = new LinkNotice(session);
 new Controls(session);
 new Settings(session);
 new Readouts(session);
@@ -58,7 +62,7 @@ runClock(session, () => {
 void openFirst();
 
 async function openFirst(): Promise<void> {
-  const scenarios = new Scenarios(session, document.baseURI);
+  const scenarios = new Scenarios(session, document.baseURI, (link) => linkNotice.tell(link));
   try {
     scenarios.offer(await Gallery.load(document.baseURI));
   } catch (fault) {
