@@ -26,6 +26,7 @@ import { Settings } from "./ui/settings";
 import { enableSwitcher } from "./ui/switcher";
 import { Transport } from "./ui/transport";
 import { showWarnings } from "./ui/warnings";
+import { keepOffline } from "./offline/register";
 import { LinkNotice } from "./share/notice";
 import { enableSharing } from "./share/share";
 import { createScene } from "./view/scene";
@@ -60,6 +61,7 @@ runClock(session, () => {
   plots.draw();
 });
 void openFirst();
+void keepOffline();
 
 async function openFirst(): Promise<void> {
   const scenarios = new Scenarios(session, document.baseURI, (link) => linkNotice.tell(link));

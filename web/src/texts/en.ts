@@ -96,6 +96,12 @@ export const en = {
     same: (time_s: string) => `This is the moment at which the link was made, ${time_s} s. The numbers are the same to the last bit.`,
     other: (time_s: string) => `This is the moment at which the link was made, ${time_s} s. The numbers differ from those of then: the app or its gallery has changed.`,
   },
+  offline: {
+    update: "A new version is there",
+    update_help: "Reloading begins the run anew. To keep it, Share makes a link of it first.",
+    reload: "Reload",
+    others: (count: number) => `Close the app's other ${count === 1 ? "window" : `${count} windows`} first: they have the older version.`,
+  },
   notices: {
     dismiss: "Dismiss",
   },
