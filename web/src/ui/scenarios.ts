@@ -79,14 +79,17 @@ export class Scenarios {
     return opening ? { scenario: opening, values: {} } : OPENING;
   }
 
-  /** A run that the address holds; one that does not open leaves the run in hand as it was. */
+  /** A run that the address holds. One that does not open leaves the run in hand as it was; where there is none, the first opens. */
   private async openLink(hash: string): Promise<void> {
     const why = await this.triedLink(hash);
     if (!why) return;
-    if (this.session.run) this.write();
-    else if (isOfEngine(why) || !(await this.openAsked(this.first))) return;
-    else history.replaceState(null, "", location.pathname);
-    this.session.report(why);
+    const { run } = this.session;
+    if (run) this.write();
+    // Where the engine is not there, another fails in the same way.
+    if (run || isOfEngine(why)) return this.session.report(why);
+    if (!(await this.openAsked(this.first))) return;
+    history.replaceState(null, "", location.pathname);
+    this.session.report({ ...why, message: `${why.message} ${words.share.opened_first}` });
   }
 
   /** Why it does not open. */
