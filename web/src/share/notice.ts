@@ -46,7 +46,11 @@ export class LinkNotice {
       moment ? words.was_shown(fixed(moment.time_s, 2)) : "",
     ].filter((text) => text !== "");
     const button = make("button", { type: "button", class: "button", "data-testid": "run-to" }, words.run_to);
-    button.addEventListener("click", () => session.runTo(moment!.time_s));
+    button.addEventListener("click", () => {
+      // Out of the way of the picture, until there is something to say at the moment.
+      this.close();
+      session.runTo(moment!.time_s);
+    });
     this.close = notice("link", words.notice, says, moment ? [button] : []);
   }
 

@@ -61,10 +61,10 @@ export const en = {
   },
   share: {
     title: "Share this run",
-    holds: (title: string) => `The link opens ${title} with the values that the run began with.`,
+    holds: (title: string) => `The link opens “${title}” with the values that the run began with.`,
     holds_changes: (count: number) =>
       count === 1 ? "The change that was made by hand is made again at its time." : `The ${count} changes that were made by hand are made again at their times.`,
-    holds_moment: (time_s: string) => `It offers to run to the moment that is shown, ${time_s} s.`,
+    holds_moment: (time_s: string) => `It offers to run to the moment that is shown, ${time_s}\u00a0s.`,
     holds_texts: "The link holds the text of the scenario: who has the link can read it.",
     waiting: (names: string) => `Values that wait for a reset are not in it: ${names}.`,
     this_machine: "This address is of this machine alone: a link to it opens on no other.",
