@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
+import { holdsRun } from "../src/app/address";
 import { digestOf } from "../src/engine/digest";
 import type { Fault } from "../src/engine/engine";
-import { hashOf, isLink, LONGEST, runIn } from "../src/share/link";
+import { hashOf, LONGEST, runIn } from "../src/share/link";
 import { packed } from "../src/share/packing";
 import type { SharedRun } from "../src/share/shared_run";
 import { texts } from "../src/texts";
@@ -66,13 +67,13 @@ describe("a link", () => {
   it("stands beside the other things that an address says", async () => {
     const hash = await hashOf(small);
     expect(await runIn(`#quality=best&${hash.slice(1)}`)).toEqual(small);
-    expect(["", "#quality=best", "#controls", "#k=1", "#kb1=x"].filter(isLink)).toEqual([]);
-    expect(isLink(hash)).toBe(true);
+    expect(["", "#quality=best", "#controls", "#k=1", "#kb1=x"].filter(holdsRun)).toEqual([]);
+    expect(holdsRun(hash)).toBe(true);
   });
 
   it("of a newer version says so, whatever is in it", async () => {
     for (const hash of ["#k2=x", "#k10=", `#k3=${"x".repeat(2 * LONGEST)}`]) {
-      expect(isLink(hash)).toBe(true);
+      expect(holdsRun(hash)).toBe(true);
       expect(await faultOf(hash)).toEqual({ kind: "link", message: texts.share.newer });
     }
   });

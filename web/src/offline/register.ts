@@ -5,8 +5,17 @@ import type { FromOffline, ToOffline } from "./worker";
 
 const words = texts.offline;
 
-/** Keeps the app on the device, where it is served safely; says when a newer build is there. Not while developing. */
+let isBegun = false;
+
+/** Where the app is kept on the device already, it says when a newer build is there. */
+export function watchOffline(): void {
+  if (navigator.serviceWorker?.controller) void keepOffline();
+}
+
+/** Keeps the app on the device, where it is served safely. Who only looks at the start page is spared the engine. Not while developing. */
 export async function keepOffline(): Promise<void> {
+  if (isBegun) return;
+  isBegun = true;
   const { serviceWorker } = navigator;
   if (!import.meta.env.PROD || !serviceWorker) return;
   const script = new URL("offline.js", document.baseURI);

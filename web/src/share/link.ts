@@ -22,11 +22,6 @@ export async function hashOf(run: SharedRun): Promise<string> {
   return hash;
 }
 
-/** Whether an address holds a run, of this or another version. */
-export function isLink(hash: string): boolean {
-  return entryOf(hash) !== null;
-}
-
 /** The run that an address holds; throws a fault of the kind `link` that says why there is none. */
 export async function runIn(hash: string): Promise<SharedRun> {
   const { version, text } = entryOf(hash) ?? { version: VERSION, text: "" };

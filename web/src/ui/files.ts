@@ -6,7 +6,7 @@ export function enableFiles(open: (texts: Record<string, string>) => void): void
     if (files.length > 0) open(Object.fromEntries(await Promise.all(files.map(async (file) => [file.name, await file.text()] as const))));
   };
   const input = byId<HTMLInputElement>("file");
-  byId("open-file").addEventListener("click", () => input.click());
+  for (const button of document.querySelectorAll("[data-opens-file]")) button.addEventListener("click", () => input.click());
   input.addEventListener("change", () => {
     const files = [...(input.files ?? [])];
     input.value = "";

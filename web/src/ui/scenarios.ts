@@ -1,4 +1,4 @@
-import { askedBy, queryOf } from "../app/address";
+import { askedBy, holdsRun, queryOf } from "../app/address";
 import type { Asked } from "../app/address";
 import { faultOfAddress, faultOfDatabase } from "../app/faults";
 import { Gallery } from "../app/gallery";
@@ -8,17 +8,21 @@ import type { Session } from "../app/session";
 import type { Fault, Values } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
 import { scenarioAmong } from "../engine/files";
-import { isLink, runIn } from "../share/link";
+import { runIn } from "../share/link";
 import type { SharedRun } from "../share/shared_run";
-import { texts as words } from "../texts";
+import { texts } from "../texts";
 import { byId, make } from "./dom";
-import { enableFiles } from "./files";
 
 /** Before the names of files, and of links, among the choices. */
 const FILE = "file:";
 const LINK = "link:";
 /** How long values stay as they are before the address says them, ms: browsers refuse many addresses at a time. */
 const CALM_MS = 300;
+
+/** What the browser's history keeps of a page. */
+export interface Choice {
+  choice: string;
+}
 
 /** A choice beside those of the gallery: a file that was opened here, or what came by a link. */
 interface Own {
@@ -48,9 +52,7 @@ export class Scenarios {
   ) {
     this.gallery = Gallery.empty(base);
     this.select.addEventListener("change", () => void this.choose(this.select.value));
-    addEventListener("popstate", ({ state }) => void this.goTo(state));
     session.listen({ valuesChanged: () => this.writeSoon() });
-    enableFiles((texts) => void this.openFiles(texts));
   }
 
   /** What there is to choose from. */
@@ -61,35 +63,34 @@ export class Scenarios {
 
   /** Opens what the address asks for; where that cannot be, what the bare address does. */
   async openAddress(): Promise<void> {
-    if (isLink(location.hash)) return this.openLink(location.hash);
+    if (holdsRun(location.hash)) return this.openLink(location.hash);
     const asked = askedBy(location.search);
     const { first } = this;
     if (asked.scenario === null) return void (await this.openAsked({ ...first, values: { ...first.values, ...asked.values } }));
-    if (await this.openAsked(asked)) return;
-    const why = this.session.fault;
-    // Where the engine is not there, another fails in the same way.
-    if (isOfEngine(why) || !(await this.openAsked(first))) return;
-    history.replaceState(null, "", location.pathname);
-    if (why) this.session.report(why);
+    if (!(await this.openAsked(asked))) await this.openFirst(this.session.fault);
   }
 
-  /** What the bare address opens. */
+  /** What opens where nothing is asked for. */
   private get first(): Asked {
     const { opening } = this.gallery;
     return opening ? { scenario: opening, values: {} } : OPENING;
   }
 
-  /** A run that the address holds. One that does not open leaves the run in hand as it was; where there is none, the first opens. */
+  /** In the place of what cannot be opened, which is said. */
+  private async openFirst(why: Fault | null): Promise<void> {
+    // Where the engine is not there, another fails in the same way.
+    if (isOfEngine(why) || !(await this.openAsked(this.first))) return;
+    history.replaceState(null, "", location.pathname + (this.gallery.opening ? "" : queryOf(this.first)));
+    if (why) this.session.report(why);
+  }
+
+  /** A run that the address holds; one that does not open leaves the run in hand as it was. */
   private async openLink(hash: string): Promise<void> {
     const why = await this.triedLink(hash);
     if (!why) return;
-    const { run } = this.session;
-    if (run) this.write();
-    // Where the engine is not there, another fails in the same way.
-    if (run || isOfEngine(why)) return this.session.report(why);
-    if (!(await this.openAsked(this.first))) return;
-    history.replaceState(null, "", location.pathname);
-    this.session.report({ ...why, message: `${why.message} ${words.share.opened_first}` });
+    if (!this.session.run && !isOfEngine(why)) return this.openFirst({ ...why, message: `${why.message} ${texts.share.opened_first}` });
+    if (this.session.run) this.write();
+    this.session.report(why);
   }
 
   /** Why it does not open. */
@@ -98,7 +99,7 @@ export class Scenarios {
       const link = await runIn(hash);
       const source = await this.sourceOf(link);
       if (!(await this.open(LINK + hash, source, link.values))) return this.session.fault;
-      const title = words.share.from_link(this.session.run!.model.title);
+      const title = texts.share.from_link(this.session.run!.model.title);
       this.keep(LINK + hash, { source, values: link.values, title, hash, link });
       this.linked(link);
       return null;
@@ -150,27 +151,34 @@ export class Scenarios {
   private async choose(choice: string): Promise<void> {
     const own = this.own.get(choice);
     if (!(await (own ? this.openOwn(choice, own) : this.openNamed(choice, {})))) return;
-    history.pushState({ choice }, "", this.address());
+    history.pushState({ choice }, "", location.pathname + this.address());
   }
 
-  /** Back or forward, or another link in the address. */
-  private async goTo(state: { choice: string } | null): Promise<void> {
+  /** Whether a file that was opened here, or a link, is what a state of the history stands for. */
+  holds(state: Choice | null): boolean {
+    return state !== null && this.own.has(state.choice);
+  }
+
+  /** Back or forward, or another link in the address; what is open already stays as it is. */
+  async goTo(state: Choice | null): Promise<void> {
     clearTimeout(this.timer);
     const own = state && this.own.get(state.choice);
+    const asked = location.search + (holdsRun(location.hash) ? location.hash : "");
+    if (own ? this.shown === state.choice : this.shown !== "" && asked !== "" && asked === this.address()) return;
     if (own) await this.openOwn(state.choice, own);
     else await this.openAddress();
   }
 
   /** A scenario, and with it the files that it names. */
-  private async openFiles(texts: Record<string, string>): Promise<void> {
-    const file = scenarioAmong(texts);
-    if (!file) return this.session.report(faultOfDatabase(Object.keys(texts)[0]));
-    const { [file]: text, ...opened } = texts;
+  async openFiles(dropped: Record<string, string>): Promise<void> {
+    const file = scenarioAmong(dropped);
+    if (!file) return this.session.report(faultOfDatabase(Object.keys(dropped)[0]));
+    const { [file]: text, ...opened } = dropped;
     const choice = FILE + file;
     const source = { text, file, opened };
     if (!(await this.open(choice, source, {}))) return;
     this.keep(choice, { source, values: {}, title: file, hash: "" });
-    history.pushState({ choice }, "", this.address());
+    history.pushState({ choice }, "", location.pathname + this.address());
   }
 
   private keep(choice: string, own: Own): void {
@@ -179,16 +187,19 @@ export class Scenarios {
   }
 
   private fill(): void {
-    const named = this.gallery.entries.map((entry) => make("option", { value: entry.name }, entry.title || entry.name));
+    const named = this.gallery.groups.map(({ title, entries }) => {
+      const options = entries.map((entry) => make("option", { value: entry.name }, entry.title || entry.name));
+      return make("optgroup", { label: title ?? texts.start.ungrouped }, ...options);
+    });
     const own = Array.from(this.own, ([choice, { title }]) => make("option", { value: choice }, title));
     this.select.replaceChildren(...named, ...own);
     this.select.value = this.shown;
   }
 
-  /** No address has a person's own file, and a link stays the link. */
+  /** What the address has after its path: nothing of a person's own file, and a link stays the link. */
   private address(): string {
     const own = this.own.get(this.shown);
-    return location.pathname + (own ? own.hash : queryOf({ scenario: this.shown, values: this.session.values.wanted }));
+    return own ? own.hash : queryOf({ scenario: this.shown, values: this.session.values.wanted });
   }
 
   private writeSoon(): void {
@@ -199,6 +210,6 @@ export class Scenarios {
   }
 
   private write(): void {
-    history.replaceState(history.state, "", this.address());
+    history.replaceState(history.state, "", location.pathname + this.address());
   }
 }

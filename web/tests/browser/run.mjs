@@ -18,6 +18,7 @@ import saving from "./saving.mjs";
 import scenarios from "./scenarios.mjs";
 import sea from "./sea.mjs";
 import sharing from "./sharing.mjs";
+import start from "./start.mjs";
 
 const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
 // Against tests that hang: on a busy machine one takes minutes.
@@ -36,7 +37,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels, ...sharing, ...offline }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...start, ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels, ...sharing, ...offline }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];
