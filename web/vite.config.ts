@@ -7,7 +7,7 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 export default defineConfig({
   base: "./",
-  plugins: [gallery(here("../scenarios"), here("src/engine/pkg")), offline(here("src/offline/worker.ts"))],
+  plugins: [gallery(here("../scenarios"), here("src/engine/pkg")), offline(here("src/offline"))],
   worker: { format: "es" },
   // The paper's equations stand beside the Python package.
   server: { fs: { allow: [".."] } },

@@ -116,6 +116,26 @@ export default {
     build.remove();
   },
 
+  async "is taken off the device by the server that runs it from a file, which has the last word on what it shows"({ browser }) {
+    const build = buildOf();
+    const { address, stop } = await serve(build.folder, "/");
+    const { page, close } = await openApp({ browser, address }, { query: "?scenario=paper", serviceWorkers: "allow" });
+    await isKept(page);
+    // As `kingpost serve` answers, with another scenario of the same name.
+    cpSync(join(build.folder, "offline-leave.js"), join(build.folder, "offline.js"));
+    writeFileSync(join(build.folder, "scenarios/paper.yaml"), retitled("Served now")(readFileSync(join(build.folder, "scenarios/paper.yaml"), "utf8")));
+    await page.reload();
+    await titled(page, "Served now");
+    assert.deepEqual(await page.evaluate(() => caches.keys()), []);
+    await page.reload();
+    await titled(page, "Served now");
+    await page.waitForTimeout(500);
+    assert.equal(await page.evaluate(() => navigator.serviceWorker.controller), null);
+    await close();
+    await stop();
+    build.remove();
+  },
+
   async "keeps nothing of a build whose files are not all its own, and runs all the same"({ browser }) {
     const build = buildOf();
     writeFileSync(join(build.folder, "scenarios/chain.yaml"), "version: 1\n");
