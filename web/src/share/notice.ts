@@ -1,7 +1,7 @@
 import { fixed } from "../app/format";
 import type { Session } from "../app/session";
 import { notice } from "../ui/notices";
-import { make } from "../ui/dom";
+import { byId, make } from "../ui/dom";
 import { texts } from "../texts";
 import { isSame } from "./making";
 import type { SharedRun } from "./shared_run";
@@ -49,6 +49,7 @@ export class LinkNotice {
     button.addEventListener("click", () => {
       // Out of the way of the picture, until there is something to say at the moment.
       this.close();
+      byId("start").focus();
       session.runTo(moment!.time_s);
     });
     this.close = notice("link", words.notice, says, moment ? [button] : []);

@@ -1,11 +1,10 @@
 // A link holds a whole run: it is made in a dialog, and opened it runs to the same bits.
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { DESKTOP, item, openApp, openFile, PHONE, sample, setNumber, stepTo } from "./app.mjs";
+import { assertAccessible } from "./axe.mjs";
 
-const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 const winch = readFileSync(fileURLToPath(new URL("../../../scenarios/lowering_by_winch.yaml", import.meta.url)), "utf8");
 
 async function setByHand(page, name, value) {
@@ -37,14 +36,12 @@ const dialogs = [DESKTOP, PHONE, { width: 320, height: 640 }].map((viewport) => 
     const { page, close } = await openApp(host, { query: "?scenario=lowering_by_winch", viewport });
     await page.emulateMedia({ reducedMotion: "reduce" });
     await stepTo(page, 0.3);
-    await page.addScriptTag({ path: AXE });
     await page.getByTestId("share").focus();
     await page.keyboard.press("Enter");
     await page.getByTestId("share-qr").locator("svg").waitFor();
     for (const palette of ["day", "dusk", "night", "bright"]) {
       await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
-      const violations = await page.evaluate(async () => (await window.axe.run({ rules: { "target-size": { enabled: true } } })).violations);
-      assert.deepEqual(violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`)), [], palette);
+      await assertAccessible(page, `the dialog, ${palette}`);
     }
     const boxes = await page.getByTestId("share-dialog").evaluate((dialog) => {
       const box = (element) => (({ left, right, top, bottom, width, height }) => ({ left, right, top, bottom, width, height }))(element.getBoundingClientRect());
@@ -87,6 +84,7 @@ export default {
     assert.match(await notice.textContent(), /The 2 changes that were made by hand are made again.*The link was made at 4\.00 s/);
     assert.equal(Number(await item(other.page, "load_t").inputValue()), 13.7);
     assert.match(await other.page.getByTestId("gallery").locator("option:checked").textContent(), /^From a link: /);
+    await assertAccessible(other.page, "with the notice of a link");
     await other.page.getByTestId("run-to").click();
     await other.page.getByText("The numbers are the same to the last bit").waitFor();
     const again = await sample(other.page);
