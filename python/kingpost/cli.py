@@ -17,6 +17,8 @@ from typing import NoReturn
 from . import __version__
 from .errors import KingpostError, RunError
 from .hydro import command as hydro_command
+from .output import check as check_output
+from .output import whole
 from .roll_damping import command as roll_damping_command
 from .scenario import Scenario, load
 from .simulate import Simulation
@@ -162,7 +164,7 @@ def _run(options: argparse.Namespace) -> int:
         return _run_seeds(scenario, options)
     existed = options.output is not None and Path(options.output).exists()
     endings = (*results.ENDINGS, *plot.ENDINGS)
-    output = results.check_output(options.output, endings) if options.output is not None else None
+    output = check_output(options.output, endings) if options.output is not None else None
     failure: RunError | KeyboardInterrupt | None = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
         try:
@@ -222,10 +224,10 @@ def _check(options: argparse.Namespace) -> int:
 
 
 def _modes(options: argparse.Namespace) -> int:
-    from . import modes_report, results, vibration
+    from . import modes_report, vibration
 
     scenario = _scenario(options)
-    output = results.check_output(options.output, vibration.ENDINGS) if options.output is not None else None
+    output = check_output(options.output, vibration.ENDINGS) if options.output is not None else None
     sweep = vibration.parse_sweep(options.sweep) if options.sweep is not None else None
     found = vibration.modes(scenario, sweep=sweep)
     print(modes_report.text(found, options.all))
@@ -235,12 +237,12 @@ def _modes(options: argparse.Namespace) -> int:
 
 
 def _rao(options: argparse.Namespace) -> int:
-    from . import displacement_raos, response, response_report, results
+    from . import displacement_raos, response, response_report
 
     scenario = _scenario(options)
-    output = results.check_output(options.output, response.ENDINGS) if options.output is not None else None
+    output = check_output(options.output, response.ENDINGS) if options.output is not None else None
     table = options.displacement_raos
-    table = results.check_output(table, displacement_raos.ENDINGS) if table is not None else None
+    table = check_output(table, displacement_raos.ENDINGS) if table is not None else None
     found = response.rao(
         scenario,
         None if options.directions_deg is None else [math.radians(angle) for angle in options.directions_deg],
@@ -256,14 +258,15 @@ def _rao(options: argparse.Namespace) -> int:
 
 
 def _statistics(options: argparse.Namespace) -> int:
-    from . import results, statistics_report
+    from . import statistics_report
 
-    output = results.check_output(options.output, (".csv",)) if options.output is not None else None
+    output = check_output(options.output, (".csv",)) if options.output is not None else None
     runs = [statistics_report.read(path) for path in options.files]
     found = statistics_report.frame(runs, options.after_s, options.channels)
     print(statistics_report.text(runs, found, options.after_s))
     if output:
-        found.to_csv(output, index=False)
+        with whole(output) as beside:
+            found.to_csv(beside, index=False)
         print(f"\nwritten  {output}")
     return DONE
 

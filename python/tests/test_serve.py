@@ -97,11 +97,16 @@ def test_the_index_lists_the_gallery_and_the_given_scenario(address, small):
         "name": "paper",
         "title": paper.title,
         "file": "paper.yaml",
-        "description": paper.description,
+        "description": paper.resolved["description"],
         "group": "The paper",
     }
     assert [entry["name"] for entry in entries] == [*kingpost.gallery.groups(), "small"]
-    assert entries[-1] == {"name": "small", "title": "A box with a boom", "file": "small.yaml", "description": ""}
+    assert entries[-1] == {
+        "name": "small",
+        "title": "A box with a boom",
+        "file": "small.yaml",
+        "description": "",
+    }
     assert urlopen(address + "scenarios/small.yaml").read() == small.read_bytes()
 
 

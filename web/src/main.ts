@@ -1,4 +1,5 @@
 import "./styles/main.css";
+import { faultOfSize } from "./app/faults";
 import { Gallery } from "./app/gallery";
 import { Pages } from "./app/pages";
 import { enablePalettes } from "./app/palette";
@@ -25,5 +26,8 @@ const pages: Pages = new Pages(
 );
 gallery.then((known) => start.offer(known)).catch((fault: Fault) => start.lack(fault.message));
 watchOffline();
-enableFiles((texts) => void pages.openFiles(texts));
+enableFiles(
+  (texts) => void pages.openFiles(texts),
+  (file, most_bytes) => pages.report(faultOfSize(file, most_bytes)),
+);
 void pages.show(null);

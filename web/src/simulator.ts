@@ -37,6 +37,7 @@ export interface Simulator {
   holds(state: Choice | null): boolean;
   openFiles(texts: Record<string, string>): Promise<void>;
   pause(): void;
+  report(fault: Fault): void;
   /** Of the document, while a run is shown. */
   readonly title: string;
 }
@@ -64,6 +65,7 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
     holds: (state) => scenarios.holds(state),
     openFiles: (texts) => scenarios.openFiles(texts),
     pause: () => session.pause(),
+    report: (fault) => session.report(fault),
     get title() {
       return session.run ? `Kingpost – ${session.run.model.title}` : "Kingpost";
     },

@@ -1,4 +1,5 @@
 import type { Simulator } from "../simulator";
+import type { Fault } from "../engine/engine";
 import type { StartPage } from "../start/start";
 import { byId } from "../ui/dom";
 import type { Choice } from "../ui/scenarios";
@@ -43,6 +44,12 @@ export class Pages {
     const simulator = await this.simulate();
     await simulator?.openFiles(texts);
     this.entitle();
+  }
+
+  /** Says on the page that is shown what could not be opened. */
+  report(fault: Fault): void {
+    if (byId("app").hidden) this.start.say(fault.message);
+    else this.loaded?.report(fault);
   }
 
   private async goToStart(): Promise<void> {

@@ -88,6 +88,25 @@ export default {
     await context.close();
   },
 
+  async "refuses a file that is too large without reading it, on either page"(host) {
+    const { page, context, problems } = await openStart(host);
+    const drop = () =>
+      page.evaluate(() => {
+        const files = new DataTransfer();
+        files.items.add(new File([new Uint8Array(100_000_001)], "film.yaml"));
+        dispatchEvent(new DragEvent("drop", { dataTransfer: files, cancelable: true }));
+      });
+    await drop();
+    assert.match(await page.getByTestId("start-alert").textContent(), /^film\.yaml holds 101 MB; a scenario, .* at most 100 MB\.$/);
+    await page.getByTestId("card-chain").click();
+    await isIdle(page);
+    await drop();
+    assert.match(await page.getByTestId("alert-message").textContent(), /film\.yaml holds 101 MB/);
+    assert.equal(await page.evaluate(() => window.kingpost.sample().status), "idle");
+    assert.deepEqual(problems, []);
+    await context.close();
+  },
+
   async "says so where the list or the simulator does not come, and has a way on"(host) {
     const { browser, address } = host;
     const context = await browser.newContext({ serviceWorkers: "block" });
