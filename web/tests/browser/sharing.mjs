@@ -210,6 +210,23 @@ export default {
     await close();
   },
 
+  async "stays at the link where the controls are skipped to"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=chain" });
+    const link = await linkOf(page);
+    await page.goto("about:blank");
+    await page.goto(link);
+    await page.getByTestId("notice-link").waitFor();
+    await stepTo(page, 0.1);
+    await page.locator(".skip-link").focus();
+    await page.keyboard.press("Enter");
+    assert.equal(await page.evaluate(() => document.activeElement.id), "controls");
+    assert.equal(page.url(), link);
+    await page.waitForTimeout(300);
+    assert.ok(await page.getByTestId("canvas").isVisible());
+    assert.ok((await sample(page)).time_s > 0);
+    await close();
+  },
+
   async "takes a link beside the quality of the picture"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=chain" });
     const link = await linkOf(page);
