@@ -225,6 +225,7 @@ def open_server(
     """
     databases = databases or {}
     pages = {f"/scenarios/{file}": text.encode() for file, text in (files | databases).items()}
+    pages["/offline.js"] = _leaving(folder)
     pages["/scenarios/index.json"] = json.dumps(index(files, databases, chosen)).encode()
     kind = Server6 if ":" in host else Server
     ports = range(FIRST_PORT, FIRST_PORT + PORTS_TRIED) if port is None else [port]
@@ -239,6 +240,15 @@ def open_server(
     if port is None:
         raise KingpostError(f"no free port from {ports[0]} to {ports[-1]}; give one with --port")
     raise KingpostError(f"port {port} is busy; choose another, or --port 0 for any free one")
+
+
+def _leaving(folder: Path) -> bytes:
+    """In the place of the app's service worker one that takes away what a browser has kept of the app.
+
+    What is served here can be another with every start.
+    """
+    script = folder / "offline-leave.js"
+    return script.read_bytes() if script.is_file() else b""
 
 
 def reachable(host: str | None) -> str:

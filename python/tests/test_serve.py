@@ -161,6 +161,15 @@ def test_a_database_with_the_name_of_another_of_the_gallery_is_refused(app, tmp_
         serve.databases(str(tmp_path / "afloat.yaml"))
 
 
+def test_no_browser_keeps_the_app_for_when_the_server_is_gone(app):
+    """Source: the next start can serve another scenario, or a newer app, at the same address."""
+    (app / "offline.js").write_text("keep()")
+    (app / "offline-leave.js").write_text("leave()")
+    server = serve.open_server(app, {}, serve.LOOPBACK, 0)
+    server.server_close()
+    assert server.pages["/offline.js"] == b"leave()"
+
+
 @dataclass(frozen=True)
 class Answer:
     """What came over the line, nothing unpacked."""
