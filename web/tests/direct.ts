@@ -1,4 +1,5 @@
 import { Session } from "../src/app/session";
+import type { Change } from "../src/engine/changes";
 import type { EngineClient } from "../src/engine/client";
 import type { Engine, InputInfo, ParameterInfo, Value, Values } from "../src/engine/engine";
 import { asFault, readModel } from "../src/engine/engine";
@@ -28,14 +29,15 @@ export class DirectEngine {
   ) {
     const { runner } = this;
     const client = {
-      open: (text: string, file: string, values: Values) =>
-        this.inTurn(async () => runner.open(text, file, values, JSON.parse(await filesOf(text)) as Record<string, string>)),
-      advance: (wall_s: number, speed: number) => this.inTurn(() => runner.advance(wall_s, speed)),
+      open: (text: string, file: string, values: Values, _opened: unknown, changes?: readonly Change[]) =>
+        this.inTurn(async () => runner.open(text, file, values, JSON.parse(await filesOf(text)) as Record<string, string>, changes)),
+      advance: (wall_s: number, speed: number, until_s?: number) => this.inTurn(() => runner.advance(wall_s, speed, until_s)),
       step: () => this.inTurn(() => runner.step()),
       input: (name: string, value: number) => this.inTurn(() => runner.input(name, value)),
       parameter: (name: string, value: Value) => this.inTurn(() => runner.parameter(name, value)),
       snapshot: () => this.inTurn(() => runner.snapshot()),
       restore: (snapshot: Uint8Array, moves: LeverMove[] = []) => this.inTurn(() => runner.restore(snapshot, moves)),
+      changes: () => this.inTurn(() => structuredClone(runner.made())),
       replay: () => this.inTurn(() => ({ ...runner.replay(), files: [] })),
     };
     this.client = client as unknown as EngineClient;

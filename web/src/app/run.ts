@@ -1,3 +1,4 @@
+import type { Change } from "../engine/changes";
 import { Columns } from "../engine/columns";
 import type { Channel, DrawnLine, Fault, InputInfo, JointAxis, ModelInfo } from "../engine/engine";
 import type { Frame, Opened } from "../engine/messages";
@@ -19,6 +20,8 @@ export interface Run {
   /** With the values that they have. */
   inputs: InputInfo[];
   jointAxes: JointAxis[];
+  /** Of the scenario's text and of all files that it stands on. */
+  digest: string;
   accuracy: Accuracy;
 }
 
@@ -28,6 +31,10 @@ export interface Source {
   file: string;
   /** Texts of the files that were opened with it, by their names; left out for a scenario of the gallery. */
   opened?: Record<string, string>;
+  /** Its name in the gallery, if it is from there. */
+  gallery?: string;
+  /** What a link says was set in a run of it, which a run sets again. */
+  changes?: readonly Change[];
 }
 
 export interface Listener {
@@ -36,7 +43,7 @@ export interface Listener {
   advanced?(run: Run, frame: Frame): void;
   /** Another moment is shown: a newer one, or one that was looked up. */
   moved?(run: Run, moment: Moment): void;
-  /** A hand set an input of the run. */
+  /** A hand set an input of the run, or the run by itself as a link says. */
   inputsChanged?(run: Run): void;
   /** The run goes on from an earlier moment: what came after is no more. */
   branched?(run: Run): void;
@@ -45,7 +52,7 @@ export interface Listener {
   faulted?(fault: Fault | null): void;
 }
 
-export function runOf({ model, lines, channels, inputs, joint_axes }: Opened): Run {
+export function runOf({ model, lines, channels, inputs, joint_axes, digest }: Opened): Run {
   const columns = new Columns(channels);
-  return { model, lines, channels, columns, inputs, jointAxes: joint_axes, accuracy: new Accuracy(columns) };
+  return { model, lines, channels, columns, inputs, jointAxes: joint_axes, digest, accuracy: new Accuracy(columns) };
 }

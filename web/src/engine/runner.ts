@@ -1,3 +1,6 @@
+import { Changes } from "./changes";
+import type { Change } from "./changes";
+import { digestOf } from "./digest";
 import { asFault, readJointAxes, readModel, readSettings } from "./engine";
 import type { Engine, Equations, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
 import { Events } from "./events";
@@ -21,9 +24,11 @@ interface Taken {
   poses: Float64Array[];
   line_points: Float64Array[];
   keyframes: Snapshot[];
+  /** Set again before the first step. */
+  changes: Change[];
 }
 
-const nothing = (): Taken => ({ steps: 0, rows: [], poses: [], line_points: [], keyframes: [] });
+const nothing = (): Taken => ({ steps: 0, rows: [], poses: [], line_points: [], keyframes: [], changes: [] });
 
 /** Owns the engine: opens scenarios, steps to the wall clock, records rows. */
 export class Runner {
@@ -41,14 +46,18 @@ export class Runner {
   /** Moves of levers to be made again on a way that is gone again. */
   private again: LeverMove[] = [];
   private events = new Events();
+  private changes = new Changes([], 1);
 
   constructor(
     private readonly openEngine: OpenEngine,
     private readonly now_ms: () => number,
   ) {}
 
-  /** Opens a scenario, with the files that it names, at its initial state; when that throws, the engine in hand stays. */
-  open(text: string, file: string, overrides: Values, files: Record<string, string> = {}): Opened {
+  /**
+   * Opens a scenario, with the files that it names, at its initial state; when that throws, the engine in hand stays. These
+   * changes are made at their times, until a hand sets something.
+   */
+  open(text: string, file: string, overrides: Values, files: Record<string, string> = {}, changes: readonly Change[] = []): Opened {
     const engine = this.openEngine(text, file, JSON.stringify(overrides), JSON.stringify(files));
     const model = readModel(engine.model_json());
     this.engine?.free();
@@ -61,6 +70,7 @@ export class Runner {
     this.isSet = false;
     this.again = [];
     this.events = new Events();
+    this.changes = new Changes(changes, engine.step_s());
     const start = nothing();
     this.record(start);
     const resolved = engine.resolved_json();
@@ -71,18 +81,23 @@ export class Runner {
       joint_axes: readJointAxes(resolved),
       channels: JSON.parse(engine.channels_json()),
       inputs: JSON.parse(engine.inputs_json()),
+      digest: digestOf(text, ...Object.entries(files).sort(([a], [b]) => (a < b ? -1 : 1)).flat()),
       frame: this.frame(start),
     };
   }
 
-  /** Advances by `wall_s` times `speed`, which may be infinite, as far as the budget of one frame goes; null where no step is due. */
-  advance(wall_s: number, speed: number): Frame | null {
+  /**
+   * Advances by `wall_s` times `speed`, which may be infinite, as far as the budget of one frame goes, and no further than
+   * `until_s`; null where no step is due.
+   */
+  advance(wall_s: number, speed: number, until_s = Infinity): Frame | null {
     const engine = this.current();
     const step_s = engine.step_s();
     this.owed_s += speed === Infinity ? Infinity : Math.min(wall_s, LONGEST_WALL_S) * speed;
-    const wanted = Math.floor(this.owed_s / step_s + 1e-9);
+    const allowed = Math.min(Math.round(until_s / step_s) - this.steps, this.changes.toNext(this.steps));
+    const wanted = Math.max(0, Math.min(Math.floor(this.owed_s / step_s + 1e-9), allowed));
     const done = this.take(wanted, this.now_ms() + BUDGET_MS);
-    this.owed_s = done.steps < wanted ? 0 : this.owed_s - wanted * step_s;
+    this.owed_s = done.steps < wanted || speed === Infinity ? 0 : this.owed_s - wanted * step_s;
     return done.steps > 0 || this.fault ? this.frame(done) : null;
   }
 
@@ -90,7 +105,7 @@ export class Runner {
   step(): Frame {
     this.owed_s = 0;
     const wanted = this.toNextRecord();
-    const done = this.take(wanted, this.now_ms() + BUDGET_MS);
+    const done = this.take(Math.min(wanted, this.changes.toNext(this.steps)), this.now_ms() + BUDGET_MS);
     return { ...this.frame(done), isPart: done.steps < wanted && !this.fault };
   }
 
@@ -103,6 +118,7 @@ export class Runner {
     const engine = this.current();
     engine.restore(snapshot);
     this.steps = Math.round(engine.time_s() / engine.step_s());
+    this.changes.dropAfter(this.steps);
     this.owed_s = 0;
     this.recorded_s = engine.time_s();
     this.fault = null;
@@ -129,14 +145,46 @@ export class Runner {
 
   /** When it acts, s. */
   input(name: string, value: number): number {
-    const engine = this.current();
-    engine.set_input(name, value);
-    return engine.time_s();
+    const time_s = this.current().time_s();
+    // JSON has no negative zero, and a link is JSON.
+    this.setByHand({ time_s, input: name, value: value === 0 ? 0 : value });
+    return time_s;
   }
 
   parameter(name: string, value: Value): void {
-    this.current().set_parameter(name, JSON.stringify(value));
-    this.isSet = true;
+    this.setByHand({ time_s: this.current().time_s(), parameter: name, value });
+  }
+
+  /** What was set so far, by hand or again. */
+  made(): readonly Change[] {
+    return this.changes.made;
+  }
+
+  private setByHand(change: Change): void {
+    this.set(change);
+    this.changes.dropDue();
+  }
+
+  private set(change: Change): void {
+    const engine = this.current();
+    if ("input" in change) engine.set_input(change.input, change.value);
+    else engine.set_parameter(change.parameter, JSON.stringify(change.value));
+    this.changes.make(change);
+    if ("parameter" in change) this.isSet = true;
+  }
+
+  /** Sets again what is due now; what the engine refuses ends the run. */
+  private setAgain(taken: Taken): void {
+    try {
+      const time_s = this.current().time_s();
+      for (const due of this.changes.takeDue(this.steps)) {
+        const change = { ...due, time_s };
+        this.set(change);
+        taken.changes.push(change);
+      }
+    } catch (thrown) {
+      this.fault = { kind: "followed", message: asFault(thrown).message };
+    }
   }
 
   /** The run as a scenario, but for the files that it names. */
@@ -163,8 +211,7 @@ export class Runner {
   /** Makes the moves that are due. */
   private moveAgain(): void {
     while (this.again.length > 0 && this.toNextMove() <= 0) {
-      const { input, value } = this.again.shift()!;
-      this.current().set_input(input, value);
+      this.set(this.again.shift()!);
     }
   }
 
@@ -176,6 +223,7 @@ export class Runner {
   private take(wanted: number, deadline_ms: number): Taken {
     const engine = this.current();
     const taken = nothing();
+    if (wanted > 0 && !this.fault) this.setAgain(taken);
     let left = this.fault ? 0 : wanted;
     if (left > 0 && this.isSet) this.keep(taken);
     for (let from_ms = this.now_ms(); left > 0 && from_ms < deadline_ms; from_ms = this.now_ms()) {
@@ -218,7 +266,7 @@ export class Runner {
     this.stepsAtOnce = Math.max(1, Math.min(fits, 2 * this.stepsAtOnce, STEPS_AT_ONCE));
   }
 
-  private frame({ rows, poses, line_points, keyframes }: Taken): Frame {
+  private frame({ rows, poses, line_points, keyframes, changes }: Taken): Frame {
     const engine = this.current();
     const poses_now = engine.poses();
     return {
@@ -226,6 +274,7 @@ export class Runner {
       row_poses: flat(poses),
       row_line_points: flat(line_points),
       keyframes,
+      changes,
       row: engine.row(),
       poses: poses_now,
       line_points: engine.line_points(),

@@ -135,7 +135,8 @@ export class Levers {
 
   private takeAxis(axis: Axis, hand: Hand, deflection: number | null): void {
     const found = this.levers.find(({ lever }) => lever.axis === axis);
-    if (found && !this.box.hidden) this.take(found.lever, hand, deflection);
+    // Letters and a gamepad are there while another page is, too.
+    if (found && (deflection === null || this.box.checkVisibility())) this.take(found.lever, hand, deflection);
   }
 
   private take(lever: Lever, hand: Hand, deflection: number | null): void {
