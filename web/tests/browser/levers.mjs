@@ -164,7 +164,7 @@ export default {
     await lever.focus();
     await page.keyboard.press("End");
     assert.match(await lever.getAttribute("aria-valuetext"), /^asked 100 %/);
-    await page.getByText("The run stands still").waitFor();
+    await page.getByTestId("sticks-message").getByText("The run stands still").waitFor();
     await page.getByTestId("start").click();
     await page.waitForFunction(() => /asked 100 %, does 2.00 rad\/s, at its greatest speed/.test(document.querySelector('[data-testid="lever-hoist"]').getAttribute("aria-valuetext")));
     await lever.focus();
