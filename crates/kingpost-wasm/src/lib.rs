@@ -73,6 +73,26 @@ impl Simulation {
         self.inner.surface(x, y).into()
     }
 
+    /// The regular waves that the sea is the sum of, five numbers each: amplitude, m, angular frequency, rad/s, wave number,
+    /// 1/m, direction, rad, and phase, rad.
+    pub fn waves(&self) -> Box<[f64]> {
+        let five = |wave: kingpost::sea::waves::WaveComponent| {
+            [
+                wave.amplitude_m,
+                wave.angular_frequency_rad_s,
+                wave.wave_number_per_m,
+                wave.direction_rad,
+                wave.phase_rad,
+            ]
+        };
+        self.inner.waves().into_iter().flat_map(five).collect()
+    }
+
+    /// Goes on in another sea of the same frequencies and directions.
+    pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) -> Result<(), JsValue> {
+        self.inner.set_waves(amplitudes_m, phases_rad).map_err(thrown::input)
+    }
+
     /// What a person should know of the rows so far: time, name and text of each.
     pub fn warnings_json(&self) -> Result<JsString, JsValue> {
         json(&self.inner.warnings())

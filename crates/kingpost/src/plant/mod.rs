@@ -128,6 +128,17 @@ impl<S: Scalar> Plant<S> {
         self.layout.connect(wires);
     }
 
+    /// Another sea of the same frequencies and directions, for the exact derivatives too.
+    pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) {
+        let constant = |numbers: &[f64]| numbers.iter().map(|number| S::constant(*number)).collect::<Vec<S>>();
+        if let Some(waves) = &mut self.world.waves {
+            waves.set_realisation(&constant(amplitudes_m), &constant(phases_rad));
+        }
+        if let Some(exact) = &mut self.exact {
+            exact.tangent.set_waves(amplitudes_m, phases_rad);
+        }
+    }
+
     /// What acts on the model.
     pub fn elements(&self) -> &[AnyElement<S>] {
         &self.elements

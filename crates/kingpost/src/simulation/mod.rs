@@ -8,6 +8,7 @@ mod limits;
 mod live;
 mod recording;
 mod settle;
+mod sea;
 mod setup;
 mod steering;
 mod watching;

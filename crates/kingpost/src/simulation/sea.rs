@@ -1,0 +1,36 @@
+//! Another sea under a run.
+
+use super::errors::check_array;
+use super::{InputError, Simulation, stage};
+use crate::elements::drives::WaveMotion;
+use crate::elements::of_kind;
+use crate::sea::waves::WaveComponent;
+
+impl Simulation {
+    /// The regular waves that the sea is the sum of; none in calm water.
+    pub fn waves(&self) -> Vec<WaveComponent> {
+        self.plant.world.waves.as_ref().map_or_else(Vec::new, |waves| waves.components().copied().collect())
+    }
+
+    /// Goes on from here in another sea of the same frequencies and directions, one amplitude (m) and phase (rad) a wave in
+    /// the order of [`Self::waves`]: what may happen yet, where the waves to come are not known.
+    ///
+    /// Motion, states and the memory of radiated waves stay; the integrator begins anew. The sea is no part of a
+    /// snapshot: one that is restored goes on in the sea that was set last, as a reset begins in it. No replay has it.
+    ///
+    /// # Errors
+    /// Not one finite number a wave; a body that moves as the waves say. Nothing has changed then.
+    pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) -> Result<(), InputError> {
+        let count = self.plant.world.waves.as_ref().map_or(0, |waves| waves.len());
+        check_array("amplitudes_m", amplitudes_m, count)?;
+        check_array("phases_rad", phases_rad, count)?;
+        if of_kind::<f64, WaveMotion>(self.elements()).next().is_some() {
+            return Err(InputError::MovedByWaves);
+        }
+        let before = self.plant.totals(stage(self.interval(), &self.state));
+        self.plant.set_waves(amplitudes_m, phases_rad);
+        self.plant.book_jump(&before, self.time_s(), &mut self.state);
+        self.state.memory.fill(0.0);
+        Ok(())
+    }
+}
