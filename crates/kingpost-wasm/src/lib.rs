@@ -73,19 +73,20 @@ impl Simulation {
         self.inner.surface(x, y).into()
     }
 
-    /// The regular waves that the sea is the sum of, five numbers each: amplitude, m, angular frequency, rad/s, wave number,
-    /// 1/m, direction, rad, and phase, rad.
-    pub fn waves(&self) -> Box<[f64]> {
-        let five = |wave: kingpost::sea::waves::WaveComponent| {
-            [
-                wave.amplitude_m,
-                wave.angular_frequency_rad_s,
-                wave.wave_number_per_m,
-                wave.direction_rad,
-                wave.phase_rad,
-            ]
-        };
-        self.inner.waves().into_iter().flat_map(five).collect()
+    /// Amplitudes of the regular waves that the sea is the sum of, m; none in calm water.
+    pub fn wave_amplitudes_m(&self) -> Box<[f64]> {
+        self.inner.waves().iter().map(|wave| wave.amplitude_m).collect()
+    }
+
+    /// Their phases at the world's origin at time 0, rad.
+    pub fn wave_phases_rad(&self) -> Box<[f64]> {
+        self.inner.waves().iter().map(|wave| wave.phase_rad).collect()
+    }
+
+    /// The complex elevation of each of them at a point of the world, m, and a time, s, with the ramp: the real parts, then
+    /// the imaginary ones. The real parts together are the elevation of the sea.
+    pub fn wave_phasors(&self, x_m: f64, y_m: f64, time_s: f64) -> Box<[f64]> {
+        self.inner.wave_phasors([x_m, y_m], time_s).concat().into()
     }
 
     /// Goes on in another sea of the same frequencies and directions.

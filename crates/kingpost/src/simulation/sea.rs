@@ -12,6 +12,15 @@ impl Simulation {
         self.plant.world.waves.as_ref().map_or_else(Vec::new, |waves| waves.components().copied().collect())
     }
 
+    /// The complex elevation a e^(i q) of each of them at a point (x, y) of the world, m, and a time, s, the ramp included:
+    /// real and imaginary parts.
+    pub fn wave_phasors(&self, point: [f64; 2], time_s: f64) -> [Vec<f64>; 2] {
+        let Some(waves) = &self.plant.world.waves else { return [Vec::new(), Vec::new()] };
+        let (mut real, mut imaginary) = (vec![0.0; waves.len()], vec![0.0; waves.len()]);
+        waves.phasors(point, time_s, &mut real, &mut imaginary);
+        [real, imaginary]
+    }
+
     /// Goes on from here in another sea of the same frequencies and directions, one amplitude (m) and phase (rad) a wave in
     /// the order of [`Self::waves`]: what may happen yet, where the waves to come are not known.
     ///

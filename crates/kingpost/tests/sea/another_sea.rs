@@ -69,6 +69,8 @@ fn the_waves_that_are_set_are_those_of_a_scenario_that_has_them() {
     for _ in 0..5 {
         assert_eq!(row(&mut found), row(&mut expected));
         assert_eq!(found.surface(&[1.0, 2.0], &[3.0]), expected.surface(&[1.0, 2.0], &[3.0]));
+        let [real, _] = found.wave_phasors([1.0, 3.0], found.time_s());
+        assert!((real.iter().sum::<f64>() - found.surface(&[1.0], &[3.0])[0]).abs() < 1e-12);
         found.step(40).unwrap();
         expected.step(40).unwrap();
     }
