@@ -36,6 +36,17 @@ export class Aside {
     });
   }
 
+  /** The state at the moment that is shown; null where something newer was asked. */
+  snapshot(session: Session): Promise<Uint8Array | null> {
+    return this.inTurn("snapshot", async () => {
+      if (!session.shown.isBack) return session.snapshot();
+      const client = await this.opened(session);
+      if (!client) return null;
+      await this.goTo(client, session);
+      return client.snapshot();
+    });
+  }
+
   /** To an earlier moment; with the parameters of then the engine is no more the one that was opened. */
   private async goTo(client: EngineClient, { shown, values }: Session): Promise<void> {
     const { recording, time_s } = shown;

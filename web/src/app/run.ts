@@ -36,6 +36,8 @@ export interface Listener {
   moved?(run: Run, moment: Moment): void;
   /** The run goes on from an earlier moment: what came after is no more. */
   branched?(run: Run): void;
+  /** Something was set by hand under way: from here the run goes on otherwise. */
+  steered?(): void;
   statusChanged?(status: Status): void;
   valuesChanged?(): void;
   faulted?(fault: Fault | null): void;

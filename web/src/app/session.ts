@@ -104,7 +104,10 @@ export class Session extends Told {
     if (!(await this.isAtCursor())) return;
     const run = this.run;
     await this.asked(this.client.parameter(name, value)).then(
-      () => run === this.run && this.values.apply(name, value),
+      () => {
+        if (run === this.run) this.values.apply(name, value);
+        this.emit((listener) => listener.steered?.());
+      },
       (fault: Fault) => this.reportOfRun(faultOfControl(fault, run?.model.parameters ?? [])),
     );
     this.emit((listener) => listener.valuesChanged?.());
@@ -113,7 +116,10 @@ export class Session extends Told {
   /** Acts from the moment that is shown on. */
   async setInput(name: string, value: number): Promise<void> {
     if (!(await this.isAtCursor())) return;
-    await this.asked(this.client.input(name, value)).catch((fault: Fault) => this.reportOfRun(fault));
+    await this.asked(this.client.input(name, value)).then(
+      () => this.emit((listener) => listener.steered?.()),
+      (fault: Fault) => this.reportOfRun(fault),
+    );
   }
 
   /** The run in hand as a scenario file; null where it cannot be one, which is reported. */

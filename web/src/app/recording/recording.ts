@@ -10,6 +10,8 @@ import { Series } from "./series";
 export const DEPTH = { rows: 48e6, pictures: 40e6, keyframes: 8e6 };
 /** Pictures that are kept however close they are: the one that is drawn lags behind the newest. */
 const NEWEST_PICTURES = 3;
+/** Times that are closer are one, s. */
+const TIME_SLACK_S = 1e-6;
 /** Of an object beside its numbers, bytes, about. */
 const OVERHEAD = 300;
 
@@ -146,6 +148,17 @@ export class Recording {
   /** The last state at or before a time; undefined where the recording has lost it. */
   keyframeAt(time_s: number): Keyframe | undefined {
     return this.keyframes.items[this.keyframes.indexAt(time_s)];
+  }
+
+  /** What was recorded at a time; null where nothing was. */
+  rowAt(time_s: number): Float64Array | null {
+    const near = this.rows.around(time_s + TIME_SLACK_S)[0];
+    return Math.abs(near.time_s - time_s) <= TIME_SLACK_S ? near.row : null;
+  }
+
+  /** Whether a hand set something between two times. */
+  isSteeredBetween(from_s: number, to_s: number): boolean {
+    return this.keyframes.items.some(({ time_s, isChange }) => isChange && time_s >= from_s && time_s < to_s);
   }
 
   /** The run goes on from here: what came after is forgotten. */
