@@ -1,5 +1,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./styles/main.css";
+import { AheadLine } from "./ahead/line";
+import { openAhead } from "./ahead/open";
 import { Aside } from "./app/aside";
 import { enablePalettes } from "./app/palette";
 import { runClock } from "./app/clock";
@@ -50,6 +52,12 @@ announce(session);
 const plots = new Plots(session);
 const scene = createScene(session);
 new EquationsPanel(session, aside, (what) => scene.highlight(what));
+const ahead = openAhead(session, aside, galleryFolder(document.baseURI));
+new AheadLine(ahead);
+ahead.onChange(() => {
+  plots.foresee(ahead.outlook);
+  scene.foresee(ahead.outlook);
+});
 exposeHandle(session);
 runClock(session, () => {
   scene.draw();

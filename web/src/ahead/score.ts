@@ -43,17 +43,25 @@ export class Record {
   }
 }
 
-/** Bodies that carry no other: what hangs at the end of a crane is one of them. */
-export function lastBodies({ bodies }: Pick<ModelInfo, "bodies">): number[] {
+type Model = Pick<ModelInfo, "bodies" | "joints">;
+
+/** Bodies that carry no other and are free in their joints: what hangs at the end of a crane. */
+export function loads({ bodies, joints }: Model): number[] {
   const carriers = new Set(bodies.map(({ parent }) => parent));
-  return bodies.flatMap(({ name, floats }, i) => (floats || carriers.has(name) ? [] : [i]));
+  const isFree = (name: string) => joints.some(({ body, free_coordinates }) => body === name && free_coordinates.length > 0);
+  return bodies.flatMap(({ name, floats }, i) => (floats || carriers.has(name) || !isFree(name) ? [] : [i]));
 }
 
-/** Columns by which outlooks are judged: heave, roll and pitch of what floats, and the places of the last bodies. */
-export function judgedColumns(model: Pick<ModelInfo, "bodies">, columns: Columns): number[] {
+/** The columns of the place of a body. */
+export function placeOf({ bodies }: Model, body: number, columns: Columns): number[] {
+  return ["x", "y", "z"].map((axis) => columns.at(`${bodies[body].name}.position.${axis}`));
+}
+
+/** Columns by which outlooks are judged: heave, roll and pitch of what floats, and the places of its loads. */
+export function judgedColumns(model: Model, columns: Columns): number[] {
   const afloat = model.bodies.filter(({ floats }) => floats).flatMap(({ name }) => [`${name}.position.z`, `${name}.roll`, `${name}.pitch`]);
-  const last = lastBodies(model).flatMap((i) => ["x", "y", "z"].map((axis) => `${model.bodies[i].name}.position.${axis}`));
-  return [...afloat, ...last].map((name) => columns.at(name)).filter((place) => place >= 0);
+  const hanging = loads(model).flatMap((body) => placeOf(model, body, columns));
+  return [...afloat.map((name) => columns.at(name)), ...hanging].filter((place) => place >= 0);
 }
 
 /**

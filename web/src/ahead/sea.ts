@@ -13,8 +13,8 @@ export interface EngineInSeas extends Engine {
   set_waves(amplitudes_m: Float64Array, phases_rad: Float64Array): void;
 }
 
-/** Standard deviation of the noise of the measured wave, over the significant height of the sea. */
-const NOISE = 0.02;
+/** Standard deviation of the noise of a measured wave, over the significant height of the sea. */
+export const NOISE = 0.02;
 /** From the run's random numbers, which may be those of a seed too, to those of the noise. */
 const NOISE_SEED = 0x5ea;
 
@@ -30,6 +30,7 @@ export class SeasAhead {
   constructor(
     private readonly engine: EngineInSeas,
     private readonly expected_m: Float64Array,
+    private readonly relativeNoise = NOISE,
   ) {
     this.own = { amplitudes_m: engine.wave_amplitudes_m(), phases_rad: engine.wave_phases_rad() };
     this.waves = expected_m.length;
@@ -42,7 +43,7 @@ export class SeasAhead {
 
   /** What is known of the waves after this past. */
   after(past: Past): Conditioned {
-    const noise = NOISE * this.height_m;
+    const noise = this.relativeNoise * this.height_m;
     const values = this.measure(past, noise);
     this.engine.set_waves(this.expected_m, new Float64Array(this.waves));
     const rows = new Float64Array(2 * this.waves * values.length);

@@ -1,8 +1,10 @@
 import uPlot from "uplot";
+import type { Outlook } from "../ahead/outlook";
 import { fixed } from "../app/format";
 import type { Shown } from "../app/recording/shown";
 import type { Columns } from "../engine/columns";
 import { make, setText } from "../ui/dom";
+import { Fan } from "./fan";
 import { decimalsOf, PER_RADIAN, scaleOf } from "./quantities";
 import type { FigureKey, PlotKind, Unit } from "./quantities";
 import { read, Stretch } from "./stretch";
@@ -34,6 +36,8 @@ export class Plot {
   private columns: Columns | null = null;
   private kind: PlotKind = { title: "", quantities: [], units: { deg: "", rad: "" }, turns: true, wraps: false };
   private readonly stretch = new Stretch();
+  private readonly fan = new Fan();
+  private outlook: Outlook | null = null;
   /** The same in numbers, for those who do not see it. */
   private readonly table = make("table");
   private tabledAt_ms = -Infinity;
@@ -93,6 +97,12 @@ export class Plot {
     this.stale = true;
   }
 
+  /** What may come, to be drawn after what came. */
+  foresee(outlook: Outlook | null): void {
+    this.outlook = outlook;
+    this.stale = true;
+  }
+
   touch(): void {
     this.stale = true;
   }
@@ -126,10 +136,11 @@ export class Plot {
   private fill(): [number, number] {
     const rows = this.shown.recording?.rows;
     const last_s = rows?.last?.time_s ?? 0;
-    const range = rangeInSight(last_s, this.shown.time_s, this.duration_s, this.window_s);
+    const range = rangeInSight(Math.max(last_s, this.outlook?.end_s ?? 0), this.shown.time_s, this.duration_s, this.window_s);
     // One record beyond the left edge, so that the line comes from there.
     const places: [number, number] = rows ? [Math.max(0, rows.indexAt(range[0])), rows.indexAt(range[1]) + 1] : [0, 0];
     this.stretch.fill(rows?.items ?? [], places, this.lines, (value, i) => this.scaled(value, i));
+    this.fan.fill(this.outlook, this.lines, (value, i) => this.scaled(value, i));
     return range;
   }
 
@@ -167,15 +178,23 @@ export class Plot {
       legend: { show: false },
       padding: [8, LAST_TICK_PX, 0, 0],
       cursor: { sync: { key: "time" }, drag: { x: false, y: false }, points: { size: 7 } },
-      scales: { x: { time: false }, y: { range: (_u, low, high) => paddedRange(low, high, 0.005 * scaleOf(this.kind, this.unit)) } },
+      scales: { x: { time: false }, y: { range: (_u, low, high) => this.rangeOf(low, high) } },
       axes: [
         { ...axis, grid, size: 28, values: (_u, splits) => splits.map((split) => `${Number(split.toPrecision(6))} s`) },
         { ...axis, grid, size: 52, values: (_u, splits) => splits.map((split) => fixed(split, 6).replace(/\.?0+$/, "")) },
       ],
-      hooks: { draw: [(u) => this.drawMoment(u, colour("--accent"))] },
+      hooks: {
+        drawAxes: [(u) => this.fan.draw(u, this.kind.quantities.map(({ key }) => colour(`--${key}`)))],
+        draw: [(u) => this.drawMoment(u, colour("--accent"))],
+      },
       series: [{}, ...this.kind.quantities.map(({ key, label }) => this.line(label, colour(`--${key}`)))],
     };
     return new uPlot(options, this.stretch.data as unknown as uPlot.AlignedData, this.area);
+  }
+
+  private rangeOf(low: number | null, high: number | null): [number, number] {
+    const [bottom, top] = this.fan.range;
+    return paddedRange(Math.min(low ?? 0, bottom), Math.max(high ?? 0, top), 0.005 * scaleOf(this.kind, this.unit));
   }
 
   /** A line across at an earlier moment that is shown. */
@@ -206,9 +225,9 @@ export class Plot {
 }
 
 /** Room around the lines; never so narrow that rounding noise looks like motion. */
-function paddedRange(low: number | null, high: number | null, least: number): [number, number] {
-  const bottom = Math.min(low ?? 0, -least);
-  const top = Math.max(high ?? 0, least);
+function paddedRange(low: number, high: number, least: number): [number, number] {
+  const bottom = Math.min(low, -least);
+  const top = Math.max(high, least);
   const margin = 0.06 * (top - bottom);
   return [bottom - margin, top + margin];
 }

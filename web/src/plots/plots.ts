@@ -1,3 +1,4 @@
+import type { Outlook } from "../ahead/outlook";
 import { onPalette } from "../app/palette";
 import type { Run, Session } from "../app/session";
 import { byId, make } from "../ui/dom";
@@ -29,6 +30,10 @@ export class Plots {
 
   draw(): void {
     this.each((plot) => plot.draw());
+  }
+
+  foresee(outlook: Outlook | null): void {
+    this.each((plot) => plot.foresee(outlook));
   }
 
   private each(tell: (plot: Plot) => void): void {

@@ -1,3 +1,5 @@
+import { swarmOf } from "../ahead/swarm";
+import type { Outlook } from "../ahead/outlook";
 import { Playback } from "../app/recording/playback";
 import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
@@ -10,6 +12,8 @@ export interface Scene {
   draw(): void;
   /** Points out bodies and how they move; null for nothing. */
   highlight(what: Highlight | null): void;
+  /** Where the loads may come to be. */
+  foresee(outlook: Outlook | null): void;
 }
 
 /** Ties the 3D picture to the run and to its buttons; without WebGL it says so, and the rest runs. */
@@ -21,7 +25,7 @@ export function createScene(session: Session): Scene {
     const message = byId("scene-message");
     message.hidden = false;
     message.textContent = "This browser offers no WebGL, so there is no picture; the numbers and plots run.";
-    return { draw() {}, highlight() {} };
+    return { draw() {}, highlight() {}, foresee() {} };
   }
   showLosses(byId("canvas"), view);
   const frames = byId<HTMLButtonElement>("frames");
@@ -55,6 +59,7 @@ export function createScene(session: Session): Scene {
       view.draw();
     },
     highlight: (what) => view.highlight(what),
+    foresee: (outlook) => view.showCloud(outlook && session.run && swarmOf(outlook, session.run)),
   };
 }
 

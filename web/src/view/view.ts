@@ -6,6 +6,8 @@ import type { ModelInfo } from "../engine/engine";
 import type { Frame } from "../engine/messages";
 import type { Surface } from "../engine/surface";
 import { airOf } from "./air";
+import { Cloud } from "./cloud";
+import type { Swarm } from "./cloud";
 import { Eye } from "./camera";
 import { Daylight } from "./daylight";
 import type { Highlight } from "../equations/highlight";
@@ -56,6 +58,7 @@ export class View {
   private frame: Pose = { poses: [], line_points: [] };
   private boxes: Box[] = [];
   private readonly marks = new Marks();
+  private readonly cloud = new Cloud();
   private highlighted: Highlight | null = null;
   private framesShown = false;
   private stale = true;
@@ -70,7 +73,7 @@ export class View {
     this.eye = new Eye(canvas, () => (this.stale = true), () => coversOf(canvas));
     this.daylight = new Daylight(this.renderer, this.air);
     this.drawing = Drawing.of(this.renderer);
-    this.scene.add(this.ground, this.sea, this.daylight, this.world, this.marks.group);
+    this.scene.add(this.ground, this.sea, this.daylight, this.world, this.marks.group, this.cloud);
     this.light();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     onPalette(() => this.repaint());
@@ -128,6 +131,12 @@ export class View {
   highlight(what: Highlight | null): void {
     this.highlighted = what;
     this.marks.show(what, this.bodies, this.boxes, this.eye.size(), this.palette);
+    this.stale = true;
+  }
+
+  /** Places where something may come to be; null for nothing. */
+  showCloud(swarm: Swarm | null): void {
+    this.cloud.show(swarm, this.eye.size(), this.palette);
     this.stale = true;
   }
 
