@@ -6,7 +6,7 @@ import { Outlook } from "../src/ahead/outlook";
 import { Foreseers } from "../src/ahead/pool";
 import { fanOf, LEVELS, quantile } from "../src/ahead/quantiles";
 import { Random } from "../src/ahead/random";
-import { Record, scoreOf } from "../src/ahead/score";
+import { scoreOf, TrackRecord } from "../src/ahead/score";
 import { expectedAmplitudes, SeasAhead } from "../src/ahead/sea";
 import type { EngineInSeas } from "../src/ahead/sea";
 import { Columns } from "../src/engine/columns";
@@ -239,7 +239,7 @@ describe("futures", () => {
 
 describe("how minutes of the recording were held", () => {
   it("is counted once a minute, of the newest six", () => {
-    const record = new Record();
+    const record = new TrackRecord();
     expect(record.due(59)).toEqual([]);
     expect(record.due(125)).toEqual([60, 0]);
     record.add(60, { held: 9, of: 10 });

@@ -7,7 +7,7 @@ import type { ScenarioOf, Start } from "./messages";
 import { Outlook } from "./outlook";
 import { pastOf } from "./past";
 import type { Foreseers } from "./pool";
-import { judgedColumns, Record, scoreOf } from "./score";
+import { judgedColumns, scoreOf, TrackRecord } from "./score";
 
 /** Futures of the moment that is shown, and of each earlier one by which they are judged. */
 export const FUTURES = 64;
@@ -23,7 +23,7 @@ const CALM_MS = 200;
 export class Ahead {
   isOn = false;
   outlook: Outlook | null = null;
-  readonly record = new Record();
+  readonly record = new TrackRecord();
   fault: Fault | null = null;
   private looked_ms = -Infinity;
   private isLooking = false;

@@ -14,7 +14,7 @@ const MOST_MINUTES = 6;
 const MINUTE_S = 60;
 
 /** How outlooks of each whole minute of the recording did: each is made once. */
-export class Record {
+export class TrackRecord {
   private readonly minutes = new Map<number, Score | null>();
 
   /** Starts of the whole minutes before a time that have not been judged, s, the newest first. */

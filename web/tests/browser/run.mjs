@@ -5,6 +5,7 @@ import { fileURLToPath } from "node:url";
 import { findBrowser, launch } from "../../scripts/browser.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import addresses from "./address.mjs";
+import ahead from "./ahead.mjs";
 import controls from "./controls.mjs";
 import faults from "./faults.mjs";
 import gestures from "./gestures.mjs";
@@ -34,7 +35,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels, ...ahead }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];
