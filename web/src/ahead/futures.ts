@@ -12,6 +12,7 @@ const STEPS_AT_ONCE = 64;
 /** Runs on from a state of a run with its levers as they are, in seas that agree with what was measured. */
 export class Futures {
   private readonly seas: SeasAhead;
+  private readonly isGusty: boolean;
   private start: Start | null = null;
   private start_s = 0;
   private past_s = 0;
@@ -22,6 +23,8 @@ export class Futures {
     open: (resolved: string) => EngineInSeas,
   ) {
     this.seas = new SeasAhead(engine, expectedAmplitudes(engine, open));
+    const { wind } = JSON.parse(engine.resolved_json()) as { wind?: { gusts?: { enabled: boolean } } };
+    this.isGusty = wind?.gusts?.enabled ?? false;
   }
 
   get waves(): number {
@@ -44,7 +47,7 @@ export class Futures {
 
   /** One future, in parts; the same seed gives the same one. */
   *run(seed: number): Generator<void, Future> {
-    const { engine, start, start_s, waves, past_s } = this;
+    const { engine, start, start_s, waves, isGusty, past_s } = this;
     if (!start) throw { kind: "internal", message: "no start is known" };
     engine.restore(start.snapshot);
     if (this.known) this.seas.enter(this.known, new Random(seed));
@@ -59,7 +62,7 @@ export class Futures {
       fault = yield* this.step(steps);
       if (!fault) rows.set(engine.row(), k * first.length);
     }
-    return { seed, start_s, every_s, rows, waves, past_s, fault };
+    return { seed, start_s, every_s, rows, waves, isGusty, past_s, fault };
   }
 
   private *step(steps: number): Generator<void, Fault | null> {

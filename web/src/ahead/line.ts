@@ -33,11 +33,12 @@ export class AheadLine {
     const start_s = fixed(outlook.start_s, 1);
     const broken = outlook.futures.filter((future) => future.fault).length;
     const failed = broken > 0 ? [texts.ahead.broken(broken)] : [];
-    if (outlook.isOneLine) return [texts.ahead.one(HORIZON_S, start_s), ...failed];
+    const gusts = outlook.futures[0].isGusty ? [texts.ahead.gusts] : [];
+    if (outlook.isOneLine) return [texts.ahead.one(HORIZON_S, start_s), ...gusts, ...failed];
     const { past_s } = outlook.futures[0];
     const measured = past_s > 0 ? texts.ahead.agree(fixed(past_s, 0)) : texts.ahead.nothing_measured;
     const { held, of, minutes } = this.ahead.record.newest;
     const judged = of > 0 ? texts.ahead.held(fixed((100 * held) / of, 0), minutes) : texts.ahead.not_judged;
-    return [texts.ahead.futures(outlook.futures.length, outlook.wanted, HORIZON_S, start_s), measured, judged, ...failed];
+    return [texts.ahead.futures(outlook.futures.length, outlook.wanted, HORIZON_S, start_s), measured, judged, ...gusts, ...failed];
   }
 }

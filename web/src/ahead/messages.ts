@@ -26,6 +26,8 @@ export interface Future {
   rows: Float32Array;
   /** How many waves the sea has; where there are none, all futures are this one. */
   waves: number;
+  /** Whether the wind has gusts: they are the run's own. */
+  isGusty: boolean;
   /** How long the measured past is that it agrees with, s. */
   past_s: number;
   fault: Fault | null;

@@ -47,6 +47,7 @@ export const en = {
     not_judged: "Their 90 % band is judged by each whole minute of the run.",
     judged_by: "By heave, roll and pitch of what floats and the places of its loads, in 32 futures of each minute made from what was measured before it.",
     one: (horizon_s: number, start_s: string) => `No waves: one future of ${horizon_s} s from ${start_s} s, with the levers as they are.`,
+    gusts: "Gusts are the run's own.",
     broken: (count: number) => `${count} of them could not be computed to the end.`,
     none: (why: string) => `No look ahead: ${why}`,
   },

@@ -241,7 +241,7 @@ pub enum InputError {
         signal: String,
     },
     /// Other waves under a body that moves as the waves say: it would jump.
-    #[error("waves: found others, allowed: those of the run, as a body moves as they say")]
+    #[error("waves: found others, allowed: the run's own, since a body moves as they say and would jump")]
     MovedByWaves,
     /// An array of the wrong length.
     #[error("{name}: found {found} numbers, allowed: {allowed}")]
