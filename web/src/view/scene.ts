@@ -46,6 +46,8 @@ export function createScene(session: Session): Scene {
   });
   const timeOfPicture = follow(session);
   let drawn: unknown = null;
+  /** What is to be shown with the next picture: futures come faster than pictures. */
+  let due: (() => void) | null = null;
   return {
     draw() {
       const { recording } = session.shown;
@@ -56,10 +58,12 @@ export function createScene(session: Session): Scene {
         view.showSea(moment.surface);
         drawn = moment.poses;
       }
+      due?.();
+      due = null;
       view.draw();
     },
     highlight: (what) => view.highlight(what),
-    foresee: (outlook) => view.showCloud(outlook && session.run && swarmOf(outlook, session.run)),
+    foresee: (outlook) => (due = () => view.showCloud(outlook && session.run && swarmOf(outlook, session.run))),
   };
 }
 
