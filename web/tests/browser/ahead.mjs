@@ -28,11 +28,11 @@ export default {
       new MutationObserver(() => window.said.push(line.textContent)).observe(line, { childList: true, characterData: true, subtree: true });
     });
     await page.getByTestId("look-ahead").click();
-    await page.waitForFunction(() => window.said.some((text) => /^64 futures of 60 s from 62\.0 s\. Each agrees with the wave that was measured at the ship over the last 62 s\./.test(text)));
+    await page.waitForFunction(() => window.said.some((text) => /^64 futures of 60\s+s from 62\.0\s+s\. Each agrees with the wave that was measured at the ship over the last 62\s+s\./.test(text)));
     const said = await page.evaluate(() => window.said);
     assert.ok(said.filter((text) => /^\d+ of 64 futures/.test(text)).length > 5, said.join(" | "));
     // The first minute is whole: futures of it are held against what came.
-    await page.waitForFunction(() => /Their 90 % band held \d+ % of the past minute\./.test(window.said.at(-1)));
+    await page.waitForFunction(() => /Their 90\s+% band held \d+\s+% of the past minute\./.test(window.said.at(-1)));
     await page.waitForTimeout(200);
     assert.ok((await paintedAfter(page, 0.6)) > before + 500, "the fan stands to the right of now");
     // Going on from there drops them; switched off they are gone.
@@ -47,12 +47,12 @@ export default {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
     await stepTo(page, 4);
     await page.getByTestId("look-ahead").click();
-    await page.waitForFunction(() => /^64 futures of 60 s from 4\.0 s/.test(document.querySelector("[data-testid=ahead-line]").textContent));
+    await page.waitForFunction(() => /^64 futures of 60\s+s from 4\.0\s+s/.test(document.querySelector("[data-testid=ahead-line]").textContent));
     await page.getByTestId("cursor").focus();
     await page.keyboard.press("ArrowLeft");
-    await page.waitForFunction(() => /^64 futures of 60 s from 3\.8 s/.test(document.querySelector("[data-testid=ahead-line]").textContent));
+    await page.waitForFunction(() => /^64 futures of 60\s+s from 3\.8\s+s/.test(document.querySelector("[data-testid=ahead-line]").textContent));
     await page.getByTestId("start").click();
-    await page.waitForFunction(() => Number(/from ([\d.]+) s/.exec(document.querySelector("[data-testid=ahead-line]").textContent)?.[1]) > 4.5);
+    await page.waitForFunction(() => Number(/from ([\d.]+)\s+s/.exec(document.querySelector("[data-testid=ahead-line]").textContent)?.[1]) > 4.5);
     await close();
   },
 
@@ -60,7 +60,7 @@ export default {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel" });
     await stepTo(page, 1);
     await page.getByTestId("look-ahead").click();
-    await page.waitForFunction(() => /^No waves: one future of 60 s from 1\.0 s/.test(document.querySelector("[data-testid=ahead-line]").textContent));
+    await page.waitForFunction(() => /^No waves: one future of 60\s+s from 1\.0\s+s/.test(document.querySelector("[data-testid=ahead-line]").textContent));
     await close();
   },
 };
