@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { openApp, stepTo } from "./app.mjs";
 
-const line = (page) => page.getByTestId("ahead-line");
+const box = (page) => page.getByTestId("ahead");
+const said = (page, pattern) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector("[data-testid=ahead]").innerText.replaceAll("\u00a0", " ")), pattern.source);
 
 /** Painted pixels of the first plot to the right of a share of its width. */
 function paintedAfter(page, share) {
@@ -20,24 +21,25 @@ export default {
   async "looks ahead at a pause: 64 futures come one after another, as a fan on the plots and a cloud in the picture"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
     await stepTo(page, 62);
-    assert.equal(await line(page).isVisible(), false);
+    assert.equal(await box(page).isVisible(), false);
     const before = await paintedAfter(page, 0.6);
     await page.evaluate(() => {
-      window.said = [];
-      const line = document.querySelector("[data-testid=ahead-line]");
-      new MutationObserver(() => window.said.push(line.textContent)).observe(line, { childList: true, characterData: true, subtree: true });
+      window.heads = [];
+      const head = document.querySelector("[data-testid=ahead] summary");
+      new MutationObserver(() => window.heads.push(head.textContent)).observe(head, { childList: true, characterData: true, subtree: true });
     });
     await page.getByTestId("look-ahead").click();
-    await page.waitForFunction(() => window.said.some((text) => /^64 futures of 60\s+s from 62\.0\s+s\. Each agrees with the wave that was measured at the ship over the last 62\s+s\./.test(text)));
-    const said = await page.evaluate(() => window.said);
-    assert.ok(said.filter((text) => /^\d+ of 64 futures/.test(text)).length > 5, said.join(" | "));
+    await said(page, /^64 futures of 60 s/);
+    await said(page, /From 62\.0 s, with the levers as they are\. Each agrees with the wave that was measured at the ship over the last 62 s\./);
+    const heads = await page.evaluate(() => window.heads);
+    assert.ok(heads.filter((text) => /^\d+ of 64 futures/.test(text)).length > 5, heads.join(" | "));
     // The first minute is whole: futures of it are held against what came.
-    await page.waitForFunction(() => /Their 90\s+% band held \d+\s+% of the past minute\./.test(window.said.at(-1)));
+    await said(page, /Their 90 % band held \d+ % of the past minute\./);
     await page.waitForTimeout(200);
     assert.ok((await paintedAfter(page, 0.6)) > before + 500, "the fan stands to the right of now");
     // Going on from there drops them; switched off they are gone.
     await page.getByTestId("look-ahead").click();
-    assert.equal(await line(page).isVisible(), false);
+    assert.equal(await box(page).isVisible(), false);
     await page.waitForTimeout(200);
     assert.equal(await paintedAfter(page, 0.6), before);
     await close();
@@ -47,12 +49,12 @@ export default {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel&waves=true" });
     await stepTo(page, 4);
     await page.getByTestId("look-ahead").click();
-    await page.waitForFunction(() => /^64 futures of 60\s+s from 4\.0\s+s/.test(document.querySelector("[data-testid=ahead-line]").textContent));
+    await said(page, /^64 futures[^]*From 4\.0 s/);
     await page.getByTestId("cursor").focus();
     await page.keyboard.press("ArrowLeft");
-    await page.waitForFunction(() => /^64 futures of 60\s+s from 3\.8\s+s/.test(document.querySelector("[data-testid=ahead-line]").textContent));
+    await said(page, /^64 futures[^]*From 3\.8 s/);
     await page.getByTestId("start").click();
-    await page.waitForFunction(() => Number(/from ([\d.]+)\s+s/.exec(document.querySelector("[data-testid=ahead-line]").textContent)?.[1]) > 4.5);
+    await said(page, /From (4\.[5-9]|[5-9]\.|\d\d)/);
     await close();
   },
 
@@ -60,7 +62,7 @@ export default {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel" });
     await stepTo(page, 1);
     await page.getByTestId("look-ahead").click();
-    await page.waitForFunction(() => /^No waves: one future of 60\s+s from 1\.0\s+s/.test(document.querySelector("[data-testid=ahead-line]").textContent));
+    await said(page, /^One future of 60 s[^]*From 1\.0 s, with the levers as they are\. There are no waves/);
     await close();
   },
 };
