@@ -82,7 +82,10 @@ export class Ahead {
     try {
       const snapshot = await this.aside.snapshot(this.session);
       if (!snapshot || run !== this.session.run) return;
-      if (await this.foresee(run, shown.recording, snapshot)) await this.judge(run, shown.recording);
+      const isWhole = await this.foresee(run, shown.recording, snapshot);
+      // The next look may come between: minutes that are not judged then are judged after it.
+      this.isLooking = false;
+      if (isWhole) await this.judge(run, shown.recording);
     } catch (thrown) {
       this.fault = asFault(thrown);
       this.tell();
