@@ -80,25 +80,24 @@ export class Ahead {
     this.isLooking = true;
     this.looked_ms = performance.now();
     try {
-      const snapshot = await this.aside.snapshot(this.session);
-      if (!snapshot || run !== this.session.run) return;
-      const isWhole = await this.foresee(run, shown.recording, snapshot);
+      const isWhole = await this.foresee(run, shown.recording).finally(() => (this.isLooking = false));
       // The next look may come between: minutes that are not judged then are judged after it.
-      this.isLooking = false;
       if (isWhole) await this.judge(run, shown.recording);
     } catch (thrown) {
       this.fault = asFault(thrown);
       this.tell();
-    } finally {
-      this.isLooking = false;
     }
   }
 
-  /** The futures of a state; they take the place of those before as the first comes. */
-  private async foresee(run: Run, recording: Recording, snapshot: Uint8Array): Promise<boolean> {
+  /** The futures of the moment that is shown; they take the place of those before as the first comes. */
+  private async foresee(run: Run, recording: Recording): Promise<boolean> {
+    const { session } = this;
+    const [now_s, values] = [session.shown.time_s, session.values.inForce];
+    const snapshot = await this.aside.snapshot(session);
+    if (!snapshot || !this.isOn || run !== session.run) return false;
     const outlook = new Outlook(run.model.sea?.wave_components ? FUTURES : 1, run.columns.width);
-    const start = this.startOf(run, recording, snapshot, this.session.shown.time_s);
-    return this.foreseers.look(this.scenario(this.session.values.inForce), start, seedsOf(outlook.wanted), (future) => {
+    const start = this.startOf(run, recording, snapshot, now_s);
+    return this.foreseers.look(this.scenario(values), start, seedsOf(outlook.wanted), (future) => {
       outlook.add(future);
       [this.outlook, this.fault] = [outlook, null];
       this.tell();
