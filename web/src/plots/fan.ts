@@ -1,10 +1,13 @@
 import type uPlot from "uplot";
 import type { Outlook } from "../ahead/outlook";
+import { texts } from "../texts";
 import type { Places } from "./stretch";
 
 /** How dense the wide band and the narrow one are painted. */
 const DENSITIES = [0.16, 0.26];
 const DASHES_PX = [5, 4];
+/** Times that are told in numbers. */
+const TOLD = 4;
 
 /** What may come, over time: of each line of a plot two bands, of 90 and 50 % of the futures, and a dashed line in their middle. */
 export class Fan {
@@ -24,6 +27,14 @@ export class Fan {
     const all = (choose: (...of: number[]) => number, start: number) =>
       values.reduce((so, line) => line.reduce((best, value) => (Number.isFinite(value) ? choose(best, value) : best), so), start);
     return [all(Math.min, Infinity), all(Math.max, -Infinity)];
+  }
+
+  /** In numbers: a time and the wide band of each line. */
+  rows(write: (value: number) => string): string[][] {
+    const last = this.times.length - 1;
+    const told = Array.from({ length: TOLD }, (_, i) => Math.round((last * (i + 1)) / TOLD));
+    const band = (fan: Float64Array[], k: number) => texts.ahead.band(write(fan[0][k]), write(fan[fan.length - 1][k]));
+    return last < TOLD ? [] : told.map((k) => [texts.ahead.foreseen(write(this.times[k])), ...this.fans.map((fan) => band(fan, k))]);
   }
 
   draw(u: uPlot, colours: readonly string[]): void {

@@ -117,7 +117,7 @@ export class Plot {
     const heads = ["", ...this.kind.quantities.map(({ label }) => `${label}, ${this.kind.units[this.unit]}`)];
     const row = ([head, ...cells]: string[]) => make("tr", {}, make("th", { scope: "row" }, head), ...cells.map((cell) => make("td", {}, cell)));
     const head = make("tr", {}, ...heads.map((name) => (name ? make("th", { scope: "col" }, name) : make("td"))));
-    this.table.replaceChildren(make("caption", {}, `${this.kind.title} over time`), head, ...rowsOf(times, lines, write).map(row));
+    this.table.replaceChildren(make("caption", {}, `${this.kind.title} over time`), head, ...rowsOf(times, lines, write).map(row), ...this.fan.rows(write).map(row));
   }
 
   draw(): void {

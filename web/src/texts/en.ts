@@ -50,6 +50,8 @@ export const en = {
     judged_by: "By heave, roll and pitch of what floats and the places of its loads, in 32 futures of each minute made from what was measured before it.",
     one: (horizon_s: number) => `One future of ${horizon_s} s`,
     no_waves: "There are no waves that could be others.",
+    foreseen: (time_s: string) => `at ${time_s} s, foreseen, 90 % band`,
+    band: (low: string, high: string) => `${low} to ${high}`,
     gusts: "Gusts are the run's own.",
     broken: (count: number) => `${count} of them could not be computed to the end.`,
     none: "No look ahead",

@@ -1,6 +1,7 @@
 // Looking ahead: futures in the plots and in the picture, with what they are and how far they are to be trusted.
 import assert from "node:assert/strict";
-import { openApp, stepTo } from "./app.mjs";
+import { openApp, PHONE, stepTo } from "./app.mjs";
+import { assertAccessible, AXE } from "./panels.mjs";
 
 const box = (page) => page.getByTestId("ahead");
 const said = (page, pattern) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector("[data-testid=ahead]").innerText.replaceAll("\u00a0", " ")), pattern.source);
@@ -36,6 +37,8 @@ export default {
     // The first minute is whole: futures of it are held against what came.
     await said(page, /Their 90 % band held \d+ % of the past minute\./);
     await page.waitForTimeout(200);
+    // The same for one who does not see it.
+    await page.waitForFunction(() => /at 12[0-9.]+.s, foreseen, 90.% band.*\d to .*\d/.test(document.querySelector("#plot-rates table").textContent));
     assert.ok((await paintedAfter(page, 0.6)) > before + 500, "the fan stands to the right of now");
     // Going on from there drops them; switched off they are gone.
     await page.getByTestId("look-ahead").click();
@@ -55,6 +58,21 @@ export default {
     await said(page, /^64 futures[^]*From 3\.8 s/);
     await page.getByTestId("start").click();
     await said(page, /From (4\.[5-9]|[5-9]\.|\d\d)/);
+    await close();
+  },
+
+  async "passes axe while it looks ahead, open and closed, in all four palettes"(host) {
+    const { page, close } = await openApp(host, { viewport: PHONE, query: "?scenario=offshore_vessel&waves=true" });
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await page.addScriptTag({ path: AXE });
+    await page.getByTestId("look-ahead").click();
+    await said(page, /^64 futures/);
+    for (const palette of ["day", "dusk", "night", "bright"]) {
+      await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
+      await assertAccessible(page, `${palette}, before the line is touched`);
+      await box(page).locator("summary").click();
+      await assertAccessible(page, `${palette}, after`);
+    }
     await close();
   },
 
