@@ -4,6 +4,7 @@ mod between_steps;
 mod holding;
 mod observation;
 mod scene;
+mod sea;
 mod settling;
 mod tangent;
 
@@ -126,17 +127,6 @@ impl<S: Scalar> Plant<S> {
     /// Wires inputs to sampled outputs, each pair by their names.
     pub fn connect(&mut self, wires: &[(String, String)]) {
         self.layout.connect(wires);
-    }
-
-    /// Another sea of the same frequencies and directions, for the exact derivatives too.
-    pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) {
-        let constant = |numbers: &[f64]| numbers.iter().map(|number| S::constant(*number)).collect::<Vec<S>>();
-        if let Some(waves) = &mut self.world.waves {
-            waves.set_realisation(&constant(amplitudes_m), &constant(phases_rad));
-        }
-        if let Some(exact) = &mut self.exact {
-            exact.tangent.set_waves(amplitudes_m, phases_rad);
-        }
     }
 
     /// What acts on the model.

@@ -2,8 +2,6 @@
 
 use super::errors::check_array;
 use super::{InputError, Simulation, stage};
-use crate::elements::drives::WaveMotion;
-use crate::elements::of_kind;
 use crate::sea::waves::WaveComponent;
 
 impl Simulation {
@@ -33,7 +31,7 @@ impl Simulation {
         let count = self.plant.world.waves.as_ref().map_or(0, |waves| waves.len());
         check_array("amplitudes_m", amplitudes_m, count)?;
         check_array("phases_rad", phases_rad, count)?;
-        if of_kind::<f64, WaveMotion>(self.elements()).next().is_some() {
+        if self.plant.keeps_waves() {
             return Err(InputError::MovedByWaves);
         }
         let before = self.plant.totals(stage(self.interval(), &self.state));
