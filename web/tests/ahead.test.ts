@@ -1,48 +1,11 @@
 import { describe, expect, it } from "vitest";
 import { Conditioned } from "../src/ahead/conditioned";
-import { Futures } from "../src/ahead/futures";
-import type { FromForeseer, Future, Past, Start } from "../src/ahead/messages";
 import { Outlook } from "../src/ahead/outlook";
-import { Foreseers } from "../src/ahead/pool";
 import { fanOf, LEVELS, quantile } from "../src/ahead/quantiles";
 import { Random } from "../src/ahead/random";
-import { scoreOf, TrackRecord } from "../src/ahead/score";
-import { expectedAmplitudes, SeasAhead } from "../src/ahead/sea";
-import type { EngineInSeas } from "../src/ahead/sea";
-import { Columns } from "../src/engine/columns";
-import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
-import { bits, filesOf, initEngine, read } from "./gallery";
-
-await initEngine();
-const VESSEL = read("scenarios/offshore_vessel.yaml");
-const VESSEL_FILES = await filesOf(VESSEL);
-
-function vessel(overrides: Record<string, unknown> = {}): EngineInSeas {
-  return new Simulation(VESSEL, "offshore_vessel.yaml", JSON.stringify({ waves: true, ...overrides }), VESSEL_FILES);
-}
-
-/** A run up to a time, and where its ship was. */
-function runTo(engine: EngineInSeas, end_s: number, every_s = 0.6): Past {
-  const columns = new Columns(JSON.parse(engine.channels_json()));
-  const steps = Math.round(every_s / engine.step_s());
-  const rows = [engine.row()];
-  while (engine.time_s() < end_s - 1e-9) {
-    engine.step(steps);
-    rows.push(engine.row());
-  }
-  const column = (name: string) => Float64Array.from(rows, (row) => columns.read(row, name));
-  return { time_s: column("time"), x_m: column("hull.position.x"), y_m: column("hull.position.y") };
-}
-
-function elevations(engine: EngineInSeas, { time_s, x_m, y_m }: Past): number[] {
-  const waves = engine.wave_amplitudes_m().length;
-  return Array.from(time_s, (time, i) => engine.wave_phasors(x_m[i], y_m[i], time).subarray(0, waves).reduce((a, b) => a + b, 0));
-}
-
-function wholeRun(futures: Futures, seed: number): Future {
-  const running = futures.run(seed);
-  for (let next = running.next(); ; next = running.next()) if (next.done) return next.value;
-}
+import { TrackRecord } from "../src/ahead/score";
+import { Fan } from "../src/plots/fan";
+import { bits } from "./gallery";
 
 /** x with A x = b, by Gauss's elimination. */
 function solved(a: number[][], b: number[]): number[] {
@@ -123,120 +86,6 @@ describe("the lines of a fan", () => {
   });
 });
 
-describe("seas that may be", () => {
-  it("go through the measured past where there is no noise", () => {
-    const engine = vessel();
-    const past = runTo(engine, 60);
-    const measured = elevations(engine, past);
-    const largest = Math.max(...measured.map(Math.abs));
-    const exact = new SeasAhead(engine, engine.wave_amplitudes_m(), 1e-4);
-    const known = exact.after(past);
-    for (const seed of [1, 2]) {
-      exact.enter(known, new Random(seed));
-      const off = elevations(engine, past).map((value, i) => Math.abs(value - measured[i]));
-      expect(Math.max(...off)).toBeLessThan(0.005 * largest);
-    }
-    // Five minutes on they know nothing of one another.
-    const later: Past = { time_s: Float64Array.from(past.time_s, (time) => time + 300), x_m: past.x_m, y_m: past.y_m };
-    const [one, other] = [1, 2].map((seed) => {
-      exact.enter(known, new Random(seed));
-      return elevations(engine, later);
-    });
-    const dot = (a: number[], b: number[]) => a.reduce((sum, value, i) => sum + value * b[i], 0);
-    expect(Math.abs(dot(one, other)) / Math.sqrt(dot(one, one) * dot(other, other))).toBeLessThan(0.5);
-    engine.free();
-  });
-
-  it("have the height of the spectrum, and that of what the spectrum gives where the run drew its own at random", () => {
-    const random = "sea.waves.wind_sea.jonswap.realisation.amplitudes";
-    const [engine, plain] = [vessel({ [random]: "random" }), vessel()];
-    const open = (resolved: string) => new Simulation(resolved, "again", "{}", VESSEL_FILES) as EngineInSeas;
-    const expected = expectedAmplitudes(engine, open);
-    expect(bits(expected)).toEqual(bits(plain.wave_amplitudes_m()));
-    expect(bits(expected)).not.toEqual(bits(engine.wave_amplitudes_m()));
-    expect(new SeasAhead(engine, expected).height_m).toBeCloseTo(2.5, 6);
-    [engine, plain].forEach((one) => one.free());
-  });
-});
-
-describe("futures", () => {
-  const engine = vessel();
-  const past = runTo(engine, 90);
-  const start: Start = { snapshot: engine.snapshot(), past, horizon_s: 12, every_s: 0.6 };
-  const width = engine.row().length;
-
-  it("begin at the state of the run and go their own ways, the same for the same seed", () => {
-    const futures = new Futures(vessel(), () => vessel());
-    futures.begin(start);
-    const [one, again, other] = [1, 1, 2].map((seed) => wholeRun(futures, seed));
-    expect(one.start_s).toBeCloseTo(90, 9);
-    expect(one.past_s).toBeCloseTo(90, 9);
-    expect(one.rows.length).toBe(21 * width);
-    expect(one.rows[20 * width]).toBeCloseTo(102, 4);
-    expect(one.rows).toEqual(again.rows);
-    const [heave] = [new Columns(JSON.parse(engine.channels_json())).at("hull.position.z")];
-    expect(one.rows[heave]).toBe(other.rows[heave]);
-    expect(one.rows[20 * width + heave]).not.toBe(other.rows[20 * width + heave]);
-    expect(one.fault).toBeNull();
-  });
-
-  it("read the sea of the run at no time after their start, and never move in it", () => {
-    const inner = vessel();
-    const own = bits(inner.wave_phases_rad());
-    let isOwn = true;
-    const read: number[] = [];
-    const seen = new Proxy(inner, {
-      get(target, name) {
-        const member = Reflect.get(target, name) as unknown;
-        if (typeof member !== "function") return member;
-        return (...given: unknown[]) => {
-          if (name === "set_waves") isOwn = bits(given[1] as Float64Array).join() === own.join();
-          if (name === "wave_phasors" && isOwn) read.push(given[2] as number);
-          if (name === "step") expect(isOwn).toBe(false);
-          return (member as (...all: unknown[]) => unknown).apply(target, given);
-        };
-      },
-    });
-    const futures = new Futures(seen, () => vessel());
-    const more: Past = { time_s: Float64Array.from([...past.time_s, 95]), x_m: Float64Array.from([...past.x_m, 0]), y_m: Float64Array.from([...past.y_m, 0]) };
-    futures.begin({ ...start, past: more });
-    expect(wholeRun(futures, 1).fault).toBeNull();
-    expect(read.length).toBe(past.time_s.length);
-    expect(Math.max(...read)).toBeLessThanOrEqual(90 + 1e-9);
-  });
-
-  it("are one line where the water is still", () => {
-    const calm = vessel({ waves: false });
-    calm.step(20);
-    const futures = new Futures(calm, () => vessel());
-    futures.begin({ ...start, snapshot: calm.snapshot() });
-    const [one, other] = [1, 2].map((seed) => wholeRun(futures, seed));
-    expect(one.waves).toBe(0);
-    expect(one.rows).toEqual(other.rows);
-  });
-
-  it("hold the truth near the start, where the state of the ship and the measured waves decide", () => {
-    const truth = vessel();
-    truth.restore(start.snapshot);
-    const futures = new Futures(vessel(), () => vessel());
-    futures.begin(start);
-    const outlook = new Outlook(32, width);
-    for (let seed = 1; seed <= 32; seed++) outlook.add(wholeRun(futures, seed));
-    const pitch = new Columns(JSON.parse(truth.channels_json())).at("hull.pitch");
-    const fan = outlook.fan([pitch]);
-    const band = (k: number) => fan[4][k] - fan[0][k];
-    expect(band(0)).toBe(0);
-    expect(band(2)).toBeLessThan(0.2 * band(18));
-    const rows = Array.from({ length: outlook.length }, (_, k) => {
-      if (k > 0) truth.step(12);
-      return truth.row();
-    });
-    const score = scoreOf(outlook, [pitch], (time_s) => rows[Math.round((time_s - 90) / 0.6)]);
-    expect(score.of).toBe(20);
-    expect(score.held).toBeGreaterThanOrEqual(12);
-  });
-});
-
 describe("how minutes of the recording were held", () => {
   it("is counted once a minute, of the newest six", () => {
     const record = new TrackRecord();
@@ -253,87 +102,28 @@ describe("how minutes of the recording were held", () => {
   });
 });
 
-/** Workers that do what they are told when they are let. */
-class FakeWorker {
-  onmessage: ((event: MessageEvent<FromForeseer>) => void) | null = null;
-  onerror: ((event: ErrorEvent) => void) | null = null;
-  readonly told: { kind: string; job?: number; seeds?: number[] }[] = [];
-  isOver = false;
-
-  postMessage(message: { kind: string }): void {
-    this.told.push(message);
+describe("what is drawn of futures", () => {
+  /** Futures of which the i-th has at the time k the value i k in the second column. */
+  function outlookOf(count: number): Outlook {
+    const outlook = new Outlook(count, 2);
+    for (let i = 1; i <= count; i++) {
+      const rows = Float32Array.from({ length: 2 * 9 }, (_, at) => (at % 2 === 1 ? i * Math.floor(at / 2) : 0));
+      outlook.add({ seed: i, start_s: 10, every_s: 0.5, rows, waves: 1, isGusty: false, past_s: 5, fault: null });
+    }
+    return outlook;
   }
 
-  terminate(): void {
-    this.isOver = true;
-  }
-
-  say(message: FromForeseer): void {
-    this.onmessage?.({ data: message } as MessageEvent<FromForeseer>);
-  }
-}
-
-describe("engines that look ahead", () => {
-  const scenario = { text: "", file: "", overrides: {}, opened: null, folder: "" };
-  const start = { snapshot: new Uint8Array(), past: { time_s: new Float64Array(), x_m: new Float64Array(), y_m: new Float64Array() }, horizon_s: 60, every_s: 0.5 };
-  const future = { seed: 1 } as Future;
-
-  async function employed() {
-    const workers: FakeWorker[] = [];
-    const make = () => (workers.push(new FakeWorker()), workers.at(-1)!) as unknown as Worker;
-    const module = {} as WebAssembly.Module;
-    let compiled = 0;
-    const foreseers = new Foreseers(make, async () => (compiled++, module), 2);
-    const heard: Future[] = [];
-    const ended = foreseers.look(scenario, start, [1, 2, 3, 4, 5], (one) => heard.push(one));
-    await new Promise((resolve) => setTimeout(resolve));
-    return { workers, foreseers, heard, ended, compiledOften: () => compiled };
-  }
-
-  it("share one compiled module and the seeds", async () => {
-    const { workers, compiledOften } = await employed();
-    expect(compiledOften()).toBe(1);
-    expect(workers.map(({ told }) => told.map(({ kind }) => kind))).toEqual([["module", "look"], ["module", "look"]]);
-    expect(workers.map(({ told }) => told[1].seeds)).toEqual([[1, 3, 5], [2, 4]]);
-  });
-
-  it("end when all have come, and are heard before", async () => {
-    const { workers, heard, ended } = await employed();
-    const { job } = workers[0].told[1];
-    workers[0].say({ kind: "future", job: job!, future });
-    workers[0].say({ kind: "done", job: job! });
-    expect(heard).toEqual([future]);
-    workers[1].say({ kind: "done", job: job! });
-    expect(await ended).toBe(true);
-  });
-
-  it("are stopped by something newer, whose futures alone are heard", async () => {
-    const { workers, foreseers, heard, ended } = await employed();
-    const { job } = workers[0].told[1];
-    const newer: Future[] = [];
-    void foreseers.look(scenario, start, [9], (one) => newer.push(one));
-    expect(await ended).toBe(false);
-    await new Promise((resolve) => setTimeout(resolve));
-    workers[0].say({ kind: "future", job: job!, future });
-    workers[1].say({ kind: "future", job: job! + 1, future });
-    expect([heard, newer]).toEqual([[], [future]]);
-  });
-
-  it("are told to stop where no one looks ahead any more", async () => {
-    const { workers, foreseers, ended } = await employed();
-    foreseers.cancel();
-    expect(await ended).toBe(false);
-    expect(workers.map(({ told }) => told.at(-1)!.kind)).toEqual(["cancel", "cancel"]);
-  });
-
-  it("say what went wrong, and are others afterwards where one broke down", async () => {
-    const { workers, foreseers, ended } = await employed();
-    const broken = expect(ended).rejects.toMatchObject({ kind: "engine" });
-    workers[1].onerror?.({ message: "out of memory" } as ErrorEvent);
-    await broken;
-    expect(workers.every(({ isOver }) => isOver)).toBe(true);
-    void foreseers.look(scenario, start, [1], () => undefined);
-    await new Promise((resolve) => setTimeout(resolve));
-    expect(workers.length).toBe(4);
+  it("is a fan in the units of the plot, with its bounds and its numbers", () => {
+    const fan = new Fan();
+    fan.fill(outlookOf(19), [[1]], (value) => 10 * value);
+    // Of 19 in order the first and the last are at 5 and 95 %.
+    expect(fan.range).toEqual([0, 19 * 8 * 10]);
+    const rows = fan.rows((value) => value.toFixed(1));
+    expect(rows.map((cells) => cells.length)).toEqual([2, 2, 2, 2]);
+    expect(rows.at(-1)![0]).toContain("14.0");
+    expect(rows.at(-1)![1]).toBe("80.0 to 1520.0");
+    fan.fill(null, [[1]], (value) => value);
+    expect(fan.range).toEqual([Infinity, -Infinity]);
+    expect(fan.rows(String)).toEqual([]);
   });
 });
