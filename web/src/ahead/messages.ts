@@ -1,4 +1,4 @@
-import type { Fault, Values } from "../engine/engine";
+import type { Fault } from "../engine/engine";
 import type { OpenRequest } from "../engine/messages";
 
 /** Times and places, m, at which the wave was measured. */
@@ -33,7 +33,8 @@ export interface Future {
   fault: Fault | null;
 }
 
-export type ScenarioOf = Omit<OpenRequest, "kind"> & { overrides: Values };
+/** A scenario with the values that the run has. */
+export type ScenarioOf = Omit<OpenRequest, "kind">;
 
 export type ToForeseer =
   | { kind: "module"; module: WebAssembly.Module }

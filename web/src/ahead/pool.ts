@@ -57,7 +57,7 @@ export class Foreseers {
     this.workers = Array.from({ length: this.count }, () => this.startWorker());
     for (const worker of this.workers) {
       worker.onmessage = ({ data }: MessageEvent<FromForeseer>) => this.hear(data);
-      worker.onerror = ({ message }: ErrorEvent) => this.lose(faultOfBreakdown(message));
+      worker.onerror = ({ message }: ErrorEvent) => this.lose(message ? faultOfBreakdown(message) : UNLOADED);
       this.tell(worker, { kind: "module", module });
     }
   }

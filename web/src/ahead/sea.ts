@@ -15,7 +15,7 @@ export interface EngineInSeas extends Engine {
 
 /** Standard deviation of the noise of a measured wave, over the significant height of the sea. */
 export const NOISE = 0.02;
-/** From the run's random numbers, which may be those of a seed too, to those of the noise. */
+/** Apart from the seeds of futures. */
 const NOISE_SEED = 0x5ea;
 
 /**
