@@ -51,7 +51,7 @@ class Truth {
     const { engine } = this;
     const [row, poses] = [engine.row(), engine.poses()];
     const none = new Float64Array();
-    return { rows: row, row_poses: poses, row_line_points: none, keyframes: [], row, poses, line_points: none, surface: null, warnings: [], events: [], isPart: false, fault: null };
+    return { rows: row, row_poses: poses, row_line_points: none, keyframes: [], row, poses, line_points: none, surface: null, warnings: [], events: [], changes: [], isPart: false, fault: null };
   }
 }
 

@@ -40,6 +40,7 @@ export class Ahead {
       opened: () => this.begin(0),
       branched: () => this.begin(session.shown.time_s),
       steered: () => this.begin(),
+      followed: () => this.begin(),
       moved: () => this.follow(),
       statusChanged: (status) => status === "paused" && this.soon(),
     });

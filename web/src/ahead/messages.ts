@@ -34,7 +34,7 @@ export interface Future {
 }
 
 /** A scenario with the values that the run has. */
-export type ScenarioOf = Omit<OpenRequest, "kind">;
+export type ScenarioOf = Omit<OpenRequest, "kind" | "changes">;
 
 export type ToForeseer =
   | { kind: "module"; module: WebAssembly.Module }

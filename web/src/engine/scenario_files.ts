@@ -7,7 +7,7 @@ import { file_names } from "./pkg/kingpost_wasm.js";
 export class FilesOfScenarios {
   private readonly folders = new Map<string, ScenarioFiles>();
 
-  of({ text, file, overrides, opened, folder }: Omit<OpenRequest, "kind">): Promise<Record<string, string>> {
+  of({ text, file, overrides, opened, folder }: Omit<OpenRequest, "kind" | "changes">): Promise<Record<string, string>> {
     const known = this.folders.get(folder) ?? new ScenarioFiles(folder, fetchText);
     this.folders.set(folder, known);
     const set = JSON.stringify(overrides);

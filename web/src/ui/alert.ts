@@ -18,6 +18,7 @@ export function showFaults(session: Session): void {
 const HEADINGS: Record<string, string> = {
   scenario: "This scenario does not read",
   database: "That is no scenario",
+  file: "That file is too large",
   diverged: "The run diverged",
   singular_loop: "A closed loop is at a dead centre",
   open_loop: "A closed loop does not close",
@@ -31,6 +32,8 @@ const HEADINGS: Record<string, string> = {
   address: "The address has a value that is not allowed",
   operation: "The operation cannot go on",
   saved: "Saved, but a run of the file differs",
+  link: "This link does not open",
+  followed: "A change of the link cannot be made again",
   unsaved: "The scenario cannot be saved",
 };
 

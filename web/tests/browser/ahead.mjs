@@ -1,7 +1,7 @@
 // Looking ahead: futures in the plots and in the picture, with what they are and how far they are to be trusted.
 import assert from "node:assert/strict";
 import { openApp, PHONE, stepTo } from "./app.mjs";
-import { assertAccessible, AXE } from "./panels.mjs";
+import { assertAccessible } from "./axe.mjs";
 
 const box = (page) => page.getByTestId("ahead");
 const said = (page, pattern) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector("[data-testid=ahead]").innerText.replaceAll("\u00a0", " ")), pattern.source);
@@ -86,7 +86,6 @@ export default {
   async "passes axe while it looks ahead, open and closed, in all four palettes"(host) {
     const { page, close } = await openApp(host, { viewport: PHONE, query: "?scenario=offshore_vessel&waves=true" });
     await page.emulateMedia({ reducedMotion: "reduce" });
-    await page.addScriptTag({ path: AXE });
     await page.getByTestId("look-ahead").click();
     await said(page, /^64 futures/);
     for (const palette of ["day", "dusk", "night", "bright"]) {
