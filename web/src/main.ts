@@ -47,7 +47,7 @@ new Instruments(session);
 new Transport(session);
 new Scrubber(session);
 announce(session);
-const plots = new Plots(session);
+const plots = new Plots(session, aside, []);
 const scene = createScene(session);
 new EquationsPanel(session, aside, (what) => scene.highlight(what));
 exposeHandle(session);
