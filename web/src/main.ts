@@ -10,6 +10,7 @@ import { Session } from "./app/session";
 import { EngineClient } from "./engine/client";
 import type { Fault } from "./engine/engine";
 import { EquationsPanel } from "./equations/equations";
+import { exportTool } from "./export/dialog";
 import { Instruments } from "./instruments/instruments";
 import { Plots } from "./plots/plots";
 import { announce } from "./ui/announcer";
@@ -47,8 +48,8 @@ new Instruments(session);
 new Transport(session);
 new Scrubber(session);
 announce(session);
-const plots = new Plots(session, aside, []);
 const scene = createScene(session);
+const plots: Plots = new Plots(session, aside, [exportTool(session, scene, () => plots.shown)]);
 new EquationsPanel(session, aside, (what) => scene.highlight(what));
 exposeHandle(session);
 runClock(session, () => {

@@ -128,6 +128,14 @@ export class Session extends Told {
     }
   }
 
+  /** The run in hand as a scenario in JSON, for what is written of it; null where it cannot be one. */
+  async resolved(): Promise<string | null> {
+    return this.asked(this.client.replay()).then(
+      ({ scenario }) => scenario,
+      () => null,
+    );
+  }
+
   /** Names of the values that wait for a reset. */
   pending(): string[] {
     return this.values.pending();

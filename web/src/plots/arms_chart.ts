@@ -95,14 +95,14 @@ export class ArmsChart implements Chart {
     const arms = this.arms();
     if (!arms) return [texts.plots.arms_wait];
     if (this.curves.length === 0) return [texts.plots.arms_none, ...arms.found.warnings];
-    return this.curves.flatMap(({ body, side, heel, arm_m, equilibrium, largest, vanishing }) => {
+    return this.curves.map(({ body, side, heel, arm_m, equilibrium, largest, vanishing }) => {
       const now = Number.isNaN(arm_m) ? texts.plots.heel_beyond(body, fixed(heel, 2), side) : texts.plots.heel_now(body, fixed(heel, 2), side, fixed(arm_m, 3));
       const ends = [
         equilibrium === null ? "" : texts.plots.at_rest(fixed(equilibrium, 2)),
         largest ? texts.plots.largest_arm(fixed(largest.arm_m, 3), fixed(largest.heel, 1)) : "",
         vanishing === null ? "" : texts.plots.vanishes(fixed(vanishing, 1)),
       ];
-      return [now, ends.filter((text) => text !== "").join("; ")].filter((text) => text !== "");
+      return [now, ...ends].filter((text) => text !== "").join("; ");
     });
   }
 

@@ -133,6 +133,7 @@ export function word(u: uPlot, text: string, [x, y]: [number, number], font: str
   ctx.font = font.replace(/^\d+px/, (size) => `${Number.parseFloat(size) * 0.92 * devicePixelRatio}px`);
   ctx.fillStyle = colour;
   ctx.textAlign = align;
+  ctx.textBaseline = "bottom";
   ctx.fillText(text, x, y);
   ctx.restore();
 }

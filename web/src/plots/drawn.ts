@@ -18,7 +18,7 @@ export class DrawnLine {
   readonly places: Places;
   readonly shown: ShownUnit;
   readonly bounds: Bound[];
-  /** Largest size of its numbers in sight, as shown. */
+  /** Largest size of the numbers in sight of the lines on its axis, as shown. */
   largest = 0;
 
   constructor(

@@ -44,7 +44,7 @@ export class Figures {
     return this.all.find(({ lines }) => lines.length === ids.length && lines.every(({ id }, i) => id === ids[i]));
   }
 
-  /** The lines of each plot until a person chooses: what moves, and what the scenario has limits for. */
+  /** The lines of each plot until a person chooses: what moves, and the forces that the scenario has limits for. */
   defaults(): string[][] {
     const { hulls, bodies } = this.model;
     const moving = [...hulls.map(({ body }) => body), ...bodies.filter(({ floats }) => floats).map(({ name }) => name)].filter((body) => !this.isHeld(body));
@@ -52,7 +52,7 @@ export class Figures {
     if (body === undefined) return [this.joints("joint_velocity", ""), this.joints("joint_position", "")].map(idsOf).map((ids) => (ids.length > 0 ? ids : idsOf(this.rates(bodies[0].name))));
     if (bodies.length === 1 && hulls.length === 1) return [idsOf(this.heave(hulls[0])), [`${body}.velocity.z`]];
     const angles = idsOf(this.angles(body));
-    const limited = this.limited(angles);
+    const limited = this.limited();
     return [limited.length > 0 ? limited : idsOf(this.rates(body)), angles];
   }
 
@@ -62,12 +62,10 @@ export class Figures {
     return joint?.kind === "floating" && joint.free_coordinates.length === 0 && joint.prescribed.length === 0;
   }
 
-  /** Columns with limits beside those that are shown anyhow: of one unit, forces first. */
-  private limited(shown: readonly string[]): string[] {
-    const columns = [...new Set(this.model.limits.map(({ column }) => column))].filter((column) => !shown.includes(column));
-    const lines = columns.map((column) => this.line(column)).filter((line) => line !== undefined);
-    const { unit } = lines.find((line) => line.unit === "N") ?? lines[0] ?? {};
-    return lines.filter((line) => line.unit === unit).slice(0, MOST_LINES).map(({ id }) => id);
+  /** Forces with limits. */
+  private limited(): string[] {
+    const columns = [...new Set(this.model.limits.map(({ column }) => column))];
+    return columns.filter((column) => this.line(column)?.unit === "N").slice(0, MOST_LINES);
   }
 
   private rates(body: string): Figure {

@@ -69,7 +69,8 @@ export class Picker {
     this.show();
     this.offer();
     this.dialog.showModal();
-    this.search.focus();
+    // On a phone the keyboard would cover what there is to choose.
+    if (matchMedia("(pointer: fine)").matches) this.search.focus();
   }
 
   private change(set: (view: PlotView) => void): void {

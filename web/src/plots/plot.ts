@@ -203,7 +203,7 @@ export class Plot {
     [this.isTabled, this.tabledAt_ms] = [true, now];
     this.fill(content);
     const [times, ...columns] = this.stretch.data;
-    this.lines.forEach((line, i) => (line.largest = largestOf(columns[i])));
+    for (const line of this.lines) line.largest = Math.max(...this.lines.map((other, i) => (other.shown.unit === line.shown.unit ? largestOf(columns[i]) : 0)));
     const [heads, ...rows] = this.chart.table(content);
     const head = make("tr", {}, ...heads.map((name) => (name ? make("th", { scope: "col" }, name) : make("td"))));
     const row = ([name, ...cells]: string[]) => make("tr", {}, make("th", { scope: "row" }, name), ...cells.map((cell) => make("td", {}, cell)));

@@ -10,6 +10,8 @@ export interface Scene {
   draw(): void;
   /** Points out bodies and how they move; null for nothing. */
   highlight(what: Highlight | null): void;
+  /** The picture as it is, to be copied at once: a browser empties it soon after. */
+  picture(): HTMLCanvasElement | null;
 }
 
 /** Ties the 3D picture to the run and to its buttons; without WebGL it says so, and the rest runs. */
@@ -21,7 +23,7 @@ export function createScene(session: Session): Scene {
     const message = byId("scene-message");
     message.hidden = false;
     message.textContent = "This browser offers no WebGL, so there is no picture; the numbers and plots run.";
-    return { draw() {}, highlight() {} };
+    return { draw() {}, highlight() {}, picture: () => null };
   }
   showLosses(byId("canvas"), view);
   const frames = byId<HTMLButtonElement>("frames");
@@ -55,6 +57,7 @@ export function createScene(session: Session): Scene {
       view.draw();
     },
     highlight: (what) => view.highlight(what),
+    picture: () => view.picture(),
   };
 }
 
