@@ -1,7 +1,7 @@
 import { fixed } from "../app/format";
 import type { Session } from "../app/session";
 import type { Plot } from "../plots/plot";
-import { tool } from "../plots/plots";
+import { tool } from "../plots/tool";
 import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
 import { download } from "../ui/download";

@@ -8,6 +8,7 @@ import { Figures } from "./figures";
 import { Picker } from "./picker";
 import { Plot } from "./plot";
 import type { PlotContext } from "./plot";
+import { tool } from "./tool";
 import { defaultView, forgetView, keepView, keptView, MOST_PLOTS, plotOf } from "./view";
 import type { PlotsView } from "./view";
 import { between, ViewDialog } from "./view_dialog";
@@ -176,13 +177,4 @@ export class Plots {
     this.arms = { found, time_s };
     this.touch();
   }
-}
-
-/** A button of the panel: a picture with its name. */
-export function tool(name: string, title: string, testId: string, path: string, act: () => void): HTMLButtonElement {
-  const button = make("button", { type: "button", class: "plots-tool", title, "aria-label": title, "data-testid": testId });
-  button.innerHTML = `<svg viewBox="0 0 20 20" width="18" height="18" aria-hidden="true"><path d="${path}" /></svg>`;
-  button.append(make("span", { "aria-hidden": "true" }, name));
-  button.addEventListener("click", act);
-  return button;
 }
