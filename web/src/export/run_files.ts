@@ -1,6 +1,6 @@
 import { stemOf } from "../app/saved";
 import type { Run, Session } from "../app/session";
-import { eventsAsCsv, rowsAsCsv } from "./csv";
+import { eventsAsCsv, rowsAsCsv, written } from "./csv";
 import { parquetOf } from "./parquet";
 import { gathered, keptOf } from "./rows";
 import type { Kept } from "./rows";
@@ -29,7 +29,7 @@ export class RunFiles {
   }
 
   get hasEvents(): boolean {
-    return (this.session.shown.recording?.marks.length ?? 0) > 0;
+    return (this.session.shown.recording?.events.length ?? 0) > 0;
   }
 
   async csv(): Promise<MadeFile> {
@@ -39,7 +39,7 @@ export class RunFiles {
   }
 
   async events(): Promise<MadeFile> {
-    return { name: `${this.stem}.events.csv`, content: new Blob([eventsAsCsv(this.session.shown.recording!.marks)], { type: "text/csv" }) };
+    return { name: `${this.stem}.events.csv`, content: new Blob([eventsAsCsv(this.session.shown.recording!.events)], { type: "text/csv" }) };
   }
 
   async parquet(): Promise<MadeFile> {
@@ -56,17 +56,18 @@ export class RunFiles {
     const { recorded, rows } = this.kept;
     const scenario = await this.session.resolved();
     const bodies = model.bodies.filter(({ floats }) => floats).map(({ name }) => name);
-    const marks = this.session.shown.recording!.marks.map(({ time_s, name, text }) => ({ time_s, element: name, what: text }));
+    const { events, warnings } = this.session.shown.recording!;
     return {
       title: model.title,
       status: this.status(model.duration_s),
       source: this.session.source?.file ?? "",
       ...(scenario ? { scenario, seed: String((JSON.parse(scenario) as { simulation: { seed?: number } }).simulation.seed ?? "") } : {}),
-      gravity_m_s2: String(model.gravity_m_s2),
-      water_density_kg_m3: String(model.sea?.density_kg_m3 ?? 0),
+      gravity_m_s2: written(model.gravity_m_s2),
+      water_density_kg_m3: written(model.sea?.density_kg_m3 ?? 0),
       floating_bodies: JSON.stringify(bodies),
       model_warnings: JSON.stringify(model.warnings),
-      events: JSON.stringify(marks),
+      events: JSON.stringify(events.map(({ time_s, name, text }) => ({ time_s, element: name, what: text }))),
+      warnings: JSON.stringify(warnings),
       axes: AXES,
       ...(recorded > rows.length ? { thinned: `${rows.length} of about ${recorded} rows` } : {}),
     };

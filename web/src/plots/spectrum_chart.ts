@@ -87,7 +87,10 @@ export class SpectrumChart implements Chart {
   notes({ lines }: Content): string[] {
     const [first] = this.found;
     if (!first) return [texts.plots.spectrum_short];
-    const peaks = lines.map(({ label }, i) => texts.plots.peak(label, ...wordsOf(first.omega[peakOf(this.found[i])])));
+    const peaks = lines.flatMap(({ label }, i) => {
+      const peak = peakOf(this.found[i]);
+      return this.found[i].density[peak] > 0 ? [texts.plots.peak(label, ...wordsOf(first.omega[peak]))] : [];
+    });
     const [from, to] = this.of_s.map((one) => String(Number(one.toPrecision(6))));
     return [...peaks, texts.plots.resolution(digits(first.resolution), first.segments, from, to)];
   }

@@ -60,7 +60,10 @@ export class TimeChart implements Chart {
   table({ lines, stretch }: Content): string[][] {
     const [times, ...columns] = stretch.data;
     const heads = ["", ...lines.map(({ label, shown }) => (shown.unit ? `${label}, ${shown.unit}` : label))];
-    return [heads, ...rowsOf(times, columns, (value, i) => fixed(value, lines[i].decimals))];
+    const limits = lines.flatMap(({ bounds, decimals }, at) =>
+      bounds.map(({ name, value }) => [texts.plots.limit(name), ...lines.map((_, i) => (i === at ? fixed(value, decimals) : ""))]),
+    );
+    return [heads, ...limits, ...rowsOf(times, columns, (value, i) => fixed(value, lines[i].decimals))];
   }
 
   canvas(): HTMLCanvasElement | null {

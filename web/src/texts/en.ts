@@ -79,6 +79,7 @@ export const en = {
     with_kind: (title: string, kind: string) => `${title}: ${kind.toLowerCase()}`,
     over_time: (title: string) => `${title} over time`,
     against: (y: string, x: string) => `${y} against ${x}`,
+    limit: (name: string) => `Limit: ${name}`,
     at_time: (time_s: string) => `at ${time_s} s`,
     at_frequency: (omega: string, period_s: string) => `at ${omega} rad/s, period ${period_s} s`,
     at_peak: "at the peak",
