@@ -135,6 +135,7 @@ export class Plot {
 
   private tell(isTold: boolean): void {
     const { view } = this;
+    this.tabledAt_ms = -Infinity;
     const isOffered = view.kind === "time" || view.kind === "phase";
     this.told.hidden = !isOffered;
     this.told.setAttribute("aria-pressed", String(isTold));

@@ -108,11 +108,10 @@ print("same")
   assert.equal(python(code, files).trim(), "same");
 }
 
-export default {
-  ...Object.fromEntries(exporting),
-
-  async "finds any channel by a search with the keyboard, draws it on an axis of its own, and keeps it for the scenario"(host) {
-    const { page, close } = await openPlots(host, "paper");
+const finding = [DESKTOP, PHONE].map((viewport) => [
+  `finds any channel by a search with the keyboard, draws it on an axis of its own, and keeps it for the scenario, ${viewport.width}x${viewport.height}`,
+  async (host) => {
+    const { page, close } = await openPlots(host, "paper", viewport);
     await stepTo(page, 0.4);
     await page.getByTestId("choose-1").focus();
     await page.keyboard.press("Enter");
@@ -131,6 +130,7 @@ export default {
     assert.equal(await page.locator("[data-testid=plot-1] .u-axis").count(), 3);
     await page.reload();
     await page.waitForFunction(() => window.kingpost?.sample());
+    if (viewport === PHONE) await page.getByTestId("show-plots").click();
     await page.getByTestId("value-1-kinetic_energy").waitFor();
     // Another scenario has its own plots; the default ones come back.
     await page.getByTestId("view-plots").click();
@@ -138,6 +138,42 @@ export default {
     assert.equal(await page.getByTestId("choose-1").textContent(), "Rates of ship");
     await close();
   },
+]);
+
+const spectra = [DESKTOP, PHONE].map((viewport) => [
+  `shows a spectrum with its resolution, and one line against another, ${viewport.width}x${viewport.height}`,
+  async (host) => {
+    const { page, close } = await openPlots(host, "barge&waves=true", viewport);
+    await stepTo(page, 104);
+    // What the engine warns of would stand before the plots.
+    const dismiss = page.getByTestId("run-warnings").getByLabel("Dismiss");
+    if (await dismiss.isVisible()) await dismiss.click();
+    await setPlot(page, 1, { lines: ["water.wave_elevation"], kind: "spectrum" });
+    const notes = page.locator("[data-testid=plot-1] > .plot-notes");
+    await page.waitForFunction(() => document.querySelector("[data-testid=plot-1] > .plot-notes").textContent.includes("resolution"));
+    // Segments of 128 records of 0.1 s that overlap by half: 2 pi / 12.8 s.
+    assert.match(await notes.textContent(), /Hann window: 15 segments of the records from 0 to 104 s, resolution 0\.491 rad\/s/);
+    await page.getByTestId("choose-1").click();
+    await page.getByTestId("plot-parts").selectOption("2");
+    await page.getByTestId("picker-done").click();
+    await page.waitForFunction(() => document.querySelector("[data-testid=plot-1] > .plot-notes").textContent.includes("resolution 0.123"));
+    // The waves of the scenario have a peak period of 8 s; of one realisation the highest line is near to it.
+    const peak = Number((await notes.textContent()).match(/peak at ([\d.]+) rad\/s/)[1]);
+    near(peak, (2 * Math.PI) / 8, 0.25, "peak, rad/s");
+    await setPlot(page, 2, { lines: ["ship.roll", "ship.angular_velocity.x"], kind: "phase" });
+    assert.equal(await page.getByTestId("choose-2").textContent(), "angular velocity x against roll");
+    const heads = await page.locator("[data-testid=plot-2] .visually-hidden th[scope=col]").allTextContents();
+    assert.deepEqual(heads, ["roll, °", "angular velocity x, °/s"]);
+    const { colours } = await looked(page, (await exported(page, "plot-2")).bytes);
+    assert.ok(colours > 10);
+    await close();
+  },
+]);
+
+export default {
+  ...Object.fromEntries(finding),
+  ...Object.fromEntries(spectra),
+  ...Object.fromEntries(exporting),
 
   async "adds plots and removes them, up to six"(host) {
     const { page, close } = await openPlots(host, "paper", PHONE);
@@ -177,30 +213,6 @@ export default {
     const deviation = Math.sqrt(kept.reduce((sum, value) => sum + (value - mean) ** 2, 0) / kept.length);
     const expected = { mean, standard_deviation: deviation, minimum: Math.min(...kept), maximum: Math.max(...kept) };
     for (const [name, value] of Object.entries(expected)) near(await numberIn(page, `${name}-1-ship.roll`), value, 0.0051, name);
-    await close();
-  },
-
-  async "shows a spectrum with its resolution, and one line against another"(host) {
-    const { page, close } = await openPlots(host, "barge&waves=true", PHONE);
-    await stepTo(page, 104);
-    await setPlot(page, 1, { lines: ["water.wave_elevation"], kind: "spectrum" });
-    const notes = page.locator("[data-testid=plot-1] > .plot-notes");
-    await page.waitForFunction(() => document.querySelector("[data-testid=plot-1] > .plot-notes").textContent.includes("resolution"));
-    // Segments of 128 records of 0.1 s that overlap by half: 2 pi / 12.8 s.
-    assert.match(await notes.textContent(), /Hann window: 15 segments of the records from 0 to 104 s, resolution 0\.491 rad\/s/);
-    await page.getByTestId("choose-1").click();
-    await page.getByTestId("plot-parts").selectOption("2");
-    await page.getByTestId("picker-done").click();
-    await page.waitForFunction(() => document.querySelector("[data-testid=plot-1] > .plot-notes").textContent.includes("resolution 0.123"));
-    // The waves of the scenario have a peak period of 8 s; of one realisation the highest line is near to it.
-    const peak = Number((await notes.textContent()).match(/peak at ([\d.]+) rad\/s/)[1]);
-    near(peak, (2 * Math.PI) / 8, 0.25, "peak, rad/s");
-    await setPlot(page, 2, { lines: ["ship.roll", "ship.angular_velocity.x"], kind: "phase" });
-    assert.equal(await page.getByTestId("choose-2").textContent(), "angular velocity x against roll");
-    const heads = await page.locator("[data-testid=plot-2] .visually-hidden th[scope=col]").allTextContents();
-    assert.deepEqual(heads, ["roll, °", "angular velocity x, °/s"]);
-    const { colours } = await looked(page, (await exported(page, "plot-2")).bytes);
-    assert.ok(colours > 10);
     await close();
   },
 

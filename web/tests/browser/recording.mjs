@@ -12,7 +12,7 @@ async function scrub(page, time_s) {
   }, time_s);
 }
 
-const shows = (page, testId, text) => page.waitForFunction(([id, wanted]) => document.querySelector(`[data-testid=${id}]`).textContent === wanted, [testId, text]);
+const shows = (page, testId, text) => page.waitForFunction(([id, wanted]) => document.querySelector(`[data-testid="${id}"]`).textContent === wanted, [testId, text]);
 
 /** How much two pictures of the ship differ, as a share: the camera comes back to its place but for a pixel or two. */
 const apart = (one, other) => Math.max(...["green", "grey"].map((key) => Math.abs(one[key] - other[key]) / other[key]));
