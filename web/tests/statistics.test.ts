@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { evenEnd, linesThatHold, loadTransform, peakOf, segmentLength, welch } from "../src/plots/spectrum";
 import { armAt, heelToSide } from "../src/plots/stability";
@@ -106,4 +107,16 @@ describe("righting arms", () => {
     expect(armAt(curve, 0.3)).toBeNaN();
     expect(armAt(curve, 0)).toBe(0);
   });
+});
+
+it("gives the numbers that Python gives: python/tests/test_app_files.py holds the file to them", () => {
+  const stored = JSON.parse(readFileSync(new URL("golden/statistics.json", import.meta.url), "utf8"));
+  const t = times(stored.records, stored.step_s);
+  const values = t.map((time) => stored.sines.reduce((sum: number, [a, omega, phase]: number[]) => sum + a * Math.sin(omega * time + phase), stored.mean));
+  const found = statisticsOf(t, values);
+  for (const [name, value] of Object.entries(found)) expect(Math.abs(value - stored.statistics[name]), name).toBeLessThan(1e-12 * Math.max(1, Math.abs(value)));
+  const { density, omega } = welch(values, stored.step_s, stored.segment, transformOf);
+  expect(density.length).toBe(stored.density.length);
+  density.forEach((value, k) => expect(Math.abs(value - stored.density[k])).toBeLessThan(1e-9 * stored.density[k] + 1e-12));
+  omega.forEach((value, k) => expect(value).toBeCloseTo(stored.omega[k], 10));
 });
