@@ -1,17 +1,16 @@
-"""The app's files and numbers beside ours: its tests hold the same files in web/tests/golden to what it writes and reckons."""
+"""Files and numbers of the app beside ours: its own tests hold web/tests/golden to what it writes."""
 
 from __future__ import annotations
 
 import json
 from pathlib import Path
 
+import kingpost
 import numpy as np
 import pandas
 import pyarrow.parquet
 import pytest
 import xarray
-
-import kingpost
 from kingpost import results, statistics
 
 GOLDEN = Path(__file__).resolve().parents[2] / "web" / "tests" / "golden"

@@ -89,7 +89,7 @@ export class ExportDialog {
     return this.file("ship", canvas && pictureOfShip(canvas, this.session.run!.model.title, `${fixed(this.session.shown.time_s, 2)} s`));
   }
 
-  private async file(title: string, picture: Promise<Blob> | null): Promise<MadeFile | null> {
+  private async file(title: string, picture: Promise<Blob | null> | null): Promise<MadeFile | null> {
     const content = await picture;
     const words = title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "").slice(0, 40);
     return content && { name: `${this.files.stem}-${words}.png`, content };

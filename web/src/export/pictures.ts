@@ -1,8 +1,11 @@
 import { styleOf } from "../plots/chart";
 import type { Plot } from "../plots/plot";
+import { scaleOf } from "../plots/sheet";
 
 /** Of what is written on a picture, in pixels of the page. */
 const TEXT = { title: 17, small: 13, margin: 14, line: 20 };
+/** Room for words below, which is cut off where they are fewer. */
+const MOST_WORDS_PX = 160;
 
 /** A picture on paper of the page's colour, with a title above and words below. */
 class Sheet {
@@ -15,7 +18,7 @@ class Sheet {
   constructor(
     private readonly width: number,
     height: number,
-    scale: number,
+    private readonly scale: number,
   ) {
     [this.canvas.width, this.canvas.height] = [Math.round(width * scale), Math.round(height * scale)];
     this.pen = this.canvas.getContext("2d")!;
@@ -58,13 +61,29 @@ class Sheet {
     this.y += height + 6;
   }
 
+  /** In as many rows as it takes. */
   words(text: string): void {
-    this.write(text, TEXT.margin, TEXT.small, "muted");
-    this.y += TEXT.line;
+    this.pen.font = `400 ${TEXT.small}px ${this.style.colour("font")}`;
+    const rows = [""];
+    for (const word of text.split(" ")) {
+      const longer = `${rows[rows.length - 1]} ${word}`.trim();
+      if (this.pen.measureText(longer).width > this.width - 2 * TEXT.margin) rows.push(word);
+      else rows[rows.length - 1] = longer;
+    }
+    for (const row of rows) {
+      this.write(row, TEXT.margin, TEXT.small, "muted");
+      this.y += TEXT.line;
+    }
   }
 
+  /** As high as what is on it. */
   blob(): Promise<Blob> {
-    return new Promise((resolve, reject) => this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the browser made no picture"))), "image/png"));
+    const { width } = this.canvas;
+    const height = Math.min(this.canvas.height, Math.round((this.y + TEXT.margin / 2) * this.scale));
+    const cut = document.createElement("canvas");
+    [cut.width, cut.height] = [width, height];
+    cut.getContext("2d")!.drawImage(this.canvas, 0, 0);
+    return new Promise((resolve, reject) => cut.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the browser made no picture"))), "image/png"));
   }
 }
 
@@ -78,17 +97,17 @@ export function pictureOfShip(canvas: HTMLCanvasElement, title: string, time: st
   return sheet.blob();
 }
 
-/** A plot as it is seen, with its title, the units of its lines, what it says below and the run it is of. */
-export function pictureOfPlot(plot: Plot, run: string): Promise<Blob> | null {
-  const found = plot.picture();
+/** A plot with its title, the units of its lines, what it says below and the run it is of. */
+export async function pictureOfPlot(plot: Plot, run: string): Promise<Blob | null> {
+  const found = await plot.picture();
   if (!found) return null;
   const { canvas, entries, notes, title } = found;
-  const scale = canvas.width / canvas.clientWidth;
-  const rows = 3 + Math.ceil(entries.length / 2) + (notes ? 1 : 0);
-  const sheet = new Sheet(canvas.clientWidth + TEXT.margin, canvas.clientHeight + 2 * TEXT.margin + rows * TEXT.line, scale);
+  const scale = scaleOf(canvas);
+  const [width, height] = [canvas.width / scale, canvas.height / scale];
+  const sheet = new Sheet(width + TEXT.margin, height + 2 * TEXT.margin + entries.length * TEXT.line + MOST_WORDS_PX, scale);
   sheet.title(title);
   if (entries.length > 0) sheet.legend(entries);
-  sheet.picture(canvas, canvas.clientWidth, canvas.clientHeight);
+  sheet.picture(canvas, width, height);
   if (notes) sheet.words(notes);
   sheet.words(run);
   return sheet.blob();

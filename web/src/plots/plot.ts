@@ -9,6 +9,7 @@ import { coloursOf, DrawnLine } from "./drawn";
 import { titleAndLabels } from "./figures";
 import type { Figures } from "./figures";
 import { PhaseChart } from "./phase_chart";
+import { drawnApart } from "./sheet";
 import { SpectrumChart } from "./spectrum_chart";
 import { StatisticsTable } from "./statistics_table";
 import { read, Stretch } from "./stretch";
@@ -35,6 +36,14 @@ export interface PlotContext {
   /** The person asks what else this plot could show. */
   choose(plot: Plot): void;
   changed(): void;
+}
+
+/** A plot as a picture has it. */
+export interface PlotPicture {
+  title: string;
+  entries: { label: string; colour: string; unit: string }[];
+  notes: string;
+  canvas: HTMLCanvasElement;
 }
 
 /** One plot: what it shows, to choose; a legend with the numbers at the crosshair or the moment that is shown; the picture. */
@@ -93,7 +102,7 @@ export class Plot {
     setText(this.unit, units.length === 1 && view.kind === "time" ? units[0] : "");
     this.drawEntries(units.length > 1);
     this.chart?.destroy();
-    this.chart = this.chartOf();
+    this.chart = this.chartIn(this.area);
     this.tell(view.isTold);
     this.touch();
   }
@@ -119,8 +128,8 @@ export class Plot {
     this.legend.replaceChildren(...entries);
   }
 
-  private chartOf(): Chart {
-    const { area, context, view } = this;
+  private chartIn(area: HTMLElement): Chart {
+    const { context, view } = this;
     switch (view.kind) {
       case "time":
         return new TimeChart(area, (range_s) => context.chooseRange(range_s));
@@ -219,11 +228,12 @@ export class Plot {
   }
 
   /** What the plot shows, to be kept as a picture. */
-  picture(): { title: string; entries: { label: string; colour: string; unit: string }[]; notes: string; canvas: HTMLCanvasElement } | null {
-    const canvas = this.chart.canvas();
-    if (!canvas) return null;
+  async picture(): Promise<PlotPicture | null> {
+    const content = this.content();
+    this.fill(content);
+    const canvas = await drawnApart((area) => this.chartIn(area), content);
     const entries = this.lines.map(({ label, colour, shown }) => ({ label, colour, unit: shown.unit }));
-    return { title: this.name, entries, notes: this.notes.textContent ?? "", canvas };
+    return canvas && { title: this.name, entries, notes: this.notes.textContent ?? "", canvas };
   }
 
   destroy(): void {

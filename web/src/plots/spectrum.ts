@@ -76,9 +76,9 @@ function hann(length: number): Float64Array {
   return Float64Array.from({ length }, (_, i) => 0.5 - 0.5 * Math.cos((2 * Math.PI * i) / length));
 }
 
-/** Place of the largest line. */
+/** Place of the largest line but the first, which has what drifts. */
 export function peakOf({ density }: Spectrum): number {
-  return density.reduce((best, value, k) => (value > density[best] ? k : best), 0);
+  return density.reduce((best, value, k) => (k > 0 && value > density[best] ? k : best), 1);
 }
 
 /** How many lines from 0 on hold this share of the variance. */
