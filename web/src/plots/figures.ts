@@ -32,7 +32,9 @@ export class Figures {
     const bodies = floating.length > 0 ? floating : model.bodies.slice(0, 1).map(({ name }) => name);
     const turning = bodies.flatMap((body) => [this.rates(body), this.angles(body)]);
     const joints = [this.joints("joint_velocity", texts.plots.joint_rates), this.joints("joint_position", texts.plots.joint_positions)];
-    this.all = [...turning, ...model.hulls.map((hull) => this.heave(hull)), ...joints, ...this.vectors()].filter(({ lines }) => lines.length > 0);
+    const limited = this.limited().map((id) => this.line(id)!);
+    const forces: Figure = { title: texts.plots.limited_forces, lines: limited, labels: limited.map(labelOf) };
+    this.all = [...turning, ...model.hulls.map((hull) => this.heave(hull)), ...joints, ...(limited.length > 1 ? [forces] : []), ...this.vectors()].filter(({ lines }) => lines.length > 0);
   }
 
   line(id: string): Line | undefined {

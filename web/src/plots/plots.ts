@@ -28,6 +28,7 @@ export class Plots {
   private view: PlotsView | null = null;
   private file = "";
   private figures: Figures | null = null;
+  private context: PlotContext | null = null;
   private arms: Arms | null = null;
   private armsAsked_ms = 0;
   private timer = 0;
@@ -40,7 +41,12 @@ export class Plots {
     this.dialog = new ViewDialog(() => this.rebuild(), () => this.reset());
     this.add = tool(texts.plots.add, texts.plots.add_plot, "add-plot", "M10 4v12M4 10h12", () => this.append());
     const view = tool(texts.plots.view, texts.plots.view_title, "view-plots", "M3 5h14M3 10h14M3 15h14M7 3v4M13 8v4M9 13v4", () => this.view && this.dialog.open(this.view, () => this.range_s()));
-    const toolbar = make("div", { class: "plots-tools", role: "group", "aria-label": texts.plots.title }, this.add, view, ...tools);
+    const tall = tool(texts.plots.tall, texts.plots.tall_plots, "tall-plots", "M10 3v14M6 7l4-4 4 4M6 13l4 4 4-4", () => {
+      tall.setAttribute("aria-pressed", String(document.querySelector(".app")!.classList.toggle("has-tall-plots")));
+    });
+    tall.classList.add("wide-tool");
+    tall.setAttribute("aria-pressed", "false");
+    const toolbar = make("div", { class: "plots-tools", role: "group", "aria-label": texts.plots.title }, this.add, view, ...tools, tall);
     byId("plots").append(toolbar, this.list);
     session.listen({
       opened: (run, _frame) => this.open(run),
@@ -67,19 +73,28 @@ export class Plots {
     for (const plot of this.plots) plot.touch();
   }
 
-  /** A reset leaves the plots as they are. */
+  /** A reset leaves the plots as they are, as far as there still is what they show. */
   private open(run: Run): void {
     this.figures = new Figures(run.model, run.channels);
     this.arms = null;
-    this.file = this.session.source?.file ?? "";
-    this.view = keptView(this.file, this.figures) ?? defaultView(this.figures);
-    this.build(run);
+    const file = this.session.source?.file ?? "";
+    const view = keptView(file, this.figures) ?? defaultView(this.figures);
+    const isSame = file === this.file && JSON.stringify(view) === JSON.stringify(this.view);
+    this.file = file;
+    if (isSame) {
+      Object.assign(this.context!, { run, figures: this.figures });
+      this.plots.forEach((plot) => plot.show());
+    } else {
+      this.view = view;
+      this.build(run);
+    }
     this.askArmsSoon();
   }
 
   private build(run: Run): void {
     this.plots.forEach((plot) => plot.destroy());
     const context = this.contextOf(run);
+    this.context = context;
     this.plots = this.view!.plots.map((view, i) => new Plot(view, i + 1, context));
     this.list.replaceChildren(...this.plots.map(({ element }) => element));
     this.list.dataset.count = String(this.plots.length);

@@ -216,6 +216,29 @@ export default {
     await close();
   },
 
+  async "shows the stretch of time that a mouse is drawn across, in all plots"(host) {
+    const { page, close } = await openPlots(host, "paper");
+    await stepTo(page, 2);
+    const area = await page.locator("[data-testid=plot-1] .u-over").boundingBox();
+    const at = (share) => [area.x + share * area.width, area.y + area.height / 2];
+    await page.mouse.move(...at(0.2));
+    await page.mouse.down();
+    await page.mouse.move(...at(0.3), { steps: 3 });
+    await page.mouse.move(...at(0.4), { steps: 3 });
+    await page.mouse.up();
+    await page.getByTestId("view-plots").click();
+    assert.equal(await page.getByTestId("plot-window").inputValue(), "between");
+    // Of the 3 s that the plots show at first.
+    near(Number(await page.getByTestId("window-from").inputValue()), 0.6, 0.03, "from, s");
+    near(Number(await page.getByTestId("window-to").inputValue()), 1.2, 0.03, "to, s");
+    await page.getByTestId("plot-window").selectOption("last 10");
+    await page.getByTestId("view-done").click();
+    await page.getByTestId("tall-plots").click();
+    const { height } = await page.locator("[data-testid=plot-1] .plot-area").boundingBox();
+    assert.ok(height > 350, `a large plot is ${height} high`);
+    await close();
+  },
+
   async "shows the righting arms with where the ship now is, and the limits of a column"(host) {
     const { page, close } = await openPlots(host, "barge_crane_200t");
     await stepTo(page, 0.5);
