@@ -64,7 +64,8 @@ export class Picker {
     const title = texts.plots.plot(picked.place);
     setText(this.heading, title);
     this.dialog.setAttribute("aria-label", title);
-    this.kind.querySelector<HTMLOptionElement>('[value="arms"]')!.hidden = !picked.hasHulls;
+    const arms = this.kind.querySelector<HTMLOptionElement>('[value="arms"]')!;
+    arms.hidden = arms.disabled = !picked.hasHulls;
     this.search.value = "";
     this.show();
     this.offer();

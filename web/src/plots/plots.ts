@@ -38,7 +38,7 @@ export class Plots {
     private readonly aside: Aside,
     tools: HTMLElement[],
   ) {
-    this.dialog = new ViewDialog(() => this.rebuild(), () => this.reset());
+    this.dialog = new ViewDialog(() => this.show(), () => this.reset());
     this.add = tool(texts.plots.add, texts.plots.add_plot, "add-plot", "M10 4v12M4 10h12", () => this.append());
     const view = tool(texts.plots.view, texts.plots.view_title, "view-plots", "M3 5h14M3 10h14M3 15h14M7 3v4M13 8v4M9 13v4", () => this.view && this.dialog.open(this.view, () => this.range_s()));
     const tall = tool(texts.plots.tall, texts.plots.tall_plots, "tall-plots", "M10 3v14M6 7l4-4 4 4M6 13l4 4 4-4", () => {
@@ -79,6 +79,7 @@ export class Plots {
     this.arms = null;
     const file = this.session.source?.file ?? "";
     const view = keptView(file, this.figures) ?? defaultView(this.figures);
+    if (file === this.file && this.view) view.window = this.view.window;
     const isSame = file === this.file && JSON.stringify(view) === JSON.stringify(this.view);
     this.file = file;
     if (isSame) {
@@ -108,6 +109,14 @@ export class Plots {
     this.build(run);
   }
 
+  /** Another stretch of time, or another unit of angles. */
+  private show(): void {
+    if (!this.context || !this.view) return;
+    keepView(this.file, this.view);
+    this.context.angle = this.view.angle;
+    this.plots.forEach((plot) => plot.show());
+  }
+
   private contextOf(run: Run): PlotContext {
     return {
       run,
@@ -118,7 +127,7 @@ export class Plots {
       arms: () => this.arms,
       chooseRange: ([from_s, to_s]) => {
         this.view!.window = between(from_s, to_s);
-        this.rebuild();
+        this.show();
       },
       choose: (plot) => this.choose(plot),
       changed: () => keepView(this.file, this.view!),

@@ -39,9 +39,11 @@ export function defaultView(figures: Figures): PlotsView {
   return { plots: figures.defaults().map((lines) => plotOf(lines)), angle: "deg", window: FOLLOWING };
 }
 
+/** A stretch from one time to another is of this run, and not kept. */
 export function keepView(file: string, view: PlotsView): void {
+  const window = view.window.kind === "between" ? FOLLOWING : view.window;
   try {
-    localStorage.setItem(KEY + file, JSON.stringify(view));
+    localStorage.setItem(KEY + file, JSON.stringify({ ...view, window }));
   } catch {
     // It holds for this page only where nothing can be kept.
   }
