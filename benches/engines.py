@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.util
+import json
 import os
 import shutil
 import subprocess
@@ -140,6 +141,20 @@ def mujoco(case: models.Case, folder: Path, quick: bool) -> Engine:
     return Engine("mujoco", case, (str(program), str(path)), operations, True, version, same, state)
 
 
+def mujoco_wasm(case: models.Case, folder: Path, quick: bool) -> Engine:
+    """MuJoCo's official WASM build under node, a call of JavaScript for each evaluation."""
+    node, installed = _tool("node"), BENCHES / "node_modules" / "@mujoco" / "mujoco"
+    if not installed.exists():
+        if quick:
+            raise NotHereError("its npm package is not installed, which a quick run leaves out")
+        _run([_tool("npm"), "ci", "--prefix", str(BENCHES)])
+    path = models.write_mujoco(case, folder)
+    command = (node, str(BENCHES / "peers" / "mujoco_wasm.mjs"), str(path))
+    version = json.loads((installed / "package.json").read_text())["version"]
+    operations = ("forward", "euler_step", "rk4_step")
+    return Engine("mujoco-wasm", case, command, operations, False, version, same, same)
+
+
 def mujoco_rollout(case: models.Case, folder: Path, quick: bool) -> Engine:
     """MuJoCo's own program for many runs, from Python."""
     del quick
@@ -189,6 +204,7 @@ BUILDERS: dict[str, Builder] = {
     "kingpost-wasm": kingpost_wasm,
     "pinocchio": pinocchio,
     "mujoco": mujoco,
+    "mujoco-wasm": mujoco_wasm,
     "mujoco-rollout": mujoco_rollout,
     "exudyn": exudyn,
 }

@@ -1,14 +1,12 @@
 // Kingpost's WASM modules under node: wasm.mjs PACKAGE BENCH_MODULE MODEL OPERATION MODE NUMBERS
-//   time BATCHES REPETITIONS   nanoseconds per repetition, a line per batch
-//   check REPETITIONS          the result after that many repetitions, one number per line
 // The step with its ledger is the packed module's, as the browser app loads it; the other operations are
 // the benchmark program's, compiled for WASM. MODEL.json is the resolved scenario, MODEL.files.json what it
 // reads from other files, MODEL.txt and MODEL.snapshot the fixed state.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { measured } from './measured.mjs';
 
-const WARM_UP_MS = 200;
 const [, , folder, benchModule, model, operation, mode, ...numbers] = process.argv;
 
 async function packed() {
@@ -63,21 +61,4 @@ function bare() {
 }
 
 const task = operation === 'rk4_step_ledger' ? await packed() : bare();
-const [first, second] = numbers.map(Number);
-task.reset();
-if (mode === 'time') {
-  const measured = () => {
-    task.reset();
-    const begin = process.hrtime.bigint();
-    task.repeat(second);
-    return Number(process.hrtime.bigint() - begin) / second;
-  };
-  // the host compiles a module again once it has run for a while
-  for (const begin = Date.now(); Date.now() - begin < WARM_UP_MS; ) measured();
-  for (let batch = 0; batch < first; batch += 1) console.log(measured().toFixed(3));
-} else if (mode === 'check') {
-  task.repeat(first);
-  for (const value of task.result()) console.log(value);
-} else {
-  throw new Error(`unknown mode ${mode}`);
-}
+measured(task, mode, numbers.map(Number));

@@ -42,6 +42,16 @@ def names() -> list[str]:
     return sorted(path.stem for path in folder().glob("*.yaml"))
 
 
+def groups() -> dict[str, str]:
+    """The group of each scenario of the gallery by its name, in the order in which they are shown.
+
+    >>> groups()["paper"], next(iter(groups()))
+    ('The paper', 'paper')
+    """
+    listed = json.loads(read_text(folder() / "gallery.json"))["groups"]
+    return {name: group["title"] for group in listed for name in group["scenarios"]}
+
+
 def entries() -> list[Entry]:
     """The gallery, each scenario with the title that its file gives."""
     found = (folder() / f"{name}.yaml" for name in names())

@@ -97,16 +97,24 @@ def databases(given: str | None) -> dict[str, str]:
 def index(
     files: dict[str, str], databases: dict[str, str], chosen: str | None = None
 ) -> list[dict[str, str | bool]]:
-    """What `scenarios/index.json` says: name, title and file of each scenario, `paper` first, and which of
-    them the bare address opens, where one was chosen."""
-    ordered = sorted(files.items(), key=lambda item: (item[0] != "paper.yaml", item[0]))
+    """What `scenarios/index.json` says of each scenario: name, title, file, description, the group of the
+    gallery that it is in, and whether the bare address opens it; in the order of the groups."""
+    groups = gallery.groups()
+    order = {name: place for place, name in enumerate(groups)}
+    ordered = sorted(files.items(), key=lambda item: (order.get(Path(item[0]).stem, len(order)), item[0]))
     known = databases | {f"{gallery.GALLERY}{name}": text for name, text in databases.items()}
     read = ((file, json.loads(engine.read(text, file, "[]", known))) for file, text in ordered)
-    return [
-        {"name": Path(file).stem, "title": resolved.get("title") or Path(file).stem, "file": file}
-        | ({"opens": True} if Path(file).stem == chosen else {})
-        for file, resolved in read
-    ]
+    return [_listed(file, resolved, groups, chosen) for file, resolved in read]
+
+
+def _listed(
+    file: str, resolved: dict[str, Any], groups: dict[str, str], chosen: str | None
+) -> dict[str, str | bool]:
+    name = Path(file).stem
+    entry = {"name": name, "title": resolved.get("title") or name, "file": file}
+    entry["description"] = resolved.get("description") or ""
+    in_group = {"group": groups[name]} if name in groups else {}
+    return entry | in_group | ({"opens": True} if name == chosen else {})
 
 
 class Handler(SimpleHTTPRequestHandler):

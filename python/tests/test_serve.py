@@ -90,11 +90,26 @@ def test_files_come_with_the_type_that_browsers_need(address, path, kind):
 
 
 def test_the_index_lists_the_gallery_and_the_given_scenario(address, small):
-    """Source: the app's own reader: name, title and file, `paper` first."""
+    """Source: the app's own reader; the gallery comes in the order of its groups, what is not in it last."""
     entries = json.load(urlopen(address + "scenarios/index.json"))
-    assert entries[0] == {"name": "paper", "title": kingpost.load("paper").title, "file": "paper.yaml"}
-    assert {"name": "small", "title": "A box with a boom", "file": "small.yaml"} in entries
+    paper = kingpost.load("paper")
+    assert entries[0] == {
+        "name": "paper",
+        "title": paper.title,
+        "file": "paper.yaml",
+        "description": paper.description,
+        "group": "The paper",
+    }
+    assert [entry["name"] for entry in entries] == [*kingpost.gallery.groups(), "small"]
+    assert entries[-1] == {"name": "small", "title": "A box with a boom", "file": "small.yaml", "description": ""}
     assert urlopen(address + "scenarios/small.yaml").read() == small.read_bytes()
+
+
+def test_every_scenario_of_the_gallery_is_in_one_group():
+    """Source: the start page shows the groups, and a scenario in none would not be found there."""
+    listed = json.loads((kingpost.gallery.folder() / "gallery.json").read_text())["groups"]
+    grouped = [name for group in listed for name in group["scenarios"]]
+    assert sorted(grouped) == kingpost.gallery.names()
 
 
 def test_a_given_scenario_brings_the_database_beside_it(app, tmp_path):
@@ -122,7 +137,7 @@ def test_every_file_that_the_gallery_names_is_served():
 
 
 def test_the_bare_address_opens_the_given_scenario(app, small):
-    """Source: the app opens what the index says, else the paper's ship."""
+    """Source: the app opens what the index says, else its start page."""
     files, chosen = serve.scenarios(str(small))
     server = serve.open_server(app, files, serve.LOOPBACK, 0, serve.databases(str(small)), chosen)
     server.server_close()

@@ -1,70 +1,27 @@
-import "uplot/dist/uPlot.min.css";
 import "./styles/main.css";
-import { Aside } from "./app/aside";
+import { faultOfSize } from "./app/faults";
+import { Gallery } from "./app/gallery";
+import { Pages } from "./app/pages";
 import { enablePalettes } from "./app/palette";
-import { runClock } from "./app/clock";
-import { Gallery, galleryFolder } from "./app/gallery";
-import { exposeHandle } from "./app/handle";
-import { faultOfGallery } from "./app/faults";
-import { Session } from "./app/session";
-import { EngineClient } from "./engine/client";
 import type { Fault } from "./engine/engine";
-import { EquationsPanel } from "./equations/equations";
-import { exportTool } from "./export/dialog";
-import { Instruments } from "./instruments/instruments";
-import { Plots } from "./plots/plots";
-import { announce } from "./ui/announcer";
-import { showAbout } from "./ui/about";
-import { showFaults } from "./ui/alert";
-import { Controls } from "./ui/controls";
-import { Floating } from "./ui/floating";
-import { showPace } from "./ui/pace";
-import { Readouts } from "./ui/readouts";
-import { enableSaving } from "./ui/saving";
-import { Scenarios } from "./ui/scenarios";
-import { Scrubber } from "./ui/scrubber";
-import { Settings } from "./ui/settings";
-import { enableSwitcher } from "./ui/switcher";
-import { Transport } from "./ui/transport";
-import { showWarnings } from "./ui/warnings";
-import { createScene } from "./view/scene";
+import { StartPage } from "./start/start";
+import { enableFiles } from "./ui/files";
 
 enablePalettes();
-const startWorker = () => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
-const startClient = () => new EngineClient(startWorker, galleryFolder(document.baseURI));
-const session = new Session(startClient());
-showFaults(session);
-showWarnings(session);
-showAbout(session);
-enableSwitcher();
-enableSaving(session);
-new Controls(session);
-new Settings(session);
-new Readouts(session);
-showPace(session);
-const aside = new Aside(startClient);
-new Floating(session, aside);
-new Instruments(session);
-new Transport(session);
-new Scrubber(session);
-announce(session);
-const scene = createScene(session);
-const plots: Plots = new Plots(session, aside, [exportTool(session, scene, () => plots.shown)]);
-new EquationsPanel(session, aside, (what) => scene.highlight(what));
-exposeHandle(session);
-runClock(session, () => {
-  scene.draw();
-  plots.draw();
-});
-void openFirst();
-
-async function openFirst(): Promise<void> {
-  const scenarios = new Scenarios(session, document.baseURI);
-  try {
-    scenarios.offer(await Gallery.load(document.baseURI));
-  } catch (fault) {
-    return session.beEmpty(faultOfGallery(fault as Fault));
-  }
-  await scenarios.openAddress();
-  if (!session.run && session.fault) session.beEmpty(session.fault);
-}
+const gallery = Gallery.load(document.baseURI);
+const loadSimulator = () => import("./simulator");
+const start = new StartPage(
+  (query) => pages.open(query),
+  () => void loadSimulator().catch(() => undefined),
+);
+const pages: Pages = new Pages(
+  start,
+  async () => (await loadSimulator()).startSimulator(gallery),
+  gallery.then(({ opening }) => opening).catch(() => undefined),
+);
+gallery.then((known) => start.offer(known)).catch((fault: Fault) => start.lack(fault.message));
+enableFiles(
+  (texts) => void pages.openFiles(texts),
+  (file, most_bytes) => pages.report(faultOfSize(file, most_bytes)),
+);
+void pages.show(null);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { askedBy, queryOf } from "../src/app/address";
+import { askedBy, asksForStart, queryOf } from "../src/app/address";
 
 describe("the address", () => {
   it("asks for a scenario with its parameters, each as the kind of value that it is", () => {
@@ -21,5 +21,14 @@ describe("the address", () => {
   it("reads back what it was written from", () => {
     const asked = { scenario: "a ship & a crane", values: { load: false, load_t: 13.7, history: "off", "bodies.hull.mass_t": 0 } };
     expect(askedBy(queryOf(asked))).toEqual(asked);
+  });
+
+  it("asks for the start page where it is bare, unless the server opens a scenario there or a whole run follows", () => {
+    expect(asksForStart({ search: "", hash: "" }, undefined)).toBe(true);
+    expect(asksForStart({ search: "", hash: "#quality=best" }, undefined)).toBe(true);
+    expect(asksForStart({ search: "", hash: "#k1=abc" }, undefined)).toBe(false);
+    expect(asksForStart({ search: "", hash: "" }, "mine")).toBe(false);
+    expect(asksForStart({ search: "?gallery", hash: "" }, "mine")).toBe(true);
+    expect(asksForStart({ search: "?scenario=paper", hash: "" }, undefined)).toBe(false);
   });
 });

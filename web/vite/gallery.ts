@@ -2,20 +2,16 @@ import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import type { Plugin } from "vite";
+import type { GalleryEntry } from "../src/app/gallery";
 import { ScenarioFiles, gathered, textsOf } from "../src/engine/files";
-
-export interface GalleryEntry {
-  name: string;
-  title: string;
-  file: string;
-}
 
 /** Of the engine for the browser, what reads a scenario. */
 type Reader = Pick<typeof import("../src/engine/pkg/kingpost_wasm.js"), "file_names" | "resolved">;
 
-/** The list of the gallery with what the engine reads in it, `paper` first: it is the page that opens. */
+/** The list of the gallery with what the engine reads in it, in the order of its groups. */
 export async function galleryIndex(folder: string, engine: string): Promise<GalleryEntry[]> {
   const reader = await loaded(engine);
+  const groups = groupsOf(folder);
   const textAt = async (url: string) => (existsSync(new URL(url)) ? readFileSync(new URL(url), "utf8") : null);
   const ofFolder = new ScenarioFiles(pathToFileURL(`${folder}/`).href, textAt);
   const entry = async (file: string): Promise<GalleryEntry> => {
@@ -24,11 +20,19 @@ export async function galleryIndex(folder: string, engine: string): Promise<Gall
       (texts) => JSON.parse(reader.file_names(text, file, "{}", JSON.stringify(texts))) as string[],
       (names) => textsOf(names, null, ofFolder),
     );
-    const { title } = JSON.parse(reader.resolved(text, file, "{}", JSON.stringify(files))) as GalleryEntry;
-    return { name: file.replace(/\.ya?ml$/, ""), title, file };
+    const { title, description } = JSON.parse(reader.resolved(text, file, "{}", JSON.stringify(files))) as GalleryEntry;
+    const name = file.replace(/\.ya?ml$/, "");
+    return { name, title, file, description: description ?? "", group: groups.get(name) };
   };
   const entries = await Promise.all(scenarios(folder).map(entry));
-  return entries.sort((a, b) => rank(a) - rank(b) || a.name.localeCompare(b.name));
+  const order = [...groups.keys()];
+  return entries.sort((a, b) => order.indexOf(a.name) - order.indexOf(b.name));
+}
+
+/** The group of each scenario by its name, in the order in which they are shown. */
+function groupsOf(folder: string): Map<string, string> {
+  const { groups } = JSON.parse(readFileSync(join(folder, "gallery.json"), "utf8")) as { groups: { title: string; scenarios: string[] }[] };
+  return new Map(groups.flatMap(({ title, scenarios }) => scenarios.map((name) => [name, title] as const)));
 }
 
 async function loaded(engine: string): Promise<Reader> {
@@ -39,10 +43,6 @@ async function loaded(engine: string): Promise<Reader> {
 
 function scenarios(folder: string): string[] {
   return existsSync(folder) ? readdirSync(folder).filter((file) => /\.ya?ml$/.test(file)) : [];
-}
-
-function rank(entry: GalleryEntry): number {
-  return entry.name === "paper" ? 0 : 1;
 }
 
 /** The hydrodynamic databases and tables of RAOs that scenarios name, as they name them. */

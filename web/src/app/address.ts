@@ -6,6 +6,9 @@ export interface Asked {
   values: Values;
 }
 
+/** What an address that holds a whole run has after the `#`. */
+const RUN = /^#k\d+=/;
+
 export function askedBy(search: string): Asked {
   const { scenario = null, ...texts } = Object.fromEntries(new URLSearchParams(search));
   return { scenario, values: Object.fromEntries(Object.entries(texts).map(([name, text]) => [name, valueOf(text)])) };
@@ -16,6 +19,15 @@ export function queryOf({ scenario, values }: Asked): string {
   if (scenario === null) return "";
   const set = Object.entries(values).map(([name, value]) => [name, String(value)]);
   return `?${new URLSearchParams([["scenario", scenario], ...set])}`;
+}
+
+/** The start page's address where the bare one opens a scenario. */
+export const START = "?gallery";
+
+/** Whether an address asks for the start page: the bare one does, unless the server was started with a scenario to open. */
+export function asksForStart({ search, hash }: Pick<Location, "search" | "hash">, opening: string | undefined): boolean {
+  if (search === START) return true;
+  return search === "" && !RUN.test(hash) && opening === undefined;
 }
 
 function valueOf(text: string): Value {

@@ -41,6 +41,12 @@ export function faultOfGallery({ message }: Fault): Fault {
   return { kind: "network", message: `${message} There are no scenarios to choose from; files can be opened all the same.` };
 }
 
+/** A file that is too large to be a scenario or what one names. */
+export function faultOfSize({ name, size }: File, most_bytes: number): Fault {
+  const megabytes = (bytes: number) => `${Math.ceil(bytes / 1e6)} MB`;
+  return { kind: "file", message: `${name} holds ${megabytes(size)}; a scenario, and each file that it names, holds at most ${megabytes(most_bytes)}.` };
+}
+
 /** What to say of a hydrodynamic database, or a table, that was opened by itself. */
 export function faultOfDatabase(name: string): Fault {
   return {

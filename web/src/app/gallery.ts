@@ -6,8 +6,17 @@ export interface GalleryEntry {
   name: string;
   title: string;
   file: string;
-  /** Whether the page opens with it. */
+  description: string;
+  /** Of the gallery, where it is in it. */
+  group?: string;
+  /** Whether the bare address opens it. */
   opens?: boolean;
+}
+
+/** Scenarios that are shown together; without a title those that are in no group. */
+export interface Group {
+  title: string | null;
+  entries: GalleryEntry[];
 }
 
 /** Address of the gallery's folder beside a page, with the slash at its end. */
@@ -41,6 +50,18 @@ export class Gallery {
     return this.entries.find(({ opens }) => opens)?.name;
   }
 
+  /** In the order of the list. */
+  get groups(): Group[] {
+    const groups: Group[] = [];
+    for (const entry of this.entries) {
+      const title = entry.group ?? null;
+      const group = groups.find((one) => one.title === title);
+      if (group) group.entries.push(entry);
+      else groups.push({ title, entries: [entry] });
+    }
+    return groups;
+  }
+
   async read(name: string): Promise<{ text: string; file: string }> {
     const entry = this.entries.find((known) => known.name === name);
     if (!entry) throw this.unknown(name);
@@ -57,6 +78,12 @@ export class Gallery {
       allowed: known,
     };
   }
+}
+
+/** What a scenario is, in one sentence: the first of its description. A full stop after a single letter, or before a number, ends none. */
+export function firstSentence(description: string): string {
+  const text = description.trim();
+  return /^.*?[^\s(.]{2}[.!?](?=\s+[A-Z]|$)/s.exec(text)?.[0] ?? text;
 }
 
 async function textAt(url: string): Promise<string> {

@@ -155,4 +155,18 @@ export const en = {
     failed: "The file could not be made",
     done: (file: string) => `${file} is saved.`,
   },
+  start: {
+    title: "Kingpost",
+    lead: "Ships and their cranes at sea, simulated in your browser",
+    intro: "Slew, luff and hoist. See how the load, the ship and the sea answer each other, with every number at hand. On a phone too: nothing is installed, and nothing is sent anywhere.",
+    open_paper: "Start with the paper's crane ship",
+    open_file: "Open your own scenario…",
+    choose: "Or choose one",
+    ungrouped: "Your own",
+    loading: "Loading the list…",
+    failed: (why: string) => `The list of scenarios did not come. ${why}`,
+    no_simulator: (why: string) => `The simulator did not load: ${why}. Check the connection and try again.`,
+    about: "The same engine runs on the command line, in Python and here. It computes with the moving frame method of Jardim, Rein, Haveland, Rykkje and Impelluso (2019).",
+    page_title: "Kingpost – ship and crane simulator",
+  },
 };

@@ -18,6 +18,7 @@ export function showFaults(session: Session): void {
 const HEADINGS: Record<string, string> = {
   scenario: "This scenario does not read",
   database: "That is no scenario",
+  file: "That file is too large",
   diverged: "The run diverged",
   singular_loop: "A closed loop is at a dead centre",
   open_loop: "A closed loop does not close",

@@ -1,12 +1,17 @@
 import { byId } from "./dom";
 
-/** Files that are chosen or dropped on the page, handed on together as texts by their names. */
-export function enableFiles(open: (texts: Record<string, string>) => void): void {
+/** Most that a file may hold, bytes: a hydrodynamic database of a thousand frequencies and directions has a tenth of it. */
+const MOST_BYTES = 100e6;
+
+/** Files that are chosen or dropped on the page, handed on together as texts by their names; one that is too large is refused unread. */
+export function enableFiles(open: (texts: Record<string, string>) => void, refuse: (file: File, most_bytes: number) => void): void {
   const take = async (files: File[]) => {
+    const large = files.find(({ size }) => size > MOST_BYTES);
+    if (large) return refuse(large, MOST_BYTES);
     if (files.length > 0) open(Object.fromEntries(await Promise.all(files.map(async (file) => [file.name, await file.text()] as const))));
   };
   const input = byId<HTMLInputElement>("file");
-  byId("open-file").addEventListener("click", () => input.click());
+  for (const button of document.querySelectorAll("[data-opens-file]")) button.addEventListener("click", () => input.click());
   input.addEventListener("change", () => {
     const files = [...(input.files ?? [])];
     input.value = "";

@@ -8,13 +8,18 @@ import type { Session } from "../app/session";
 import type { Fault, Values } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
 import { scenarioAmong } from "../engine/files";
+import { texts } from "../texts";
 import { byId, make } from "./dom";
-import { enableFiles } from "./files";
 
 /** Before the names of files among the choices. */
 const FILE = "file:";
 /** How long values stay as they are before the address says them, ms: browsers refuse many addresses at a time. */
 const CALM_MS = 300;
+
+/** What the browser's history keeps of a page. */
+export interface Choice {
+  choice: string;
+}
 
 /** Choosing a scenario: by the address, from the gallery or as a file; the address says which, and with which values. */
 export class Scenarios {
@@ -33,9 +38,7 @@ export class Scenarios {
   ) {
     this.gallery = Gallery.empty(base);
     this.select.addEventListener("change", () => void this.choose(this.select.value));
-    addEventListener("popstate", ({ state }) => void this.goTo(state));
     session.listen({ valuesChanged: () => this.writeSoon() });
-    enableFiles((texts) => void this.openFiles(texts));
   }
 
   /** What there is to choose from. */
@@ -54,7 +57,7 @@ export class Scenarios {
     const why = this.session.fault;
     // Where the engine is not there, another fails in the same way.
     if (isOfEngine(why) || !(await this.openAsked(first))) return;
-    history.replaceState(null, "", location.pathname);
+    history.replaceState(null, "", location.pathname + (opening ? "" : queryOf(first)));
     if (why) this.session.report(why);
   }
 
@@ -93,19 +96,25 @@ export class Scenarios {
     history.pushState({ choice }, "", location.pathname + this.query());
   }
 
-  /** Back or forward. */
-  private async goTo(state: { choice: string } | null): Promise<void> {
+  /** Whether a file that was opened here is what a state of the history stands for. */
+  holds(state: Choice | null): boolean {
+    return state !== null && this.files.has(state.choice);
+  }
+
+  /** Back or forward; what is open already stays as it is. */
+  async goTo(state: Choice | null): Promise<void> {
     clearTimeout(this.timer);
     const source = state && this.files.get(state.choice);
+    if (source ? this.shown === state.choice : this.shown !== "" && this.query() === location.search && location.search !== "") return;
     if (source) await this.open(state.choice, source, {});
     else await this.openAddress();
   }
 
   /** A scenario, and with it the files that it names. */
-  private async openFiles(texts: Record<string, string>): Promise<void> {
-    const file = scenarioAmong(texts);
-    if (!file) return this.session.report(faultOfDatabase(Object.keys(texts)[0]));
-    const { [file]: text, ...opened } = texts;
+  async openFiles(dropped: Record<string, string>): Promise<void> {
+    const file = scenarioAmong(dropped);
+    if (!file) return this.session.report(faultOfDatabase(Object.keys(dropped)[0]));
+    const { [file]: text, ...opened } = dropped;
     const choice = FILE + file;
     const source = { text, file, opened };
     if (!(await this.open(choice, source, {}))) return;
@@ -115,7 +124,10 @@ export class Scenarios {
   }
 
   private fill(): void {
-    const named = this.gallery.entries.map((entry) => make("option", { value: entry.name }, entry.title || entry.name));
+    const named = this.gallery.groups.map(({ title, entries }) => {
+      const options = entries.map((entry) => make("option", { value: entry.name }, entry.title || entry.name));
+      return make("optgroup", { label: title ?? texts.start.ungrouped }, ...options);
+    });
     const own = Array.from(this.files, ([choice, { file }]) => make("option", { value: choice }, file));
     this.select.replaceChildren(...named, ...own);
     this.select.value = this.shown;

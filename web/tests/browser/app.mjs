@@ -6,8 +6,11 @@ export const DESKTOP = { width: 1440, height: 900 };
 /** Wide enough for the desktop's layout; without a graphics card each pixel of a picture costs time. */
 export const WINDOW = { width: 1000, height: 640 };
 
-/** Opens the app and waits until a scenario is there. */
-export async function openApp({ browser, address }, { query = "", colorScheme = "light", viewport = WINDOW } = {}) {
+/** The paper's ship as its card opens it: with the load on, and a motor that stops by itself. */
+export const PAPER = "?scenario=paper&motor_1=true&load=true&torque_history=pulse";
+
+/** Opens a scenario in the app and waits until it is there. */
+export async function openApp({ browser, address }, { query = PAPER, colorScheme = "light", viewport = WINDOW } = {}) {
   const isPhone = viewport.width < 600;
   const context = await browser.newContext({ viewport, colorScheme, hasTouch: isPhone, isMobile: isPhone });
   const page = await context.newPage();

@@ -1,9 +1,8 @@
 // Nothing is cropped on a phone or a desktop; everything is labelled, reachable and large enough.
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
 import { DESKTOP, look, openApp, PHONE, setAngle, settle, stepTo } from "./app.mjs";
+import { assertAccessible } from "./axe.mjs";
 
-const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 const SCREENS = { phone: PHONE, "narrow phone": { width: 340, height: 640 }, "phone on its side": { width: 844, height: 390 }, desktop: DESKTOP };
 /** Where the page was too small for its parts, or for the lines of its plots. */
 const SMALL = { "window at 400 %": { width: 320, height: 256 }, "short phone": { width: 390, height: 460 }, tablet: { width: 1024, height: 768 }, "small window": { width: 1000, height: 640 } };
@@ -102,10 +101,7 @@ const accessible = ["light", "dark"].flatMap((colorScheme) =>
       const { page, close } = await openApp(host, { viewport, colorScheme, query: "?scenario=nonesuch" });
       await stepTo(page, 0.01);
       for (const fold of ["#advanced", "#about"]) await page.locator(`${fold} summary`).click();
-      await page.addScriptTag({ path: AXE });
-      const violations = await page.evaluate(async () => (await window.axe.run({ rules: { "target-size": { enabled: true } } })).violations);
-      const found = violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`));
-      assert.deepEqual(found, []);
+      await assertAccessible(page, "with its folds open");
       await close();
     },
   ]),

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { item, openApp, openFile, sample, setNumber, stepTo } from "./app.mjs";
+import { PAPER, item, openApp, openFile, sample, setNumber, stepTo } from "./app.mjs";
 
 const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
 
@@ -14,7 +14,7 @@ async function openWithout({ browser, address }, pattern) {
   await context.route(pattern, (route) => route.abort());
   const page = await context.newPage();
   page.setDefaultTimeout(60_000);
-  await page.goto(address);
+  await page.goto(address + PAPER);
   await page.getByTestId("alert-message").waitFor();
   return { page, context };
 }

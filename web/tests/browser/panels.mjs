@@ -1,22 +1,13 @@
 // The panels beside the picture: instruments with the limits of the scenario, and the equations with their numbers.
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
+import { assertAccessible } from "./axe.mjs";
 import { DESKTOP, openApp, PHONE, sample, stepTo } from "./app.mjs";
-
-const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
-
-async function assertAccessible(page, what) {
-  const violations = await page.evaluate(async () => (await window.axe.run({ rules: { "target-size": { enabled: true } } })).violations);
-  const found = violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`));
-  assert.deepEqual(found, [], what);
-}
 
 const palettes = [PHONE, DESKTOP].map((viewport) => [
   `passes axe with each panel in all four palettes, ${viewport.width}x${viewport.height}`,
   async (host) => {
     const { page, close } = await openApp(host, { viewport, query: "?scenario=slew_and_land" });
     await stepTo(page, 0.1);
-    await page.addScriptTag({ path: AXE });
     // Colours change at once, not over a moment in which their contrast is another.
     await page.emulateMedia({ reducedMotion: "reduce" });
     for (const palette of ["day", "dusk", "night", "bright"]) {

@@ -2,14 +2,13 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parquetMetadata, parquetReadObjects } from "hyparquet";
 import { close as near, DESKTOP, numberIn, openApp, PHONE, sample, setPlot, stepTo } from "./app.mjs";
+import { assertAccessible } from "./axe.mjs";
 
-const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 /** Of `make develop`, or another that has the package. */
 const PYTHON = process.env.KINGPOST_PYTHON ?? fileURLToPath(new URL("../../../.venv/bin/python", import.meta.url));
 
@@ -258,19 +257,14 @@ export default {
   async "passes axe with its dialogs open, by day and by night"(host) {
     const { page, close } = await openPlots(host, "barge", PHONE);
     await stepTo(page, 1);
-    await page.addScriptTag({ path: AXE });
     await page.emulateMedia({ reducedMotion: "reduce" });
     await page.getByTestId("statistics-1").click();
-    const passes = async (what) => {
-      const violations = await page.evaluate(async () => (await window.axe.run({ rules: { "target-size": { enabled: true } } })).violations);
-      assert.deepEqual(violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`)), [], what);
-    };
     for (const palette of ["day", "night", "bright"]) {
       await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
-      await passes(`${palette}, plots`);
+      await assertAccessible(page, `${palette}, plots`);
       for (const [open, shut] of [["choose-1", "picker-done"], ["view-plots", "view-done"], ["export", "export-close"]]) {
         await page.getByTestId(open).click();
-        await passes(`${palette}, ${open}`);
+        await assertAccessible(page, `${palette}, ${open}`);
         await page.getByTestId(shut).click();
       }
     }

@@ -17,6 +17,7 @@ import recording from "./recording.mjs";
 import saving from "./saving.mjs";
 import scenarios from "./scenarios.mjs";
 import sea from "./sea.mjs";
+import start from "./start.mjs";
 
 const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
 // Against tests that hang: on a busy machine one takes minutes.
@@ -35,7 +36,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels, ...plots }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...start, ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels, ...plots }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];

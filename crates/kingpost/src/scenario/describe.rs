@@ -8,6 +8,7 @@ pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
 pub use facts::{ElementDescription, Fact};
 
 use super::build::flexible::{owner, shape};
+use super::live::LIVE_SETTINGS;
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
 use crate::model::{Attachment, Loop, Model, Node};
 use crate::simulation::{Limit, Setup};
@@ -51,6 +52,8 @@ pub struct Description {
     pub limits: Vec<LimitDescription>,
     /// The knobs with their values.
     pub parameters: Vec<ParameterDescription>,
+    /// Settings that can be set during a run, by their paths in the scenario.
+    pub live_settings: Vec<&'static str>,
     /// What a person should know of the model before it runs.
     pub warnings: Vec<String>,
 }
@@ -227,6 +230,7 @@ impl Scenario {
             sea,
             hulls,
             limits: limits.into_iter().map(describe_limit).collect(),
+            live_settings: LIVE_SETTINGS.into(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
             warnings: warnings::of(&model, &world, &elements),
         })

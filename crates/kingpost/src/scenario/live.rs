@@ -10,6 +10,9 @@ use crate::elements::drives::WaveMotion;
 use crate::elements::of_kind;
 use crate::simulation::Simulation;
 
+/// Settings that can be set during a run like a parameter that is `live`: another integrator moves the same model on.
+pub const LIVE_SETTINGS: [&str; 1] = ["simulation.integrator"];
+
 /// A parameter that cannot be set during a run.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum ParameterError {
@@ -45,7 +48,7 @@ pub enum ParameterError {
 }
 
 impl Scenario {
-    /// Sets a parameter that is `live` and lets a simulation of this scenario go on with it: time, motion, states and
+    /// Sets a parameter that is `live`, or one of [`LIVE_SETTINGS`], and lets a simulation of this scenario go on with it: time, motion, states and
     /// inputs stay, what the change does to energy is booked in the ledger. The integrator begins anew, so that the run
     /// goes on as one of the other scenario that begins from here; a reset leads to the start of that one.
     ///
@@ -63,7 +66,7 @@ impl Scenario {
         self.check_live(name)?;
         let next = read::changed(self, name, value).map_err(Box::new)?;
         let restart = |why| ParameterError::Restart { name: name.to_owned(), found: wording::found(value), why };
-        if next.structure() != self.structure() {
+        if !LIVE_SETTINGS.contains(&name) && next.structure() != self.structure() {
             return Err(restart("which changes the structure of the run"));
         }
         let changed = next.simulation().map_err(Box::new)?;
@@ -76,8 +79,11 @@ impl Scenario {
     }
 
     fn check_live(&self, name: &str) -> Result<(), ParameterError> {
-        let live: Vec<&str> = self.parameters.iter().filter(|p| p.live).map(|p| p.name.as_str()).collect();
-        let allowed = || if live.is_empty() { "none: no parameter is live".to_owned() } else { live.join(", ") };
+        if LIVE_SETTINGS.contains(&name) {
+            return Ok(());
+        }
+        let live = self.parameters.iter().filter(|p| p.live).map(|p| p.name.as_str());
+        let allowed = || live.chain(LIVE_SETTINGS).collect::<Vec<_>>().join(", ");
         match self.parameters.iter().find(|parameter| parameter.name == name) {
             Some(parameter) if parameter.live => Ok(()),
             Some(_) => Err(ParameterError::AtReset { name: name.to_owned(), allowed: allowed() }),

@@ -29,7 +29,7 @@ pub mod wording;
 pub use assignment::parse_assignment;
 pub use error::{FieldError, ScenarioError};
 pub use files::{Files, Host, NamedFiles};
-pub use live::ParameterError;
+pub use live::{LIVE_SETTINGS, ParameterError};
 pub use parts::{FILES as PART_FILES, REFERENCES as PART_REFERENCES};
 pub use read::{file_names, read, read_with};
 pub use schema::Scenario;

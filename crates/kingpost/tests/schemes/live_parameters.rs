@@ -76,6 +76,27 @@ fn a_run_goes_on_as_one_of_the_other_scenario_that_begins_from_here() {
 }
 
 #[test]
+fn another_integrator_moves_the_same_run_on() {
+    for (first, second) in INTEGRATORS.iter().zip(INTEGRATORS.iter().cycle().skip(1)) {
+        let (mut scenario, mut live) = boat(&[("simulation.integrator", json!(first))]);
+        live.step(100).unwrap();
+        let before = live.state().clone();
+        scenario.set_parameter(&mut live, "simulation.integrator", &json!(second)).unwrap();
+        let now = live.state();
+        assert_eq!((&now.q, &now.v, &now.s, now.steps), (&before.q, &before.v, &before.s, before.steps));
+        let (_, mut other) = boat(&[("simulation.integrator", json!(second))]);
+        other.step(100).unwrap();
+        other.set_state(&before.q, &before.v, Some(&before.s)).unwrap();
+        live.step(100).unwrap();
+        other.step(100).unwrap();
+        assert_eq!(live.state(), other.state(), "{first}, then {second}");
+    }
+    let (mut scenario, mut live) = boat(&[]);
+    let refused = scenario.set_parameter(&mut live, "simulation.integrator", &json!("leapfrog")).unwrap_err();
+    assert!(refused.to_string().contains("found \"leapfrog\", allowed: "), "{refused}");
+}
+
+#[test]
 fn a_mass_that_changes_books_its_energy_and_momentum_in_the_ledger() {
     let (mut scenario, mut simulation) = boat(&[("simulation.step_s", json!(0.002))]);
     simulation.step(400).unwrap();
@@ -115,7 +136,8 @@ fn a_live_parameter_that_changes_the_structure_is_refused_by_its_name() {
     let (text, _) = refused("air", json!(1.0));
     assert_eq!(
         text,
-        "parameter air: takes effect where a run begins, allowed during a run: wind_m_s, bob_t, push, pushes, step_s"
+        "parameter air: takes effect where a run begins, allowed during a run: wind_m_s, bob_t, push, pushes, step_s, \
+         simulation.integrator"
     );
     let (text, _) = refused("winds", json!(1.0));
     assert!(text.starts_with("parameter winds: no such parameter, allowed: wind_m_s, "), "{text}");

@@ -1,0 +1,113 @@
+// Takes the pictures of the start page from the built app: public/cards/NAME.webp of each scenario, and hero.webp.
+// node scripts/cards.mjs [part of a name]
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { findBrowser, launch } from "./browser.mjs";
+import { serve } from "./serve.mjs";
+
+const here = (path) => fileURLToPath(new URL(path, import.meta.url));
+const CARD = { width: 720, height: 450 };
+const HERO = { width: 1600, height: 700 };
+/** The ship stands so far from the left of the hero, whose words are there: it is cut out of a wider picture. */
+const HERO_CENTRE = 0.68;
+/** The moment of each picture, with what is set over the file; `left` and `up` are turns of the view from where it fits, by arrow keys. */
+const SHOTS = {
+  paper: { time_s: 1.2, values: "motor_1=true&load=true&torque_history=pulse" },
+  barge: { time_s: 30, values: "waves=true" },
+  paper_on_a_rope: { time_s: 40 },
+  paper_true_draught: { time_s: 3 },
+  lift_off_from_barge: { time_s: 70 },
+  supply_boat_lift: { time_s: 60 },
+  container_to_quay: { time_s: 120 },
+  slew_and_land: { time_s: 75 },
+  barge_crane_200t: { time_s: 110 },
+  subsea_lowering: { time_s: 100 },
+  lowering_by_winch: { time_s: 30, values: "waves=true" },
+  a_frame_over_the_stern: { time_s: 30 },
+  spreader_bar_lift: { time_s: 60 },
+  four_leg_lift: { time_s: 90 },
+  loss_of_hook_load: { time_s: 10 },
+  knuckle_boom_crane: { time_s: 10 },
+  dual_draglink_crane: { time_s: 12 },
+  flexible_boom: { time_s: 4 },
+  offshore_vessel: { time_s: 65, values: "waves=true" },
+  offshore_vessel_moored: { time_s: 60 },
+  offshore_vessel_on_dp: { time_s: 60 },
+  vessel_knuckle_boom: { time_s: 20, values: "waves=true" },
+  vessel_dual_draglink: { time_s: 20 },
+  two_ships: { time_s: 20 },
+  floating_hemisphere: { time_s: 40 },
+  sphere_decay: { time_s: 1.5 },
+  chain: { time_s: 1.5 },
+  tennis_racket: { time_s: 3.3 },
+  hero: { scenario: "offshore_vessel", time_s: 65, values: "waves=true", size: { ...HERO, width: 2 * HERO_CENTRE * HERO.width }, clip: { x: 0, y: 0, ...HERO }, quality: 0.8, left: 2, up: -5, nearer: 1 },
+};
+/** The picture alone fills the page. */
+const ALONE = `.scene { position: fixed !important; inset: 0; z-index: 99; border: 0 !important; border-radius: 0 !important }
+  .scene > :not(canvas), .alert { display: none !important } canvas { outline: 0 !important }`;
+
+async function shoot(browser, address, name) {
+  const { scenario = name, time_s, values = "", size = CARD, clip, quality = 0.74, left = 0, up = -4, nearer = 0 } = SHOTS[name];
+  const context = await browser.newContext({ viewport: size, deviceScaleFactor: 1, colorScheme: "light", reducedMotion: "reduce" });
+  const page = await context.newPage();
+  page.setDefaultTimeout(300_000);
+  await page.goto(`${address}?scenario=${scenario}&${values}#quality=best`);
+  await page.waitForFunction(() => window.kingpost?.sample());
+  await runTo(page, time_s);
+  await page.addStyleTag({ content: ALONE });
+  await page.waitForTimeout(1000);
+  await turn(page, { left, up, nearer });
+  await page.waitForTimeout(1500);
+  const png = (await page.screenshot({ clip })).toString("base64");
+  const webp = await page.evaluate(toWebp, { png, quality });
+  writeFileSync(here(`../public/cards/${name}.webp`), Buffer.from(webp, "base64"));
+  console.log(`public/cards/${name}.webp: ${Math.round((0.75 * webp.length) / 1000)} kB`);
+  await context.close();
+}
+
+/** As fast as it goes, then back to the very moment. */
+async function runTo(page, time_s) {
+  await page.getByTestId("speed").selectOption("Infinity");
+  await page.getByTestId("start").click();
+  await page.waitForFunction((until) => window.kingpost.sample().newest_s >= until || window.kingpost.sample().status === "stopped", time_s);
+  await page.evaluate((time) => {
+    const cursor = document.getElementById("cursor");
+    cursor.value = String(time);
+    cursor.dispatchEvent(new Event("input", { bubbles: true }));
+  }, time_s);
+}
+
+async function turn(page, { left, up, nearer }) {
+  // The whole of the page is the picture's now.
+  await page.getByTestId("canvas").press("Home");
+  const press = async (key, times) => {
+    for (let k = 0; k < times; k += 1) await page.getByTestId("canvas").press(key);
+  };
+  await press(left < 0 ? "ArrowRight" : "ArrowLeft", Math.abs(left));
+  await press(up < 0 ? "ArrowDown" : "ArrowUp", Math.abs(up));
+  await press("+", nearer);
+}
+
+async function toWebp({ png, quality }) {
+  const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${png}`)).blob());
+  const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+  canvas.getContext("2d").drawImage(bitmap, 0, 0);
+  const bytes = new Uint8Array(await (await canvas.convertToBlob({ type: "image/webp", quality })).arrayBuffer());
+  let binary = "";
+  for (const byte of bytes) binary += String.fromCharCode(byte);
+  return btoa(binary);
+}
+
+const wanted = process.argv[2] ?? "";
+const { groups } = JSON.parse(readFileSync(here("../../scenarios/gallery.json"), "utf8"));
+const names = [...groups.flatMap(({ scenarios }) => scenarios), "hero"].filter((name) => name.includes(wanted));
+const missing = names.filter((name) => !(name in SHOTS));
+if (missing.length > 0) throw new Error(`no moment is given for ${missing.join(", ")}`);
+const executable = findBrowser();
+if (!executable) throw new Error("there is no Chromium on this machine (CHROMIUM=path names one)");
+mkdirSync(here("../public/cards"), { recursive: true });
+const { address, stop } = await serve(here("../dist"), "/");
+const browser = await launch(executable);
+for (const name of names) await shoot(browser, address, name);
+await browser.close();
+await stop();

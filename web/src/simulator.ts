@@ -1,0 +1,96 @@
+import "uplot/dist/uPlot.min.css";
+import { Aside } from "./app/aside";
+import { runClock } from "./app/clock";
+import { galleryFolder } from "./app/gallery";
+import type { Gallery } from "./app/gallery";
+import { exposeHandle } from "./app/handle";
+import { faultOfGallery } from "./app/faults";
+import { Session } from "./app/session";
+import { EngineClient } from "./engine/client";
+import type { Fault } from "./engine/engine";
+import { EquationsPanel } from "./equations/equations";
+import { exportTool } from "./export/dialog";
+import { Instruments } from "./instruments/instruments";
+import { Plots } from "./plots/plots";
+import { announce } from "./ui/announcer";
+import { showAbout } from "./ui/about";
+import { showFaults } from "./ui/alert";
+import { Controls } from "./ui/controls";
+import { Floating } from "./ui/floating";
+import { showPace } from "./ui/pace";
+import { Readouts } from "./ui/readouts";
+import { enableSaving } from "./ui/saving";
+import { Scenarios } from "./ui/scenarios";
+import type { Choice } from "./ui/scenarios";
+import { Scrubber } from "./ui/scrubber";
+import { Settings } from "./ui/settings";
+import { enableSwitcher } from "./ui/switcher";
+import { Transport } from "./ui/transport";
+import { showWarnings } from "./ui/warnings";
+import { createScene } from "./view/scene";
+
+/** The page that runs a scenario, as the start page and the browser's history drive it. */
+export interface Simulator {
+  /** Opens what the address asks for, or the file that a state of the history stands for. */
+  goTo(state: Choice | null): Promise<void>;
+  holds(state: Choice | null): boolean;
+  openFiles(texts: Record<string, string>): Promise<void>;
+  pause(): void;
+  report(fault: Fault): void;
+  /** Of the document, while a run is shown. */
+  readonly title: string;
+}
+
+/** Starts the engine, and builds the page around a session; the gallery may be still on its way. */
+export function startSimulator(gallery: Promise<Gallery>): Simulator {
+  const startWorker = () => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
+  const startClient = () => new EngineClient(startWorker, galleryFolder(document.baseURI));
+  const session = new Session(startClient());
+  buildPage(session, startClient);
+  exposeHandle(session);
+  const scenarios = new Scenarios(session, document.baseURI);
+  const offered = gallery.then((known) => scenarios.offer(known));
+  return {
+    async goTo(state) {
+      try {
+        await offered;
+      } catch (fault) {
+        return session.beEmpty(faultOfGallery(fault as Fault));
+      }
+      await scenarios.goTo(state);
+      if (!session.run && session.fault) session.beEmpty(session.fault);
+    },
+    holds: (state) => scenarios.holds(state),
+    openFiles: (texts) => scenarios.openFiles(texts),
+    pause: () => session.pause(),
+    report: (fault) => session.report(fault),
+    get title() {
+      return session.run ? `Kingpost – ${session.run.model.title}` : "Kingpost";
+    },
+  };
+}
+
+function buildPage(session: Session, startClient: () => EngineClient): void {
+  showFaults(session);
+  showWarnings(session);
+  showAbout(session);
+  enableSwitcher();
+  enableSaving(session);
+  new Controls(session);
+  new Settings(session);
+  new Readouts(session);
+  showPace(session);
+  const aside = new Aside(startClient);
+  new Floating(session, aside);
+  new Instruments(session);
+  new Transport(session);
+  new Scrubber(session);
+  announce(session);
+  const scene = createScene(session);
+  const plots: Plots = new Plots(session, aside, [exportTool(session, scene, () => plots.shown)]);
+  new EquationsPanel(session, aside, (what) => scene.highlight(what));
+  runClock(session, () => {
+    scene.draw();
+    plots.draw();
+  });
+}

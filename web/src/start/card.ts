@@ -1,0 +1,25 @@
+import { OPENING } from "../app/opening";
+import { queryOf } from "../app/address";
+import { firstSentence } from "../app/gallery";
+import type { GalleryEntry } from "../app/gallery";
+import { make } from "../ui/dom";
+
+/** Size of a card's picture, px: what the page keeps free for it before it comes. */
+export const PICTURE = { width: 480, height: 300 };
+
+/** A link that opens a scenario: its picture, its title and what it is in a sentence. */
+export function cardOf(entry: GalleryEntry): HTMLAnchorElement {
+  const words = [make("h3", {}, entry.title), make("p", {}, firstSentence(entry.description))];
+  return make("a", { class: "card", href: addressOf(entry.name), "data-testid": `card-${entry.name}` }, pictureOf(entry), ...words);
+}
+
+/** The paper's ship opens so that Start moves it. */
+export function addressOf(name: string): string {
+  return queryOf(name === OPENING.scenario ? OPENING : { scenario: name, values: {} });
+}
+
+/** A person's own file has none. */
+function pictureOf({ name, group }: GalleryEntry): HTMLElement {
+  if (!group) return make("span", { class: "card-picture" });
+  return make("img", { class: "card-picture", src: `./cards/${name}.webp`, alt: "", loading: "lazy", ...PICTURE });
+}

@@ -1,0 +1,82 @@
+import type { Gallery, Group } from "../app/gallery";
+import { OPENING } from "../app/opening";
+import { texts } from "../texts";
+import { byId, make } from "../ui/dom";
+import { addressOf, cardOf } from "./card";
+
+const { start } = texts;
+
+/** The page that the bare address shows: what Kingpost is, and the gallery as cards. */
+export class StartPage {
+  private readonly page = byId("start-page");
+  private readonly alert = make("p", { class: "start-alert", role: "alert", "data-testid": "start-alert" });
+  private readonly groups = make("div", { class: "start-groups" }, make("p", { class: "muted" }, start.loading));
+
+  /** `open` is given the address of the scenario that was chosen, `prepare` is told when one is about to be. */
+  constructor(
+    private readonly open: (query: string) => void,
+    private readonly prepare: () => void,
+  ) {
+    this.page.append(this.hero(), make("main", { class: "start-main" }, this.alert, make("h2", { class: "visually-hidden" }, start.choose), this.groups));
+    this.page.append(make("footer", { class: "start-foot" }, start.about));
+    this.page.addEventListener("click", (event) => this.follow(event));
+    for (const sign of ["pointerover", "focusin", "touchstart"]) this.page.addEventListener(sign, (event) => this.notice(event), { passive: true });
+  }
+
+  private hero(): HTMLElement {
+    const paper = make("a", { class: "button button-primary", href: addressOf(OPENING.scenario!), "data-testid": "open-paper" }, start.open_paper);
+    const file = make("button", { type: "button", class: "button", "data-opens-file": true }, start.open_file);
+    const words = make(
+      "div",
+      { class: "hero-words" },
+      make("h1", {}, start.title),
+      make("p", { class: "hero-lead" }, start.lead),
+      make("p", {}, start.intro),
+      make("div", { class: "hero-actions" }, paper, file),
+    );
+    const picture = make("img", { class: "hero-picture", src: "./cards/hero.webp", alt: "", width: 1600, height: 700, loading: "lazy" });
+    return make("header", { class: "hero" }, picture, words);
+  }
+
+  /** The cards; they need the gallery's list and nothing of the engine. */
+  offer(gallery: Gallery): void {
+    this.groups.replaceChildren(...gallery.groups.map((group, k) => section(group, k)));
+  }
+
+  /** There are no cards; files can be opened all the same. */
+  lack(why: string): void {
+    this.groups.replaceChildren();
+    this.say(start.failed(why));
+  }
+
+  say(text: string): void {
+    this.alert.textContent = text;
+  }
+
+  set isShown(isShown: boolean) {
+    this.page.hidden = !isShown;
+    if (isShown) document.title = start.page_title;
+  }
+
+  /** A link of this page stays in this document; with a key held down it does what the browser does. */
+  private follow(event: MouseEvent): void {
+    const link = linkOf(event);
+    if (!link || event.button !== 0 || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return;
+    event.preventDefault();
+    this.open(link.getAttribute("href")!);
+  }
+
+  private notice(event: Event): void {
+    if (linkOf(event)) this.prepare();
+  }
+}
+
+function section({ title, entries }: Group, k: number): HTMLElement {
+  const id = `group-${k}`;
+  const heading = make("h2", { id }, title ?? start.ungrouped);
+  return make("section", { class: "start-group", "aria-labelledby": id }, heading, make("div", { class: "cards" }, ...entries.map(cardOf)));
+}
+
+function linkOf(event: Event): HTMLAnchorElement | null {
+  return event.target instanceof Element ? event.target.closest<HTMLAnchorElement>("a[href^='?']") : null;
+}

@@ -1,0 +1,140 @@
+// The start page: what a stranger sees first, before the engine has loaded.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { DESKTOP, PAPER, PHONE, openFile } from "./app.mjs";
+import { assertAccessible } from "./axe.mjs";
+
+const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
+/** What all that comes before a scenario is chosen may weigh, compressed, bytes. */
+const FIRST_LOAD = 1_000_000;
+
+async function openStart({ browser, address }, { viewport = DESKTOP, prepare } = {}) {
+  const isPhone = viewport.width < 600;
+  const context = await browser.newContext({ viewport, hasTouch: isPhone, isMobile: isPhone });
+  await prepare?.(context);
+  const page = await context.newPage();
+  page.setDefaultTimeout(30_000);
+  const problems = [];
+  page.on("pageerror", (error) => problems.push(error.message));
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  const sizes = [];
+  page.on("response", async (response) => sizes.push({ url: response.url(), bytes: (await response.body().catch(() => Buffer.alloc(0))).length }));
+  await page.goto(address);
+  await page.getByTestId("card-paper").waitFor();
+  return { page, context, problems, sizes };
+}
+
+const isIdle = (page) => page.waitForFunction(() => window.kingpost?.sample()?.status === "idle");
+
+async function isAccessible(page, viewport) {
+  // Colours change at once, not over a moment in which their contrast is another.
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  for (const palette of ["day", "dusk", "night", "bright"]) {
+    await page.evaluate((name) => (document.documentElement.dataset.palette = name), palette);
+    await assertAccessible(page, `the start page at ${viewport.width} px, ${palette}`);
+  }
+  const { width, inner } = await page.evaluate(() => ({ width: document.querySelector("#start-page").scrollWidth, inner: innerWidth }));
+  assert.ok(width <= inner, `nothing is wider than the screen: ${width} in ${inner}`);
+}
+
+export default {
+  async "shows the gallery's cards with nothing of the engine loaded, in one megabyte"(host) {
+    const { page, context, problems, sizes } = await openStart(host);
+    await page.waitForLoadState("networkidle");
+    const cards = await page.locator(".card").count();
+    const gallery = await (await fetch(`${host.address}scenarios/index.json`)).json();
+    assert.equal(cards, gallery.length);
+    assert.ok(!sizes.some(({ url }) => /wasm|simulator|worker/.test(url)), "nothing of the engine came");
+    const total = sizes.reduce((sum, { bytes }) => sum + bytes, 0);
+    assert.ok(total > 50_000 && total < FIRST_LOAD, `the first load is ${total} bytes`);
+    assert.equal(await page.title(), "Kingpost – ship and crane simulator");
+    assert.deepEqual(problems, []);
+    await context.close();
+  },
+
+  async "opens a card, goes Back to the start page and forward to the run as it was"(host) {
+    const { page, context, problems } = await openStart(host, { viewport: PHONE });
+    await page.getByTestId("card-chain").tap();
+    await isIdle(page);
+    assert.match(page.url(), /\?scenario=chain$/);
+    assert.match(await page.title(), /^Kingpost – Chain of ten links/);
+    await page.getByTestId("start").tap();
+    await page.waitForFunction(() => window.kingpost.sample().time_s > 0.1);
+    await page.goBack();
+    await page.getByTestId("card-chain").waitFor();
+    assert.equal(await page.evaluate(() => window.kingpost.sample().status), "paused", "the run waits");
+    await page.goForward();
+    await page.getByTestId("canvas").waitFor();
+    assert.ok((await page.evaluate(() => window.kingpost.sample().time_s)) > 0.1, "it is the same run");
+    await page.getByTestId("to-start").tap();
+    await page.getByTestId("card-paper").tap();
+    await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent.startsWith("Crane ship"));
+    assert.ok(page.url().endsWith(PAPER));
+    assert.deepEqual(problems, []);
+    await context.close();
+  },
+
+  async "opens a person's own file from the start page, and keeps it through Back and forward"(host) {
+    const { page, context, problems } = await openStart(host);
+    await openFile(page, "mine.yaml", paper.replace(/^title: .*/m, "title: A ship of mine"));
+    await page.waitForFunction(() => document.querySelector("[data-testid=title]").textContent === "A ship of mine");
+    await page.goBack();
+    await page.getByTestId("card-paper").waitFor();
+    await page.goForward();
+    await page.getByTestId("canvas").waitFor();
+    assert.equal(await page.title(), "Kingpost – A ship of mine");
+    assert.deepEqual(problems, []);
+    await context.close();
+  },
+
+  async "refuses a file that is too large without reading it, on either page"(host) {
+    const { page, context, problems } = await openStart(host);
+    const drop = () =>
+      page.evaluate(() => {
+        const files = new DataTransfer();
+        files.items.add(new File([new Uint8Array(100_000_001)], "film.yaml"));
+        dispatchEvent(new DragEvent("drop", { dataTransfer: files, cancelable: true }));
+      });
+    await drop();
+    assert.match(await page.getByTestId("start-alert").textContent(), /^film\.yaml holds 101 MB; a scenario, .* at most 100 MB\.$/);
+    await page.getByTestId("card-chain").click();
+    await isIdle(page);
+    await drop();
+    assert.match(await page.getByTestId("alert-message").textContent(), /film\.yaml holds 101 MB/);
+    assert.equal(await page.evaluate(() => window.kingpost.sample().status), "idle");
+    assert.deepEqual(problems, []);
+    await context.close();
+  },
+
+  async "says so where the list or the simulator does not come, and has a way on"(host) {
+    const { browser, address } = host;
+    const context = await browser.newContext();
+    await context.route("**/index.json", (route) => route.abort());
+    const page = await context.newPage();
+    await page.goto(address);
+    await page.waitForFunction(() => /did not come/.test(document.querySelector("[data-testid=start-alert]")?.textContent ?? ""));
+    await context.unroute("**/index.json");
+    await page.reload();
+    await context.route("**/simulator-*.js", (route) => route.abort());
+    await page.getByTestId("card-chain").click();
+    await page.waitForFunction(() => /simulator did not load/.test(document.querySelector("[data-testid=start-alert]").textContent));
+    assert.ok(await page.getByTestId("card-chain").isVisible());
+    await context.close();
+  },
+
+  async "is usable by everyone, on a desktop and on a phone, in each palette"(host) {
+    for (const viewport of [DESKTOP, PHONE]) {
+      const { page, context } = await openStart(host, { viewport });
+      await isAccessible(page, viewport);
+      await context.close();
+    }
+    const { page, context } = await openStart(host, { viewport: { width: 320, height: 256 } });
+    await isAccessible(page, { width: 320 });
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.dataset.testid), "open-paper");
+    await page.keyboard.press("Enter");
+    await isIdle(page);
+    await context.close();
+  },
+};
