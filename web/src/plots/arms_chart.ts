@@ -6,6 +6,7 @@ import type { Hydrostatics } from "../engine/engine";
 import { texts } from "../texts";
 import { acrossAxis, dot, heightsOf, paddingOf, stroke, styleOf, tick, uprightAxis } from "./chart";
 import type { Chart, Style } from "./chart";
+import { inWords } from "./lines";
 import { armAt, heelToSide } from "./stability";
 import { places } from "./table";
 
@@ -65,7 +66,7 @@ export class ArmsChart implements Chart {
       const heel_rad = heelToSide(curve, this.columns.read(row, `${body}.roll`));
       const degrees = (value: number | null) => (value === null ? null : value * DEGREES);
       return [{
-        body,
+        body: inWords(body),
         side: texts.plots.sides[curve.side],
         colour: COLOURS[i % COLOURS.length],
         points: curve.points.map((point) => [point.heel_rad * DEGREES, point.arm_m]),
@@ -149,8 +150,8 @@ export class ArmsChart implements Chart {
   }
 }
 
-/** For a legend: whose curves there are. */
-export function armsLegend(hulls: readonly { body: string }[]): { label: string; colour: string }[] {
-  return hulls.map(({ body }, i) => ({ label: body, colour: COLOURS[i % COLOURS.length] }));
+/** Whose curves there are; of a single hull it goes without saying. */
+export function armsLegend(hulls: readonly { body: string }[]): { label: string; colour: string; unit: string }[] {
+  return hulls.length < 2 ? [] : hulls.map(({ body }, i) => ({ label: inWords(body), colour: COLOURS[i % COLOURS.length], unit: "" }));
 }
 

@@ -1,6 +1,6 @@
 import type { Channel, ModelInfo } from "../engine/engine";
 import { texts } from "../texts";
-import { labelOf, linesOf } from "./lines";
+import { inWords, labelOf, linesOf } from "./lines";
 import type { Line } from "./lines";
 
 /** Lines that belong together, to be chosen at once. */
@@ -71,16 +71,16 @@ export class Figures {
   }
 
   private rates(body: string): Figure {
-    return this.named(texts.plots.rates_of(body), ["y", "z", "x"].map((axis) => `${body}.angular_velocity.${axis}`), texts.plots.turns);
+    return this.named(texts.plots.rates_of(inWords(body)), ["y", "z", "x"].map((axis) => `${body}.angular_velocity.${axis}`), texts.plots.turns);
   }
 
   private angles(body: string): Figure {
-    return this.named(texts.plots.angles_of(body), ["pitch", "yaw", "roll"].map((angle) => `${body}.${angle}`), texts.plots.turns);
+    return this.named(texts.plots.angles_of(inWords(body)), ["pitch", "yaw", "roll"].map((angle) => `${body}.${angle}`), texts.plots.turns);
   }
 
   /** Beside the wave. */
   private heave({ name, body }: ModelInfo["hulls"][number]): Figure {
-    return this.named(texts.plots.heave_of(body), [`${body}.heave`, `${name}.wave_elevation`], texts.plots.heave_and_wave);
+    return this.named(texts.plots.heave_of(inWords(body)), [`${body}.heave`, `${name}.wave_elevation`], texts.plots.heave_and_wave);
   }
 
   /** Coordinates that move freely or by a prescribed motion. */
@@ -88,7 +88,7 @@ export class Figures {
     const moving = this.model.joints.filter(({ kind, free_coordinates, prescribed }) => kind !== BENDS && kind !== "floating" && free_coordinates.length + prescribed.length > 0);
     const names = this.channels.find((channel) => channel.variable === variable)?.labels[0] ?? [];
     const own = names.filter((name) => moving.some((joint) => name === joint.name || joint.free_coordinates.includes(name)));
-    return this.named(title, own.slice(0, MOST_LINES).map((name) => `${name}.${variable}`), own);
+    return this.named(title, own.slice(0, MOST_LINES).map((name) => `${name}.${variable}`), own.map(inWords));
   }
 
   private named(title: string, ids: readonly string[], labels: readonly string[]): Figure {
@@ -109,10 +109,10 @@ export class Figures {
   private ofThing({ variable }: Channel, thing: string, columns: readonly string[]): Figure[] {
     const lines = columns.map((column) => this.line(column)!);
     const units = [...new Set(lines.map(({ unit }) => unit))];
-    const words = variable.replaceAll("_", " ");
+    const words = inWords(variable);
     return units.map((unit) => {
       const own = lines.filter((line) => line.unit === unit).slice(0, MOST_LINES);
-      const title = units.length > 1 ? `${thing}: ${words} (${unit})` : `${thing}: ${words}`;
+      const title = units.length > 1 ? `${inWords(thing)}: ${words} (${unit})` : `${inWords(thing)}: ${words}`;
       return { title, lines: own, labels: own.map(({ what }) => what.slice(words.length + 1) || what) };
     });
   }
@@ -127,7 +127,7 @@ export function titleAndLabels(lines: readonly Line[], figure: Figure | undefine
   if (figure) return figure;
   const things = new Set(lines.map(({ thing }) => thing));
   const [thing] = things;
-  if (lines.length > 1 && things.size === 1 && thing !== "") return { title: thing, labels: lines.map(({ what }) => what) };
+  if (lines.length > 1 && things.size === 1 && thing !== "") return { title: inWords(thing), labels: lines.map(({ what }) => what) };
   const labels = lines.map(labelOf);
   return { title: labels.join(", ") || texts.plots.empty, labels };
 }

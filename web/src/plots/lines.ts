@@ -30,7 +30,7 @@ const TURNS_AROUND = ["roll", "pitch", "yaw"];
 function lineOf(channel: Channel, place: number): Line {
   const { variable, long_name, columns, units } = channel;
   const [thing, components] = labelsAt(channel, place);
-  const words = [variable, ...components].map((word) => word.replaceAll("_", " ")).join(" ");
+  const words = [variable, ...components].map(inWords).join(" ");
   return {
     id: columns[place],
     thing,
@@ -77,7 +77,12 @@ export function linesOf(model: ModelInfo, channels: readonly Channel[]): Line[] 
 
 /** As a legend has it. */
 export function labelOf({ thing, what }: Line): string {
-  return thing === "" ? what : `${thing} ${what}`;
+  return thing === "" ? what : `${inWords(thing)} ${what}`;
+}
+
+/** A name of the scenario as a person writes it. */
+export function inWords(name: string): string {
+  return name.replaceAll("_", " ");
 }
 
 /** Whether a line has these words, in any order, in its name, in that of its columns or in what is said of it. */

@@ -2,7 +2,7 @@ import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
 import { MOST_LINES } from "./figures";
 import type { Figure, Figures } from "./figures";
-import { hasWords, labelOf } from "./lines";
+import { hasWords, inWords, labelOf } from "./lines";
 import type { Line } from "./lines";
 import { CHART_KINDS, PARTS } from "./view";
 import type { ChartKind, PlotView } from "./view";
@@ -142,6 +142,6 @@ export class Picker {
       box.addEventListener("change", () => this.take(line.id, box.checked));
       return make("label", { class: "item item-checkbox", title: line.about }, box, make("span", {}, line.what), make("span", { class: "muted picker-unit" }, line.unit));
     });
-    return make("fieldset", {}, make("legend", {}, thing || texts.plots.whole_model), ...items);
+    return make("fieldset", {}, make("legend", {}, inWords(thing) || texts.plots.whole_model), ...items);
   }
 }

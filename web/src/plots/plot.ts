@@ -2,7 +2,7 @@ import type { Shown } from "../app/recording/shown";
 import type { Run } from "../app/session";
 import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
-import { ArmsChart } from "./arms_chart";
+import { ArmsChart, armsLegend } from "./arms_chart";
 import type { Arms } from "./arms_chart";
 import type { Chart, Content } from "./chart";
 import { coloursOf, DrawnLine } from "./drawn";
@@ -125,7 +125,13 @@ export class Plot {
       const unit = hasUnits && shown.unit && this.view.kind === "time" ? [make("span", { class: "plot-unit" }, ` ${shown.unit}`)] : [];
       return make("span", { class: "plot-entry" }, swatch(colour), label, this.values[i], ...unit);
     });
-    this.legend.replaceChildren(...entries);
+    const hulls = this.hulls().map(({ colour, label }) => make("span", { class: "plot-entry" }, swatch(colour), label));
+    this.legend.replaceChildren(...entries, ...hulls);
+  }
+
+  /** Whose righting arms are drawn. */
+  private hulls(): PlotPicture["entries"] {
+    return this.view.kind === "arms" ? armsLegend(this.context.run.model.hulls) : [];
   }
 
   private chartIn(area: HTMLElement): Chart {
@@ -233,7 +239,7 @@ export class Plot {
     this.fill(content);
     const canvas = await drawnApart((area) => this.chartIn(area), content);
     const entries = this.lines.map(({ label, colour, shown }) => ({ label, colour, unit: shown.unit }));
-    return canvas && { title: this.name, entries, notes: this.notes.textContent ?? "", canvas };
+    return canvas && { title: this.name, entries: [...entries, ...this.hulls()], notes: this.notes.textContent ?? "", canvas };
   }
 
   destroy(): void {

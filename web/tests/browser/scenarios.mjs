@@ -46,13 +46,13 @@ export default {
     const title = page.getByTestId("choose-2");
     await page.getByTestId("reset").click();
     await page.waitForTimeout(300);
-    assert.equal(await title.textContent(), "link_1 joint position");
+    assert.equal(await title.textContent(), "link 1 joint position");
     await page.getByTestId("gallery").selectOption("paper");
     await page.waitForTimeout(800);
     assert.equal(await title.textContent(), "Angles of ship");
     await page.getByTestId("gallery").selectOption("chain");
     await page.waitForTimeout(800);
-    assert.equal(await title.textContent(), "link_1 joint position");
+    assert.equal(await title.textContent(), "link 1 joint position");
     await close();
   },
 };
