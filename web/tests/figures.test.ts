@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { heightsOf } from "../src/plots/chart";
+import { heightsOf, tick } from "../src/plots/chart";
 import { coloursOf, DrawnLine } from "../src/plots/drawn";
 import { Figures, MOST_LINES, titleAndLabels } from "../src/plots/figures";
 import { hasWords, labelOf } from "../src/plots/lines";
@@ -99,6 +99,10 @@ describe("a drawn line", () => {
     expect(coloursOf(lines)).toEqual(["roll", "yaw", "pitch", "line-4"]);
     const many = Array.from({ length: MOST_LINES }, () => figures.line("kinetic_energy")!);
     expect(new Set(coloursOf(many)).size).toBe(MOST_LINES);
+  });
+
+  it("has numbers on its axes that can be read", () => {
+    expect([0, 20, 100, -0.5, 0.25, 1.000001, 3e-7, -2e-6].map(tick)).toEqual(["0", "20", "100", "−0.5", "0.25", "1.000001", "3.0×10⁻⁷", "−2.0×10⁻⁶"]);
   });
 
   it("has zero in sight where it is near, and a limit where the lines keep their room", () => {

@@ -1,5 +1,5 @@
 import uPlot from "uplot";
-import { fixed } from "../app/format";
+import { fixed, scientific } from "../app/format";
 import type { DrawnLine } from "./drawn";
 import type { Stretch } from "./stretch";
 
@@ -52,7 +52,12 @@ export function styleOf(): Style {
 const LAST_TICK_PX = 24;
 const AXIS_PX = { across: 28, upright: 48, label: 18 };
 
-export const tick = (value: number) => fixed(value, 6).replace(/\.?0+$/, "");
+/** Numbers on an axis below this have a power of ten. */
+const TINY = 1e-5;
+
+export function tick(value: number): string {
+  return Math.abs(value) >= TINY || value === 0 ? fixed(value, 6).replace(/\.0+$|(\.\d*?)0+$/, "$1") : scientific(value);
+}
 
 /** The axis across the bottom. */
 export function acrossAxis(style: Style, values: (value: number) => string, label?: string): uPlot.Axis {
