@@ -1,12 +1,13 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 import { gallery } from "./vite/gallery.ts";
+import { offline } from "./vite/offline.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 export default defineConfig({
   base: "./",
-  plugins: [gallery(here("../scenarios"), here("src/engine/pkg"))],
+  plugins: [gallery(here("../scenarios"), here("src/engine/pkg")), offline(here("src/offline"))],
   worker: { format: "es" },
   // The paper's equations stand beside the Python package.
   server: { fs: { allow: [".."] } },

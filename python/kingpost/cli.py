@@ -1,6 +1,7 @@
 """The command `kingpost`.
 
-Exit codes: 0 done; 1 the run failed, what was computed is kept; 2 the input is wrong.
+Exit codes: 0 done; 1 the run failed, what was computed is kept; 2 the input is wrong; 130 it was
+interrupted (Ctrl-C, or the system asked it to end), what was computed is kept.
 """
 
 from __future__ import annotations
@@ -9,14 +10,19 @@ import argparse
 import json
 import math
 import os
+import signal
 import sys
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn
 
 from . import __version__
 from .errors import KingpostError, RunError
 from .hydro import command as hydro_command
+from .output import check as check_output
+from .output import whole
 from .roll_damping import command as roll_damping_command
 from .scenario import Scenario, load
 from .simulate import Simulation
@@ -36,7 +42,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     options = parser().parse_args(arguments)
     try:
-        return options.command(options)
+        with _ended_as_interrupted():
+            return options.command(options)
     except RunError as error:
         return _fail(error, FAILED)
     except KingpostError as error:
@@ -47,6 +54,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # The reader of a pipe left; keep Python from complaining about it at its end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return DONE
+
+
+@contextmanager
+def _ended_as_interrupted() -> Iterator[None]:
+    """Where the system, or a terminal that closes, ends the program, do as at Ctrl-C."""
+
+    def interrupt(*_: object) -> NoReturn:
+        raise KeyboardInterrupt
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    ends = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    before = {end: signal.signal(end, interrupt) for end in ends if signal.getsignal(end) is signal.SIG_DFL}
+    try:
+        yield
+    finally:
+        for end, handler in before.items():
+            signal.signal(end, handler)
 
 
 def parser() -> argparse.ArgumentParser:
@@ -162,7 +188,7 @@ def _run(options: argparse.Namespace) -> int:
         return _run_seeds(scenario, options)
     existed = options.output is not None and Path(options.output).exists()
     endings = (*results.ENDINGS, *plot.ENDINGS)
-    output = results.check_output(options.output, endings) if options.output is not None else None
+    output = check_output(options.output, endings) if options.output is not None else None
     failure: RunError | KeyboardInterrupt | None = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
         try:
@@ -222,10 +248,10 @@ def _check(options: argparse.Namespace) -> int:
 
 
 def _modes(options: argparse.Namespace) -> int:
-    from . import modes_report, results, vibration
+    from . import modes_report, vibration
 
     scenario = _scenario(options)
-    output = results.check_output(options.output, vibration.ENDINGS) if options.output is not None else None
+    output = check_output(options.output, vibration.ENDINGS) if options.output is not None else None
     sweep = vibration.parse_sweep(options.sweep) if options.sweep is not None else None
     found = vibration.modes(scenario, sweep=sweep)
     print(modes_report.text(found, options.all))
@@ -235,12 +261,12 @@ def _modes(options: argparse.Namespace) -> int:
 
 
 def _rao(options: argparse.Namespace) -> int:
-    from . import displacement_raos, response, response_report, results
+    from . import displacement_raos, response, response_report
 
     scenario = _scenario(options)
-    output = results.check_output(options.output, response.ENDINGS) if options.output is not None else None
+    output = check_output(options.output, response.ENDINGS) if options.output is not None else None
     table = options.displacement_raos
-    table = results.check_output(table, displacement_raos.ENDINGS) if table is not None else None
+    table = check_output(table, displacement_raos.ENDINGS) if table is not None else None
     found = response.rao(
         scenario,
         None if options.directions_deg is None else [math.radians(angle) for angle in options.directions_deg],
@@ -256,14 +282,15 @@ def _rao(options: argparse.Namespace) -> int:
 
 
 def _statistics(options: argparse.Namespace) -> int:
-    from . import results, statistics_report
+    from . import statistics_report
 
-    output = results.check_output(options.output, (".csv",)) if options.output is not None else None
+    output = check_output(options.output, (".csv",)) if options.output is not None else None
     runs = [statistics_report.read(path) for path in options.files]
     found = statistics_report.frame(runs, options.after_s, options.channels)
     print(statistics_report.text(runs, found, options.after_s))
     if output:
-        found.to_csv(output, index=False)
+        with whole(output) as beside:
+            found.to_csv(beside, index=False)
         print(f"\nwritten  {output}")
     return DONE
 

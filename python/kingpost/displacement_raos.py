@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from . import results
+from . import output
 from .errors import KingpostError
 from .response import complex_amplitude
 from .results import floating_bodies
@@ -96,8 +96,7 @@ def _frame(found: xarray.Dataset, raos: np.ndarray) -> pandas.DataFrame:
 
 def write(found: xarray.Dataset, path: str | Path, body: str | None = None) -> Path:
     """Write the table as CSV, ten significant digits, with a first line that says what it is of."""
-    path = results.check_output(path, ENDINGS)
+    path = output.check(path, ENDINGS)
     text = displacement_raos(found, body).to_csv(index=False, float_format="%.10g", lineterminator="\n")
     title = " ".join(str(found.attrs["title"]).split())
-    path.write_text(f"# {title}: displacement RAOs about rest in still water\n{text}", encoding="utf-8")
-    return path
+    return output.write_text(path, f"# {title}: displacement RAOs about rest in still water\n{text}")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import xarray
 
 
@@ -42,6 +44,21 @@ class ScenarioError(KingpostError):
         self.field = field
         self.found = found
         self.allowed = allowed
+
+
+class OutputError(KingpostError):
+    """A file that cannot be written.
+
+    Attributes
+    ----------
+    path, reason
+        Which file, and what the system says, such as "No space left on device".
+    """
+
+    def __init__(self, path: Path, error: OSError) -> None:
+        self.path = path
+        self.reason = error.strerror or str(error)
+        super().__init__(f"{path}: cannot be written: {self.reason}")
 
 
 class RunError(KingpostError):

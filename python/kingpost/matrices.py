@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import output
 from .errors import KingpostError
 
 if TYPE_CHECKING:
@@ -191,11 +192,8 @@ def write_csv(matrix: xarray.DataArray, path: str | Path) -> Path:
         ["", "unit", *matrix["column_unit"].values],
     ]
     labels = zip(matrix["row"].values, matrix["row_unit"].values, matrix.values.tolist(), strict=True)
-    try:
-        with path.open("w", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerows([*head, *([label, unit, *row] for label, unit, row in labels)])
-    except OSError as error:
-        raise KingpostError(f"{path}: cannot be written: {error.strerror}") from None
+    with output.whole(path) as beside, beside.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file).writerows([*head, *([label, unit, *row] for label, unit, row in labels)])
     return path
 
 

@@ -8,8 +8,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from . import output
 from .errors import KingpostError
-from .results import check_output, unit_of
+from .results import unit_of
 from .statistics_report import chosen, series_of
 
 if TYPE_CHECKING:
@@ -48,8 +49,9 @@ def write(
     ...     write(kingpost.run("paper", {"simulation.duration_s": 0.1}), f"{folder}/paper.png").name
     'paper.png'
     """
-    path = check_output(path, ENDINGS)
-    figure(runs, patterns).savefig(path, dpi=120)
+    path = output.check(path, ENDINGS)
+    with output.whole(path) as beside:
+        figure(runs, patterns).savefig(beside, dpi=120)
     return path
 
 

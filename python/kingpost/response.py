@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import results
+from . import output, results
 from .errors import KingpostError
 from .scenario import Overrides, Scenario, as_scenario
 from .simulate import Simulation
@@ -229,14 +229,15 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
 
 def write(found: xarray.Dataset, path: str | Path) -> Path:
     """Write by the file's ending: ``.nc`` (NetCDF), ``.csv``, or a picture, ``.png``."""
-    path = results.check_output(path, ENDINGS)
+    path = output.check(path, ENDINGS)
     ending = path.suffix.lower()
     if ending == ".nc":
-        found.to_netcdf(path, engine="h5netcdf")
-    elif ending == ".csv":
-        frame(found).to_csv(path, index=False)
-    else:
-        _plot(found, path)
+        return output.write_netcdf(found, path)
+    with output.whole(path) as beside:
+        if ending == ".csv":
+            frame(found).to_csv(beside, index=False)
+        else:
+            _plot(found, beside)
     return path
 
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import output
 from .engine import engine
-from .errors import KingpostError
 
 if TYPE_CHECKING:
     import pandas
@@ -170,20 +170,9 @@ def events(results: xarray.Dataset) -> xarray.Dataset:
     return xarray.Dataset(columns, attrs={"title": results.attrs.get("title", "")})
 
 
-def check_output(path: str | Path, endings: Sequence[str] = ENDINGS) -> Path:
+def check_output(path: str | Path) -> Path:
     """Make sure, before a run, that results can be written to `path`."""
-    path = Path(path)
-    if path.suffix.lower() not in endings:
-        raise KingpostError(f"{path}: unknown ending, allowed: {', '.join(endings)}")
-    existed = path.exists()
-    try:
-        with path.open("ab"):
-            pass
-        if not existed:
-            path.unlink()
-    except OSError as error:
-        raise KingpostError(f"{path}: cannot be written: {error.strerror}") from None
-    return path
+    return output.check(path, ENDINGS)
 
 
 def write(results: xarray.Dataset, path: str | Path) -> Path:
@@ -196,15 +185,21 @@ def write(results: xarray.Dataset, path: str | Path) -> Path:
     path = check_output(path)
     ending = path.suffix.lower()
     if ending == ".nc":
-        results.to_netcdf(path, engine="h5netcdf")
-    elif ending == ".csv":
-        frame(results).to_csv(path, index=False)
-        happened, beside = events(results), path.with_suffix(".events.csv")
-        if happened.sizes["event"] or beside.exists():
-            happened.to_dataframe().to_csv(beside, index=False)
-    else:
-        _write_parquet(results, path)
+        return output.write_netcdf(results, path)
+    with output.whole(path) as beside:
+        if ending == ".csv":
+            frame(results).to_csv(beside, index=False)
+        else:
+            _write_parquet(results, beside)
+    if ending == ".csv":
+        _write_events(events(results), path.with_suffix(".events.csv"))
     return path
+
+
+def _write_events(happened: xarray.Dataset, path: Path) -> None:
+    if happened.sizes["event"] or path.exists():
+        with output.whole(path) as beside:
+            happened.to_dataframe().to_csv(beside, index=False)
 
 
 def _write_parquet(results: xarray.Dataset, path: Path) -> None:

@@ -22,16 +22,19 @@ from . import gallery
 from .engine import engine
 from .errors import KingpostError
 from .scenario import load
-from .served import TYPES, Body, Compressor, accepts_gzip, content_type
+from .served import PICTURES, POLICY, TYPES, Body, Compressor, accepts_gzip, content_type, is_host_of
 
 LOOPBACK = "127.0.0.1"
 FIRST_PORT = 8000
 PORTS_TRIED = 100
+IDLE_S = 60
+"""How long a connection may say nothing, s."""
 EVERYWHERE = ("0.0.0.0", "::", "")
 
 
 def command(scenario: str | None, port: int | None, host: str | None, check: bool) -> int:
     """Serve the app until Ctrl-C; with `check`, fetch it once over HTTP and end."""
+    host = host or None
     files, chosen = scenarios(scenario)
     server = open_server(app_folder(), files, host or LOOPBACK, port, databases(scenario), chosen)
     query = f"?scenario={quote(chosen)}" if chosen else ""
@@ -120,8 +123,9 @@ def _listed(
 class Handler(SimpleHTTPRequestHandler):
     """Serves the app's folder, and the scenarios from memory under `scenarios/`."""
 
-    extensions_map = mimetypes.types_map | {"": "application/octet-stream"} | TYPES
+    extensions_map = mimetypes.types_map | {"": "application/octet-stream"} | TYPES | PICTURES
     protocol_version = "HTTP/1.1"
+    timeout = IDLE_S
 
     server: Server
 
@@ -130,7 +134,14 @@ class Handler(SimpleHTTPRequestHandler):
 
         Nothing is sent again that the browser says it has.
         """
-        body = self._body(unquote(urlsplit(self.path).path))
+        path = unquote(urlsplit(self.path).path)
+        if not is_host_of(self.headers.get("Host"), self.server.named):
+            self.send_error(HTTPStatus.MISDIRECTED_REQUEST)
+            return None
+        if not path.isprintable():
+            self.send_error(HTTPStatus.NOT_FOUND)
+            return None
+        body = self._body(path)
         if body is None:
             return super().send_head()
         known = body.tag in self.headers.get("If-None-Match", "")
@@ -155,8 +166,10 @@ class Handler(SimpleHTTPRequestHandler):
             return None
 
     def end_headers(self) -> None:
-        """Let no browser keep an older build."""
+        """Let no browser keep an older build, nor load what is not from here."""
         self.send_header("Cache-Control", "no-cache")
+        for name, value in POLICY.items():
+            self.send_header(name, value)
         super().end_headers()
 
     def list_directory(self, path: Any) -> None:
@@ -176,6 +189,7 @@ class Server(ThreadingHTTPServer):
     def __init__(self, address: tuple[str, int], folder: Path, pages: dict[str, bytes]) -> None:
         self.folder = folder
         self.pages = pages
+        self.named = address[0]
         self.compressor = Compressor()
         super().__init__(address, partial(Handler, directory=str(folder)))
 
@@ -211,6 +225,7 @@ def open_server(
     """
     databases = databases or {}
     pages = {f"/scenarios/{file}": text.encode() for file, text in (files | databases).items()}
+    pages["/offline.js"] = _leaving(folder)
     pages["/scenarios/index.json"] = json.dumps(index(files, databases, chosen)).encode()
     kind = Server6 if ":" in host else Server
     ports = range(FIRST_PORT, FIRST_PORT + PORTS_TRIED) if port is None else [port]
@@ -225,6 +240,15 @@ def open_server(
     if port is None:
         raise KingpostError(f"no free port from {ports[0]} to {ports[-1]}; give one with --port")
     raise KingpostError(f"port {port} is busy; choose another, or --port 0 for any free one")
+
+
+def _leaving(folder: Path) -> bytes:
+    """In the place of the app's service worker one that takes away what a browser has kept of the app.
+
+    What is served here can be another with every start.
+    """
+    script = folder / "offline-leave.js"
+    return script.read_bytes() if script.is_file() else b""
 
 
 def reachable(host: str | None) -> str:

@@ -10,7 +10,10 @@ import hashlib
 import re
 import threading
 from dataclasses import dataclass
+from ipaddress import ip_address
 from pathlib import Path
+from socket import gethostname
+from urllib.parse import urlsplit
 
 TYPES = {
     ".html": "text/html; charset=utf-8",
@@ -25,6 +28,28 @@ TYPES = {
 }
 """MIME types by the ending of a path: what browsers insist on, and no system's table changes."""
 
+PICTURES = {".webp": "image/webp", ".png": "image/png"}
+"""Those of what is compressed already."""
+
+POLICY = {
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Content-Security-Policy": "; ".join(
+        (
+            "default-src 'self'",
+            "script-src 'self' 'wasm-unsafe-eval'",
+            "style-src 'self' 'unsafe-inline'",
+            "img-src 'self' data: blob:",
+            "worker-src 'self' blob:",
+            "object-src 'none'",
+            "base-uri 'none'",
+            "form-action 'none'",
+            "frame-ancestors 'self'",
+        )
+    ),
+}
+"""What every answer tells a browser: take nothing for what it is not, load nothing from elsewhere."""
+
 PLAIN_TEXT = "text/plain; charset=utf-8"
 # Nothing of these types is compressed already, as pictures are.
 COMPRESSIBLE = {*TYPES.values(), PLAIN_TEXT}
@@ -36,7 +61,7 @@ def content_type(path: str) -> str:
     >>> content_type("engine/kingpost_bg.wasm")
     'application/wasm'
     """
-    return TYPES.get(Path(path).suffix.lower(), PLAIN_TEXT)
+    return (TYPES | PICTURES).get(Path(path).suffix.lower(), PLAIN_TEXT)
 
 
 def accepts_gzip(accept_encoding: str | None) -> bool:
@@ -54,6 +79,25 @@ def accepts_gzip(accept_encoding: str | None) -> bool:
         weight = next((found[1] for part in parameters if (found := re.fullmatch(r"q=([\d.]+)", part))), "1")
         weights["gzip" if coding == "x-gzip" else coding] = weight
     return re.fullmatch(r"0(\.0*)?", weights.get("gzip", weights.get("*", "0"))) is None
+
+
+def is_host_of(header: str | None, named: str) -> bool:
+    """Whether a `Host` header names the server: by an address, as localhost, or by its own name.
+
+    Any other name leads here only where a web page has its own name resolved to this machine, to read what is
+    served to it alone (DNS rebinding).
+
+    >>> [is_host_of(header, "ship.lan") for header in ("127.0.0.1:8000", "Ship.lan:80", "evil.example")]
+    [True, True, False]
+    """
+    host = urlsplit(f"//{header or ''}").hostname or ""
+    if host in {"localhost", named.lower(), gethostname().lower(), f"{gethostname().lower()}.local"}:
+        return True
+    try:
+        ip_address(host)
+    except ValueError:
+        return False
+    return True
 
 
 @dataclass(frozen=True)

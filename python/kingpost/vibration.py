@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from . import results
+from . import output, results
 from .eigenmodes import FREE, Mode, eigenmodes
 from .errors import KingpostError
 from .linear import Equilibrium
@@ -278,9 +278,9 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
 
 def write(found: xarray.Dataset, path: str | Path) -> Path:
     """Write modes by the file's ending: ``.nc`` (NetCDF) or ``.csv``."""
-    path = results.check_output(path, ENDINGS)
+    path = output.check(path, ENDINGS)
     if path.suffix.lower() == ".nc":
-        found.to_netcdf(path, engine="h5netcdf")
-    else:
-        frame(found).to_csv(path, index=False)
+        return output.write_netcdf(found, path)
+    with output.whole(path) as beside:
+        frame(found).to_csv(beside, index=False)
     return path

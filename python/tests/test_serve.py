@@ -97,11 +97,16 @@ def test_the_index_lists_the_gallery_and_the_given_scenario(address, small):
         "name": "paper",
         "title": paper.title,
         "file": "paper.yaml",
-        "description": paper.description,
+        "description": paper.resolved["description"],
         "group": "The paper",
     }
     assert [entry["name"] for entry in entries] == [*kingpost.gallery.groups(), "small"]
-    assert entries[-1] == {"name": "small", "title": "A box with a boom", "file": "small.yaml", "description": ""}
+    assert entries[-1] == {
+        "name": "small",
+        "title": "A box with a boom",
+        "file": "small.yaml",
+        "description": "",
+    }
     assert urlopen(address + "scenarios/small.yaml").read() == small.read_bytes()
 
 
@@ -154,6 +159,15 @@ def test_a_database_with_the_name_of_another_of_the_gallery_is_refused(app, tmp_
     (tmp_path / "afloat.yaml").write_text(AFLOAT.replace("own.hydro.json", "hydro/barge.hydro.json"))
     with pytest.raises(kingpost.KingpostError, match=r"hydro/barge\.hydro\.json: found another file than"):
         serve.databases(str(tmp_path / "afloat.yaml"))
+
+
+def test_no_browser_keeps_the_app_for_when_the_server_is_gone(app):
+    """Source: the next start can serve another scenario, or a newer app, at the same address."""
+    (app / "offline.js").write_text("keep()")
+    (app / "offline-leave.js").write_text("leave()")
+    server = serve.open_server(app, {}, serve.LOOPBACK, 0)
+    server.server_close()
+    assert server.pages["/offline.js"] == b"leave()"
 
 
 @dataclass(frozen=True)
@@ -247,6 +261,33 @@ def test_nothing_else_is_served(address, path):
     with pytest.raises(HTTPError) as refused:
         urlopen(address + path)
     assert refused.value.code == 404
+
+
+@pytest.mark.parametrize("path", ["%00", "a%00b", "%0d%0aX:1", "%7f"])
+def test_an_address_with_characters_that_no_file_has_is_not_found(address, path):
+    """Source: a path with a zero byte raises in the operating system's calls, and was a traceback."""
+    assert fetch(address, path).status == 404
+
+
+@pytest.mark.parametrize(
+    ("host", "status"),
+    [("localhost:1", 200), ("[::1]:80", 200), ("192.168.1.7", 200), ("evil.example", 421), ("", 421)],
+)
+def test_another_name_that_leads_to_this_machine_reads_nothing(address, host, status):
+    """Source: DNS rebinding: a web page whose name is made to lead here would read a private scenario."""
+    with closing(HTTPConnection(urlsplit(address).netloc, timeout=20)) as connection:
+        connection.putrequest("GET", "/scenarios/index.json", skip_host=True)
+        connection.putheader("Host", host)
+        connection.endheaders()
+        assert connection.getresponse().status == status
+
+
+def test_every_answer_tells_the_browser_to_load_nothing_from_elsewhere(address):
+    """Source: OWASP's secure headers."""
+    for path in ("", "scenarios/index.json", "nonesuch"):
+        headers = fetch(address, path).headers
+        assert headers["X-Content-Type-Options"] == "nosniff"
+        assert "default-src 'self'" in headers["Content-Security-Policy"]
 
 
 def test_the_check_fetches_page_engine_and_scenario(app, small, capsys):

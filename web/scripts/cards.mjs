@@ -48,7 +48,7 @@ const ALONE = `.scene { position: fixed !important; inset: 0; z-index: 99; borde
 
 async function shoot(browser, address, name) {
   const { scenario = name, time_s, values = "", size = CARD, clip, quality = 0.74, left = 0, up = -4, nearer = 0 } = SHOTS[name];
-  const context = await browser.newContext({ viewport: size, deviceScaleFactor: 1, colorScheme: "light", reducedMotion: "reduce" });
+  const context = await browser.newContext({ viewport: size, deviceScaleFactor: 1, colorScheme: "light", reducedMotion: "reduce", serviceWorkers: "block" });
   const page = await context.newPage();
   page.setDefaultTimeout(300_000);
   await page.goto(`${address}?scenario=${scenario}&${values}#quality=best`);

@@ -32,7 +32,7 @@ mkdirSync(folder, { recursive: true });
 const { address, stop } = await serve(here("../dist"), "/");
 const browser = await launch(executable);
 for (const { file, scenario, viewport, scale, time_s, panel, turn_on } of PICTURES) {
-  const context = await browser.newContext({ viewport, deviceScaleFactor: scale, colorScheme: "light" });
+  const context = await browser.newContext({ viewport, deviceScaleFactor: scale, colorScheme: "light", serviceWorkers: "block" });
   const page = await context.newPage();
   page.setDefaultTimeout(120_000);
   await page.goto(`${address}?scenario=${scenario}`);

@@ -4,6 +4,7 @@ import { Gallery } from "./app/gallery";
 import { Pages } from "./app/pages";
 import { enablePalettes } from "./app/palette";
 import type { Fault } from "./engine/engine";
+import { keepOffline, watchOffline } from "./offline/register";
 import { StartPage } from "./start/start";
 import { enableFiles } from "./ui/files";
 
@@ -16,10 +17,15 @@ const start = new StartPage(
 );
 const pages: Pages = new Pages(
   start,
-  async () => (await loadSimulator()).startSimulator(gallery),
+  async () => {
+    const { startSimulator } = await loadSimulator();
+    void keepOffline();
+    return startSimulator(gallery);
+  },
   gallery.then(({ opening }) => opening).catch(() => undefined),
 );
 gallery.then((known) => start.offer(known)).catch((fault: Fault) => start.lack(fault.message));
+watchOffline();
 enableFiles(
   (texts) => void pages.openFiles(texts),
   (file, most_bytes) => pages.report(faultOfSize(file, most_bytes)),

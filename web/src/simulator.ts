@@ -27,6 +27,8 @@ import { Settings } from "./ui/settings";
 import { enableSwitcher } from "./ui/switcher";
 import { Transport } from "./ui/transport";
 import { showWarnings } from "./ui/warnings";
+import { LinkNotice } from "./share/notice";
+import { enableSharing } from "./share/share";
 import { createScene } from "./view/scene";
 
 /** The page that runs a scenario, as the start page and the browser's history drive it. */
@@ -48,7 +50,8 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
   const session = new Session(startClient());
   buildPage(session, startClient);
   exposeHandle(session);
-  const scenarios = new Scenarios(session, document.baseURI);
+  const linkNotice = new LinkNotice(session);
+  const scenarios = new Scenarios(session, document.baseURI, (link) => linkNotice.tell(link));
   const offered = gallery.then((known) => scenarios.offer(known));
   return {
     async goTo(state) {
@@ -76,6 +79,7 @@ function buildPage(session: Session, startClient: () => EngineClient): void {
   showAbout(session);
   enableSwitcher();
   enableSaving(session);
+  enableSharing(session);
   new Controls(session);
   new Settings(session);
   new Readouts(session);

@@ -25,7 +25,7 @@ function frameAt(t: number, isRecord: boolean, more: Partial<Frame> = {}): Frame
   row[0] = t;
   const line_points = Float64Array.of(0, 0, t);
   const passed = (one: Float64Array) => (isRecord ? one : new Float64Array());
-  const empty = { surface: null, warnings: [], events: [], keyframes: [], isPart: false, fault: null };
+  const empty = { surface: null, warnings: [], events: [], keyframes: [], changes: [], isPart: false, fault: null };
   return { rows: passed(row), row_poses: passed(poseAt(t)), row_line_points: passed(line_points), row, poses: poseAt(t), line_points, ...empty, ...more };
 }
 

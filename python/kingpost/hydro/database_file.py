@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import json
 import math
-import os
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import HydrodynamicsError
+from .. import output
+from ..errors import HydrodynamicsError, OutputError
 from .database import (
     Attitude,
     Database,
@@ -79,19 +78,9 @@ def write(database: Database, path: str | Path) -> Path:
     from_tree(tree, str(target))
     text = json.dumps(tree, separators=(",", ":"), ensure_ascii=False, allow_nan=False) + "\n"
     try:
-        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=target.parent, prefix=f".{target.name}.",
-                                         delete=False) as beside:  # fmt: skip
-            try:
-                beside.write(text)
-                beside.close()
-                os.chmod(beside.name, 0o644)
-                os.replace(beside.name, target)
-            except BaseException:
-                beside.close()
-                os.unlink(beside.name)
-                raise
-    except OSError as error:
-        raise HydrodynamicsError("", error.strerror, "a place that can be written to", str(target)) from None
+        output.write_text(target, text)
+    except OutputError as error:
+        raise HydrodynamicsError("", error.reason, "a place that can be written to", str(target)) from None
     return target
 
 

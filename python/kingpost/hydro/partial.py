@@ -10,12 +10,15 @@ from __future__ import annotations
 
 import glob
 import hashlib
-import os
 import zipfile
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from .. import output
+from ..errors import OutputError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -86,14 +89,10 @@ class Partial:
         self.arrays[key] = values
         if self.path is None:
             return
-        beside = self.path.with_name(f".{self.path.name}.{os.getpid()}.npz")
         named = {f"{name}/{k}": value for name, some in self.arrays.items() for k, value in enumerate(some)}
-        try:
+        # Without a place to keep it the work still goes on.
+        with suppress(OutputError), output.whole(self.path) as beside:
             np.savez(beside, settings=np.array(self.settings), **named)
-            os.replace(beside, self.path)
-        except OSError:
-            # Without a place to keep it the work still goes on.
-            beside.unlink(missing_ok=True)
 
     def done(self) -> None:
         """The database stands: the file is no longer wanted."""

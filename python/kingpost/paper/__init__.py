@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from .. import progress, report
+from .. import output, progress, report
 from ..errors import KingpostError
 from . import comparison, figures, integrators, measured, page, summary, table
 
@@ -57,7 +57,7 @@ def _write(folder: Path) -> tuple[list[Path], list[summary.Table]]:
     figures.write(folder, drawn)
     comparison.write(folder, compared)
     remarks = measured.measure(drawn)
-    (folder / "index.html").write_text(page.html(folder, drawn, rows, compared, remarks), encoding="utf-8")
+    output.write_text(folder / "index.html", page.html(folder, drawn, rows, compared, remarks))
     names = ["index.html", "table_2.csv", "table_2.md"]
     for name in [*(figure.name for figure in drawn), comparison.NAME]:
         names += [f"{name}.{ending}" for ending in ("csv", "png", "svg")]

@@ -6,6 +6,7 @@ import csv
 from pathlib import Path
 from typing import Any
 
+from .. import output
 from .integrators import ADAPTIVE, LABELS, ORDERS, SHOWN_STEP_S, TIMED_STEP_S, Compared, Point
 from .style import INTEGRATORS, plotting, save
 
@@ -93,7 +94,10 @@ def _power(ratio: float) -> str:
 
 def write(folder: Path, compared: list[Compared]) -> None:
     """Write the runs as CSV, one a line, and draw them."""
-    with (folder / f"{NAME}.csv").open("w", newline="", encoding="utf-8") as file:
+    with (
+        output.whole(folder / f"{NAME}.csv") as beside,
+        beside.open("w", newline="", encoding="utf-8") as file,
+    ):
         lines = csv.writer(file)
         head = ("case", "integrator", "step_s", "tolerance", "energy_error_relative", "momentum_error_N_m_s")
         lines.writerow((*head, "rotation_error_rad", "slew_error_rad", "evaluations_per_s"))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from .. import output
 from ..scenario import load
 from ..simulate import Simulation
 from .style import DAMPED, UNDAMPED, plotting, save
@@ -92,7 +93,8 @@ def run(progress: Callable[[], None]) -> list[Figure]:
 def write(folder: Path, figures: list[Figure]) -> None:
     """Write each figure as PNG, SVG and CSV."""
     for figure in figures:
-        figure.table().to_csv(folder / f"{figure.name}.csv", index=False)
+        with output.whole(folder / f"{figure.name}.csv") as beside:
+            figure.table().to_csv(beside, index=False)
         draw(folder, figure)
 
 

@@ -7,6 +7,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from .. import output
+
 UNDAMPED: dict[str, Any] = {"color": "#0072B2", "linewidth": 1.8}
 DAMPED: dict[str, Any] = {"color": "#D55E00", "linewidth": 1.8, "linestyle": (0, (5, 2))}
 INTEGRATORS: dict[str, dict[str, Any]] = {
@@ -53,6 +55,7 @@ def save(figure: Any, path: Path) -> None:
     """Write a figure as PNG and SVG and close it."""
     from matplotlib import pyplot
 
-    figure.savefig(path.with_suffix(".png"))
-    figure.savefig(path.with_suffix(".svg"), metadata={"Date": None})
+    for ending, metadata in ((".png", {}), (".svg", {"Date": None})):
+        with output.whole(path.with_suffix(ending)) as beside:
+            figure.savefig(beside, metadata=metadata)
     pyplot.close(figure)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from .. import output
 from ..scenario import load
 
 
@@ -70,12 +71,15 @@ def at(tree: Any, path: str) -> Any:
 def write(folder: Path) -> list[Row]:
     """Write `table_2.csv` and `table_2.md`."""
     table = rows()
-    with (folder / "table_2.csv").open("w", newline="", encoding="utf-8") as file:
+    with (
+        output.whole(folder / "table_2.csv") as beside,
+        beside.open("w", newline="", encoding="utf-8") as file,
+    ):
         lines = csv.writer(file)
         lines.writerow(("quantity", "symbol", "value", "unit", "field"))
         lines.writerows((row.quantity, row.symbol, f"{row.value:g}", row.unit, row.field) for row in table)
     text = ["| Quantity | Symbol | Value | Unit | Field of the scenario |"]
     text.append("| --- | --- | ---: | --- | --- |")
     text += [f"| {r.quantity} | ${r.symbol}$ | {r.value:,g} | {r.unit} | `{r.field}` |" for r in table]
-    (folder / "table_2.md").write_text("\n".join(text) + "\n", encoding="utf-8")
+    output.write_text(folder / "table_2.md", "\n".join(text) + "\n")
     return table

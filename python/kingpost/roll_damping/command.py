@@ -8,7 +8,8 @@ from pathlib import Path
 
 from ..errors import RollDampingError
 from ..hydro.database_file import ENDING, read
-from ..results import check_output
+from ..output import check as check_output
+from ..output import write_text
 from . import report
 from .bilge_keels import BilgeKeels
 from .coefficients import Coefficients, fragment
@@ -95,7 +96,7 @@ def run(options: argparse.Namespace) -> None:
         return
     print(f"\n{text}", end="")
     if output is not None:
-        output.write_text(text, encoding="utf-8")
+        write_text(output, text)
         print(f"\nwritten  {output}")
 
 

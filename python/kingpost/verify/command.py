@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from .. import progress
+from .. import output, progress
 from ..errors import KingpostError
 from . import report
 from .rows import AREAS, FAILED, Row
@@ -42,7 +42,7 @@ def command(options: argparse.Namespace) -> int:
         rows = run(options.only, update)
     print(report.text(rows))
     for name, path in wanted.items():
-        path.write_text(FORMATS[name](rows), encoding="utf-8")
+        output.write_text(path, FORMATS[name](rows))
         print(f"written  {path}")
     return int(any(row.verdict == FAILED for row in rows))
 

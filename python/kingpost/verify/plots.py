@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .. import response
+from .. import output, response
 from ..paper.style import plotting
 from . import pictures
 from .hydrodynamics import HULME, SOLVED, heave
@@ -24,7 +24,8 @@ def draw(folder: Path) -> list[Path]:
         for name, picture in PICTURES.items():
             figure = picture(pyplot)
             written.append(folder / f"{name}.png")
-            figure.savefig(written[-1], dpi=110, metadata={"Software": None})
+            with output.whole(written[-1]) as beside:
+                figure.savefig(beside, dpi=110, metadata={"Software": None})
             pyplot.close(figure)
     return written
 

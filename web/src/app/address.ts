@@ -6,8 +6,13 @@ export interface Asked {
   values: Values;
 }
 
-/** What an address that holds a whole run has after the `#`. */
-const RUN = /^#k\d+=/;
+/** What an address that holds a whole run has after the `#`, beside other things or alone. */
+const RUN = /[#&]k\d+=/;
+
+/** Whether it holds a run, of this version of the app or of another. */
+export function holdsRun(hash: string): boolean {
+  return RUN.test(hash);
+}
 
 export function askedBy(search: string): Asked {
   const { scenario = null, ...texts } = Object.fromEntries(new URLSearchParams(search));
@@ -27,7 +32,7 @@ export const START = "?gallery";
 /** Whether an address asks for the start page: the bare one does, unless the server was started with a scenario to open. */
 export function asksForStart({ search, hash }: Pick<Location, "search" | "hash">, opening: string | undefined): boolean {
   if (search === START) return true;
-  return search === "" && !RUN.test(hash) && opening === undefined;
+  return search === "" && !holdsRun(hash) && opening === undefined;
 }
 
 function valueOf(text: string): Value {

@@ -1,6 +1,7 @@
 import type { Fault } from "../engine/engine";
 import { faultOfNetwork } from "../engine/faults";
 import { fetchText } from "../engine/network";
+import type { Source } from "./run";
 
 export interface GalleryEntry {
   name: string;
@@ -62,10 +63,10 @@ export class Gallery {
     return groups;
   }
 
-  async read(name: string): Promise<{ text: string; file: string }> {
+  async read(name: string): Promise<Source> {
     const entry = this.entries.find((known) => known.name === name);
     if (!entry) throw this.unknown(name);
-    return { text: await textAt(new URL(`scenarios/${entry.file}`, this.base).href), file: entry.file };
+    return { text: await textAt(new URL(`scenarios/${entry.file}`, this.base).href), file: entry.file, gallery: name };
   }
 
   private unknown(name: string): Fault {

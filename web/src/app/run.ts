@@ -1,3 +1,4 @@
+import type { Change } from "../engine/changes";
 import { Columns } from "../engine/columns";
 import type { Channel, DrawnLine, Fault, InputInfo, ModelInfo } from "../engine/engine";
 import type { Frame, Opened } from "../engine/messages";
@@ -17,6 +18,8 @@ export interface Run {
   channels: Channel[];
   columns: Columns;
   inputs: InputInfo[];
+  /** Of the scenario's text and of all files that it stands on. */
+  digest: string;
   accuracy: Accuracy;
 }
 
@@ -26,6 +29,10 @@ export interface Source {
   file: string;
   /** Texts of the files that were opened with it, by their names; left out for a scenario of the gallery. */
   opened?: Record<string, string>;
+  /** Its name in the gallery, if it is from there. */
+  gallery?: string;
+  /** What a link says was set in a run of it, which a run sets again. */
+  changes?: readonly Change[];
 }
 
 export interface Listener {
@@ -36,12 +43,14 @@ export interface Listener {
   moved?(run: Run, moment: Moment): void;
   /** The run goes on from an earlier moment: what came after is no more. */
   branched?(run: Run): void;
+  /** The run set levers again by itself, as a link says. */
+  followed?(run: Run): void;
   statusChanged?(status: Status): void;
   valuesChanged?(): void;
   faulted?(fault: Fault | null): void;
 }
 
-export function runOf({ model, lines, channels, inputs }: Opened): Run {
+export function runOf({ model, lines, channels, inputs, digest }: Opened): Run {
   const columns = new Columns(channels);
-  return { model, lines, channels, columns, inputs, accuracy: new Accuracy(columns) };
+  return { model, lines, channels, columns, inputs, digest, accuracy: new Accuracy(columns) };
 }

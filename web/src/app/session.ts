@@ -1,3 +1,4 @@
+import type { Change } from "../engine/changes";
 import type { EngineClient } from "../engine/client";
 import type { Fault, Value, Values } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
@@ -29,6 +30,8 @@ export class Session extends Told {
   /** What was asked for while one was under way, to be done after it. */
   private due: "start" | "step" | null = null;
   private advancing = false;
+  /** Where a run as fast as it goes pauses. */
+  private until_s = Infinity;
   private branching: Promise<void> | null = null;
   private isRecovering = false;
 
@@ -52,8 +55,8 @@ export class Session extends Told {
   }
 
   /** Where the engine of a run in hand turns out to be gone, another one is asked. */
-  private async read({ text, file, opened }: Source, overrides: Values): Promise<Opened> {
-    const answer = () => this.client.open(text, file, overrides, opened ?? null);
+  private async read({ text, file, opened, changes }: Source, overrides: Values): Promise<Opened> {
+    const answer = () => this.client.open(text, file, overrides, opened ?? null, changes);
     return answer().catch((fault: Fault) => {
       if (!this.run || !isOfEngine(fault)) throw fault;
       return answer();
@@ -82,7 +85,7 @@ export class Session extends Told {
     await this.turns.take(async () => {
       this.resetDue = false;
       if (!this.source) return;
-      const overrides = { ...this.values.wanted };
+      const overrides = { ...this.values.forStart() };
       try {
         this.accept(await this.read(this.source, overrides), overrides, this.run ? null : this.source);
       } catch (fault) {
@@ -134,6 +137,11 @@ export class Session extends Told {
       ({ scenario }) => scenario,
       () => null,
     );
+  }
+
+  /** What was set in the run in hand so far. */
+  changes(): Promise<readonly Change[]> {
+    return this.asked(this.client.changes());
   }
 
   /** Names of the values that wait for a reset. */
@@ -192,9 +200,16 @@ export class Session extends Told {
 
   /** From an earlier moment that is shown the run branches. */
   start(): void {
+    this.until_s = Infinity;
     if (this.shown.isBack) void this.branch();
     if (this.turns.isBusy) this.intend("start");
     else if (this.status === "idle" || this.status === "paused") this.become("running");
+  }
+
+  /** As fast as it goes, to a time at which it pauses. */
+  runTo(time_s: number): void {
+    this.start();
+    this.until_s = time_s;
   }
 
   /** The state of the run in hand, for another engine. */
@@ -225,8 +240,15 @@ export class Session extends Told {
   async advance(wall_s: number): Promise<void> {
     if (this.status !== "running" || this.advancing) return;
     this.advancing = true;
-    await this.take(this.client.advance(wall_s, this.speed));
+    const { until_s } = this;
+    await this.take(this.client.advance(wall_s, until_s < Infinity ? Infinity : this.speed, until_s));
+    if (until_s === this.until_s && this.isPast(until_s)) this.pause();
     this.advancing = false;
+  }
+
+  private isPast(time_s: number): boolean {
+    const { run, shown } = this;
+    return run !== null && shown.recording !== null && shown.recording.now.time_s > time_s - run.model.step_s / 2;
   }
 
   /** There is nothing to open. */
@@ -264,12 +286,23 @@ export class Session extends Told {
   }
 
   private show(run: Run, frame: Frame): void {
+    if (frame.changes.length > 0) this.follow(run, frame.changes);
     this.shown.recording?.add(frame, this.values.inForce);
     this.emit((listener) => listener.advanced?.(run, frame));
     if (!this.shown.isBack) this.tellMoment();
     if (!frame.fault) return;
     this.become("stopped");
     this.report(frame.fault);
+  }
+
+  /** The run set these again by itself. */
+  private follow(run: Run, changes: readonly Change[]): void {
+    for (const change of changes) {
+      if ("parameter" in change) this.values.follow(change.parameter, change.value);
+      else run.inputs = run.inputs.map((one) => (one.name === change.input ? { ...one, value: change.value } : one));
+    }
+    this.emit((listener) => listener.followed?.(run));
+    this.emit((listener) => listener.valuesChanged?.());
   }
 
   /** What the engine answers to something asked of the run in hand; where it is gone, the run begins anew in another. */

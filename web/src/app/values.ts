@@ -7,16 +7,23 @@ export class SetValues {
   wanted: Values = {};
   /** What of these the run in hand has; the same object until one is set under way. */
   overrides: Values = {};
+  /** What it began with. */
+  begun: Values = {};
+  /** Of values that the run set again by itself, what the controls said before. */
+  private readonly before = new Map<string, Value | undefined>();
   /** All that the run in hand has. */
   private applied: Values = {};
 
   /** A run was opened with these. */
   begin(opened: Opened, overrides: Values): void {
     this.overrides = overrides;
+    this.begun = overrides;
+    this.before.clear();
     this.applied = { ...valuesOf(opened), ...overrides };
   }
 
   want(name: string, value: Value): void {
+    this.before.delete(name);
     this.wanted = { ...this.wanted, [name]: value };
   }
 
@@ -24,6 +31,21 @@ export class SetValues {
   apply(name: string, value: Value): void {
     this.applied = { ...this.applied, [name]: value };
     this.overrides = { ...this.overrides, [name]: value };
+  }
+
+  /** The run in hand set it again by itself: the control shows it, until a reset. */
+  follow(name: string, value: Value): void {
+    const before = this.before.has(name) ? this.before.get(name) : this.wanted[name];
+    this.want(name, value);
+    this.before.set(name, before);
+    this.apply(name, value);
+  }
+
+  /** What the controls say for another start: what the run set by itself is as before. */
+  forStart(): Values {
+    const kept = Object.entries({ ...this.wanted, ...Object.fromEntries(this.before) }).filter(([, value]) => value !== undefined);
+    this.before.clear();
+    return (this.wanted = Object.fromEntries(kept) as Values);
   }
 
   /** All that the run in hand has; another object after a change. */

@@ -1,3 +1,4 @@
+import type { Change } from "./changes";
 import type { Fault, Value, Values } from "./engine";
 import { faultOfBreakdown, faultOfSilence, isOfEngine, UNLOADED } from "./faults";
 import type { FromWorker, Replies, Reply, Request } from "./messages";
@@ -31,13 +32,22 @@ export class EngineClient {
     this.employed();
   }
 
-  /** `opened` are the texts of the files that came with it, by their names; null for a scenario of the gallery. */
-  open(text: string, file: string, overrides: Values, opened: Record<string, string> | null): Promise<Replies["open"]> {
-    return this.ask({ kind: "open", text, file, overrides, opened, folder: this.folder });
+  /**
+   * `opened` are the texts of the files that came with it, by their names; null for a scenario of the gallery. `changes` are
+   * made at their times.
+   */
+  open(
+    text: string,
+    file: string,
+    overrides: Values,
+    opened: Record<string, string> | null,
+    changes: readonly Change[] = [],
+  ): Promise<Replies["open"]> {
+    return this.ask({ kind: "open", text, file, overrides, opened, changes, folder: this.folder });
   }
 
-  advance(wall_s: number, speed: number): Promise<Replies["advance"]> {
-    return this.ask({ kind: "advance", wall_s, speed });
+  advance(wall_s: number, speed: number, until_s = Infinity): Promise<Replies["advance"]> {
+    return this.ask({ kind: "advance", wall_s, speed, until_s });
   }
 
   step(): Promise<Replies["step"]> {
@@ -63,6 +73,11 @@ export class EngineClient {
   /** The run in hand as a scenario. */
   replay(): Promise<Replies["replay"]> {
     return this.ask({ kind: "replay" });
+  }
+
+  /** What was set in the run in hand so far. */
+  changes(): Promise<Replies["changes"]> {
+    return this.ask({ kind: "changes" });
   }
 
   snapshot(): Promise<Uint8Array> {

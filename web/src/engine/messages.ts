@@ -1,3 +1,4 @@
+import type { Change } from "./changes";
 import type { Channel, DrawnLine, Equations, Fault, Hydrostatics, InputInfo, ModelInfo, Settings, Value, Values, Warning } from "./engine";
 import type { Surface } from "./surface";
 
@@ -8,18 +9,21 @@ export interface OpenRequest {
   overrides: Values;
   /** Texts of the files that were opened with it, by their names; null for a scenario of the gallery. */
   opened: Record<string, string> | null;
+  /** To be made at their times. */
+  changes: readonly Change[];
   /** Address of the folder that has the files that the gallery's scenarios name. */
   folder: string;
 }
 
 export type Request =
   | OpenRequest
-  | { kind: "advance"; wall_s: number; speed: number }
+  | { kind: "advance"; wall_s: number; speed: number; until_s: number }
   | { kind: "step" }
   | { kind: "hydrostatics" }
   | { kind: "equations" }
   | { kind: "input"; name: string; value: number }
   | { kind: "replay" }
+  | { kind: "changes" }
   | { kind: "snapshot" }
   | { kind: "restore"; snapshot: Uint8Array }
   | { kind: "parameter"; name: string; value: Value };
@@ -41,6 +45,8 @@ export interface Frame {
   row_line_points: Float64Array;
   /** States passed, now and then and wherever something was set by hand. */
   keyframes: Snapshot[];
+  /** What was set again before the first of them, as a link says. */
+  changes: Change[];
   /** The row now, on a recording time or not. */
   row: Float64Array;
   /** Per body x y z qw qx qy qz, world frame. */
@@ -65,6 +71,8 @@ export interface Opened {
   settings: Settings;
   channels: Channel[];
   inputs: InputInfo[];
+  /** Of the scenario's text and of all files that it stands on. */
+  digest: string;
   frame: Frame;
 }
 
@@ -99,6 +107,7 @@ export interface Replies {
   input: null;
   parameter: null;
   replay: Replay;
+  changes: readonly Change[];
   snapshot: Uint8Array;
   restore: Restored;
 }

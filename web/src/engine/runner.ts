@@ -1,3 +1,6 @@
+import { Changes } from "./changes";
+import type { Change } from "./changes";
+import { digestOf } from "./digest";
 import { asFault, readModel, readSettings } from "./engine";
 import type { Engine, Equations, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
 import { Events } from "./events";
@@ -21,9 +24,11 @@ interface Taken {
   poses: Float64Array[];
   line_points: Float64Array[];
   keyframes: Snapshot[];
+  /** Set again before the first step. */
+  changes: Change[];
 }
 
-const nothing = (): Taken => ({ steps: 0, rows: [], poses: [], line_points: [], keyframes: [] });
+const nothing = (): Taken => ({ steps: 0, rows: [], poses: [], line_points: [], keyframes: [], changes: [] });
 
 /** Owns the engine: opens scenarios, steps to the wall clock, records rows. */
 export class Runner {
@@ -37,14 +42,18 @@ export class Runner {
   /** Whether something was set by hand since the last step. */
   private isSet = false;
   private events = new Events();
+  private changes = new Changes([], 1);
 
   constructor(
     private readonly openEngine: OpenEngine,
     private readonly now_ms: () => number,
   ) {}
 
-  /** Opens a scenario, with the files that it names, at its initial state; when that throws, the engine in hand stays. */
-  open(text: string, file: string, overrides: Values, files: Record<string, string> = {}): Opened {
+  /**
+   * Opens a scenario, with the files that it names, at its initial state; when that throws, the engine in hand stays. These
+   * changes are made at their times, until a hand sets something.
+   */
+  open(text: string, file: string, overrides: Values, files: Record<string, string> = {}, changes: readonly Change[] = []): Opened {
     const engine = this.openEngine(text, file, JSON.stringify(overrides), JSON.stringify(files));
     const model = readModel(engine.model_json());
     this.engine?.free();
@@ -56,6 +65,7 @@ export class Runner {
     this.fault = null;
     this.isSet = false;
     this.events = new Events();
+    this.changes = new Changes(changes, engine.step_s());
     const start = nothing();
     this.record(start);
     return {
@@ -64,18 +74,23 @@ export class Runner {
       settings: readSettings(engine.resolved_json()),
       channels: JSON.parse(engine.channels_json()),
       inputs: JSON.parse(engine.inputs_json()),
+      digest: digestOf(text, ...Object.entries(files).sort(([a], [b]) => (a < b ? -1 : 1)).flat()),
       frame: this.frame(start),
     };
   }
 
-  /** Advances by `wall_s` times `speed`, which may be infinite, as far as the budget of one frame goes; null where no step is due. */
-  advance(wall_s: number, speed: number): Frame | null {
+  /**
+   * Advances by `wall_s` times `speed`, which may be infinite, as far as the budget of one frame goes, and no further than
+   * `until_s`; null where no step is due.
+   */
+  advance(wall_s: number, speed: number, until_s = Infinity): Frame | null {
     const engine = this.current();
     const step_s = engine.step_s();
     this.owed_s += speed === Infinity ? Infinity : Math.min(wall_s, LONGEST_WALL_S) * speed;
-    const wanted = Math.floor(this.owed_s / step_s + 1e-9);
+    const allowed = Math.min(Math.round(until_s / step_s) - this.steps, this.changes.toNext(this.steps));
+    const wanted = Math.max(0, Math.min(Math.floor(this.owed_s / step_s + 1e-9), allowed));
     const done = this.take(wanted, this.now_ms() + BUDGET_MS);
-    this.owed_s = done.steps < wanted ? 0 : this.owed_s - wanted * step_s;
+    this.owed_s = done.steps < wanted || speed === Infinity ? 0 : this.owed_s - wanted * step_s;
     return done.steps > 0 || this.fault ? this.frame(done) : null;
   }
 
@@ -83,7 +98,7 @@ export class Runner {
   step(): Frame {
     this.owed_s = 0;
     const wanted = this.toNextRecord();
-    const done = this.take(wanted, this.now_ms() + BUDGET_MS);
+    const done = this.take(Math.min(wanted, this.changes.toNext(this.steps)), this.now_ms() + BUDGET_MS);
     return { ...this.frame(done), isPart: done.steps < wanted && !this.fault };
   }
 
@@ -96,6 +111,7 @@ export class Runner {
     const engine = this.current();
     engine.restore(snapshot);
     this.steps = Math.round(engine.time_s() / engine.step_s());
+    this.changes.dropAfter(this.steps);
     this.owed_s = 0;
     this.fault = null;
     this.isSet = false;
@@ -118,13 +134,42 @@ export class Runner {
   }
 
   input(name: string, value: number): void {
-    this.current().set_input(name, value);
-    this.isSet = true;
+    // JSON has no negative zero, and a link is JSON.
+    this.setByHand({ time_s: this.current().time_s(), input: name, value: value === 0 ? 0 : value });
   }
 
   parameter(name: string, value: Value): void {
-    this.current().set_parameter(name, JSON.stringify(value));
+    this.setByHand({ time_s: this.current().time_s(), parameter: name, value });
+  }
+
+  /** What was set so far, by hand or again. */
+  made(): readonly Change[] {
+    return this.changes.made;
+  }
+
+  private setByHand(change: Change): void {
+    this.set(change);
+    this.changes.dropDue();
+  }
+
+  private set(change: Change): void {
+    const engine = this.current();
+    if ("input" in change) engine.set_input(change.input, change.value);
+    else engine.set_parameter(change.parameter, JSON.stringify(change.value));
+    this.changes.make(change);
     this.isSet = true;
+  }
+
+  /** Sets again what is due now; what the engine refuses ends the run. */
+  private setAgain(taken: Taken): void {
+    try {
+      for (const change of this.changes.takeDue(this.steps)) {
+        this.set(change);
+        taken.changes.push(change);
+      }
+    } catch (thrown) {
+      this.fault = { kind: "followed", message: asFault(thrown).message };
+    }
   }
 
   /** The run as a scenario, but for the files that it names. */
@@ -151,6 +196,7 @@ export class Runner {
   private take(wanted: number, deadline_ms: number): Taken {
     const engine = this.current();
     const taken = nothing();
+    if (wanted > 0 && !this.fault) this.setAgain(taken);
     let left = this.fault ? 0 : wanted;
     if (left > 0 && this.isSet) this.keep(taken);
     for (let from_ms = this.now_ms(); left > 0 && from_ms < deadline_ms; from_ms = this.now_ms()) {
@@ -191,7 +237,7 @@ export class Runner {
     this.stepsAtOnce = Math.max(1, Math.min(fits, 2 * this.stepsAtOnce, STEPS_AT_ONCE));
   }
 
-  private frame({ rows, poses, line_points, keyframes }: Taken): Frame {
+  private frame({ rows, poses, line_points, keyframes, changes }: Taken): Frame {
     const engine = this.current();
     const poses_now = engine.poses();
     return {
@@ -199,6 +245,7 @@ export class Runner {
       row_poses: flat(poses),
       row_line_points: flat(line_points),
       keyframes,
+      changes,
       row: engine.row(),
       poses: poses_now,
       line_points: engine.line_points(),

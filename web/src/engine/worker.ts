@@ -55,9 +55,9 @@ function replay(): Replay {
 async function answer(request: Request): Promise<unknown> {
   switch (request.kind) {
     case "open":
-      return runner.open(request.text, request.file, request.overrides, await filesOf(request));
+      return runner.open(request.text, request.file, request.overrides, await filesOf(request), request.changes);
     case "advance":
-      return runner.advance(request.wall_s, request.speed);
+      return runner.advance(request.wall_s, request.speed, request.until_s);
     case "step":
       return runner.step();
     case "hydrostatics":
@@ -69,6 +69,8 @@ async function answer(request: Request): Promise<unknown> {
       return null;
     case "replay":
       return replay();
+    case "changes":
+      return runner.made();
     case "snapshot":
       return runner.snapshot();
     case "restore":

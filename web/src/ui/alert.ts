@@ -32,6 +32,8 @@ const HEADINGS: Record<string, string> = {
   address: "The address has a value that is not allowed",
   operation: "The operation cannot go on",
   saved: "Saved, but a run of the file differs",
+  link: "This link does not open",
+  followed: "A change of the link cannot be made again",
   unsaved: "The scenario cannot be saved",
 };
 

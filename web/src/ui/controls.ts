@@ -17,6 +17,7 @@ export class Controls {
       opened: (run, _frame, isAnother) => (isAnother ? this.build(run.model.parameters) : this.showLevers()),
       valuesChanged: () => this.show(),
       branched: (run) => this.showInputs(run.inputs),
+      followed: (run) => this.showInputs(run.inputs),
     });
   }
 

@@ -1,4 +1,4 @@
-import { askedBy, queryOf } from "../app/address";
+import { askedBy, holdsRun, queryOf } from "../app/address";
 import type { Asked } from "../app/address";
 import { faultOfAddress, faultOfDatabase } from "../app/faults";
 import { Gallery } from "../app/gallery";
@@ -8,11 +8,14 @@ import type { Session } from "../app/session";
 import type { Fault, Values } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
 import { scenarioAmong } from "../engine/files";
+import { runIn } from "../share/link";
+import type { SharedRun } from "../share/shared_run";
 import { texts } from "../texts";
 import { byId, make } from "./dom";
 
-/** Before the names of files among the choices. */
+/** Before the names of files, and of links, among the choices. */
 const FILE = "file:";
+const LINK = "link:";
 /** How long values stay as they are before the address says them, ms: browsers refuse many addresses at a time. */
 const CALM_MS = 300;
 
@@ -21,11 +24,20 @@ export interface Choice {
   choice: string;
 }
 
+/** A choice beside those of the gallery: a file that was opened here, or what came by a link. */
+interface Own {
+  source: Source;
+  values: Values;
+  title: string;
+  /** Where the address has it. */
+  hash: string;
+  link?: SharedRun;
+}
+
 /** Choosing a scenario: by the address, from the gallery or as a file; the address says which, and with which values. */
 export class Scenarios {
   private readonly select = byId<HTMLSelectElement>("gallery");
-  /** Files that were opened here, by their choices. */
-  private readonly files = new Map<string, Source>();
+  private readonly own = new Map<string, Own>();
   private gallery: Gallery;
   private shown = "";
   /** What the shown one was opened with. */
@@ -35,6 +47,8 @@ export class Scenarios {
   constructor(
     private readonly session: Session,
     base: string,
+    /** Is told of a run that came by a link, once it is open. */
+    private readonly linked: (link: SharedRun) => void,
   ) {
     this.gallery = Gallery.empty(base);
     this.select.addEventListener("change", () => void this.choose(this.select.value));
@@ -49,16 +63,54 @@ export class Scenarios {
 
   /** Opens what the address asks for; where that cannot be, what the bare address does. */
   async openAddress(): Promise<void> {
+    if (holdsRun(location.hash)) return this.openLink(location.hash);
     const asked = askedBy(location.search);
-    const { opening } = this.gallery;
-    const first = opening ? { scenario: opening, values: {} } : OPENING;
+    const { first } = this;
     if (asked.scenario === null) return void (await this.openAsked({ ...first, values: { ...first.values, ...asked.values } }));
-    if (await this.openAsked(asked)) return;
-    const why = this.session.fault;
+    if (!(await this.openAsked(asked))) await this.openFirst(this.session.fault);
+  }
+
+  /** What opens where nothing is asked for. */
+  private get first(): Asked {
+    const { opening } = this.gallery;
+    return opening ? { scenario: opening, values: {} } : OPENING;
+  }
+
+  /** In the place of what cannot be opened, which is said. */
+  private async openFirst(why: Fault | null): Promise<void> {
     // Where the engine is not there, another fails in the same way.
-    if (isOfEngine(why) || !(await this.openAsked(first))) return;
-    history.replaceState(null, "", location.pathname + (opening ? "" : queryOf(first)));
+    if (isOfEngine(why) || !(await this.openAsked(this.first))) return;
+    history.replaceState(null, "", location.pathname + (this.gallery.opening ? "" : queryOf(this.first)));
     if (why) this.session.report(why);
+  }
+
+  /** A run that the address holds; one that does not open leaves the run in hand as it was. */
+  private async openLink(hash: string): Promise<void> {
+    const why = await this.triedLink(hash);
+    if (!why) return;
+    if (!this.session.run && !isOfEngine(why)) return this.openFirst({ ...why, message: `${why.message} ${texts.share.opened_first}` });
+    if (this.session.run) this.write();
+    this.session.report(why);
+  }
+
+  /** Why it does not open. */
+  private async triedLink(hash: string): Promise<Fault | null> {
+    try {
+      const link = await runIn(hash);
+      const source = await this.sourceOf(link);
+      if (!(await this.open(LINK + hash, source, link.values))) return this.session.fault;
+      const title = texts.share.from_link(this.session.run!.model.title);
+      this.keep(LINK + hash, { source, values: link.values, title, hash, link });
+      this.linked(link);
+      return null;
+    } catch (fault) {
+      return fault as Fault;
+    }
+  }
+
+  private async sourceOf({ scenario, changes }: SharedRun): Promise<Source> {
+    const source = "gallery" in scenario ? await this.gallery.read(scenario.gallery) : scenario;
+    return { ...source, changes };
   }
 
   /** With the file's own values where those of the address are refused, which is said. */
@@ -89,24 +141,31 @@ export class Scenarios {
     return isOpen;
   }
 
+  private async openOwn(choice: string, { source, values, link }: Own): Promise<boolean> {
+    const isOpen = await this.open(choice, source, values);
+    if (isOpen && link) this.linked(link);
+    return isOpen;
+  }
+
   /** What is chosen by hand stands in the address, so that a link to it can be sent and Back leads from it. */
   private async choose(choice: string): Promise<void> {
-    const source = this.files.get(choice);
-    if (!(await (source ? this.open(choice, source, {}) : this.openNamed(choice, {})))) return;
-    history.pushState({ choice }, "", location.pathname + this.query());
+    const own = this.own.get(choice);
+    if (!(await (own ? this.openOwn(choice, own) : this.openNamed(choice, {})))) return;
+    history.pushState({ choice }, "", location.pathname + this.address());
   }
 
-  /** Whether a file that was opened here is what a state of the history stands for. */
+  /** Whether a file that was opened here, or a link, is what a state of the history stands for. */
   holds(state: Choice | null): boolean {
-    return state !== null && this.files.has(state.choice);
+    return state !== null && this.own.has(state.choice);
   }
 
-  /** Back or forward; what is open already stays as it is. */
+  /** Back or forward, or another link in the address; what is open already stays as it is. */
   async goTo(state: Choice | null): Promise<void> {
     clearTimeout(this.timer);
-    const source = state && this.files.get(state.choice);
-    if (source ? this.shown === state.choice : this.shown !== "" && this.query() === location.search && location.search !== "") return;
-    if (source) await this.open(state.choice, source, {});
+    const own = state && this.own.get(state.choice);
+    const asked = location.search + (holdsRun(location.hash) ? location.hash : "");
+    if (own ? this.shown === state.choice : this.shown !== "" && asked !== "" && asked === this.address()) return;
+    if (own) await this.openOwn(state.choice, own);
     else await this.openAddress();
   }
 
@@ -118,9 +177,13 @@ export class Scenarios {
     const choice = FILE + file;
     const source = { text, file, opened };
     if (!(await this.open(choice, source, {}))) return;
-    this.files.set(choice, source);
+    this.keep(choice, { source, values: {}, title: file, hash: "" });
+    history.pushState({ choice }, "", location.pathname + this.address());
+  }
+
+  private keep(choice: string, own: Own): void {
+    this.own.set(choice, own);
     this.fill();
-    history.pushState({ choice }, "", location.pathname);
   }
 
   private fill(): void {
@@ -128,14 +191,15 @@ export class Scenarios {
       const options = entries.map((entry) => make("option", { value: entry.name }, entry.title || entry.name));
       return make("optgroup", { label: title ?? texts.start.ungrouped }, ...options);
     });
-    const own = Array.from(this.files, ([choice, { file }]) => make("option", { value: choice }, file));
+    const own = Array.from(this.own, ([choice, { title }]) => make("option", { value: choice }, title));
     this.select.replaceChildren(...named, ...own);
     this.select.value = this.shown;
   }
 
-  /** No address has a person's own file. */
-  private query(): string {
-    return this.files.has(this.shown) ? "" : queryOf({ scenario: this.shown, values: this.session.values.wanted });
+  /** What the address has after its path: nothing of a person's own file, and a link stays the link. */
+  private address(): string {
+    const own = this.own.get(this.shown);
+    return own ? own.hash : queryOf({ scenario: this.shown, values: this.session.values.wanted });
   }
 
   private writeSoon(): void {
@@ -146,6 +210,6 @@ export class Scenarios {
   }
 
   private write(): void {
-    history.replaceState(history.state, "", location.pathname + this.query());
+    history.replaceState(history.state, "", location.pathname + this.address());
   }
 }

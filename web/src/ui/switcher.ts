@@ -3,6 +3,12 @@ import { byId } from "./dom";
 /** The panels take turns: of all on a narrow screen, of those beside the picture on a wide one, where the plots are always there. */
 export function enableSwitcher(): void {
   for (const button of buttons()) button.addEventListener("click", () => showPanel(button.dataset.panel!));
+  document.querySelector(".skip-link")!.addEventListener("click", (event) => {
+    // The address would be another one, which asks for another page.
+    event.preventDefault();
+    showPanel("controls");
+    byId("controls").focus();
+  });
 }
 
 /** Opens a panel by its id. */

@@ -9,10 +9,10 @@ export const WINDOW = { width: 1000, height: 640 };
 /** The paper's ship as its card opens it: with the load on, and a motor that stops by itself. */
 export const PAPER = "?scenario=paper&motor_1=true&load=true&torque_history=pulse";
 
-/** Opens a scenario in the app and waits until it is there. */
-export async function openApp({ browser, address }, { query = PAPER, colorScheme = "light", viewport = WINDOW } = {}) {
+/** Opens a scenario in the app and waits until it is there. The app is kept on the device only where that is tested: it takes time. */
+export async function openApp({ browser, address }, { query = PAPER, colorScheme = "light", viewport = WINDOW, serviceWorkers = "block" } = {}) {
   const isPhone = viewport.width < 600;
-  const context = await browser.newContext({ viewport, colorScheme, hasTouch: isPhone, isMobile: isPhone });
+  const context = await browser.newContext({ viewport, colorScheme, hasTouch: isPhone, isMobile: isPhone, serviceWorkers });
   const page = await context.newPage();
   page.setDefaultTimeout(30_000);
   const problems = [];

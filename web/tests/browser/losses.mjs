@@ -10,7 +10,7 @@ const alertOf = (page) => page.getByTestId("alert").textContent();
 
 /** Opens the app where some addresses cannot be reached. */
 async function openWithout({ browser, address }, pattern) {
-  const context = await browser.newContext();
+  const context = await browser.newContext({ serviceWorkers: "block" });
   await context.route(pattern, (route) => route.abort());
   const page = await context.newPage();
   page.setDefaultTimeout(60_000);

@@ -11,12 +11,14 @@ import gestures from "./gestures.mjs";
 import layout from "./layout.mjs";
 import losses from "./losses.mjs";
 import numbers from "./numbers.mjs";
+import offline from "./offline.mjs";
 import panels from "./panels.mjs";
 import plots from "./plots.mjs";
 import recording from "./recording.mjs";
 import saving from "./saving.mjs";
 import scenarios from "./scenarios.mjs";
 import sea from "./sea.mjs";
+import sharing from "./sharing.mjs";
 import start from "./start.mjs";
 
 const DIST = fileURLToPath(new URL("../../dist", import.meta.url));
@@ -36,7 +38,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...start, ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels, ...plots }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...start, ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels, ...plots, ...sharing, ...offline }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];

@@ -11,7 +11,7 @@ const FIRST_LOAD = 1_000_000;
 
 async function openStart({ browser, address }, { viewport = DESKTOP, prepare } = {}) {
   const isPhone = viewport.width < 600;
-  const context = await browser.newContext({ viewport, hasTouch: isPhone, isMobile: isPhone });
+  const context = await browser.newContext({ viewport, hasTouch: isPhone, isMobile: isPhone, serviceWorkers: "block" });
   await prepare?.(context);
   const page = await context.newPage();
   page.setDefaultTimeout(30_000);
@@ -109,7 +109,7 @@ export default {
 
   async "says so where the list or the simulator does not come, and has a way on"(host) {
     const { browser, address } = host;
-    const context = await browser.newContext();
+    const context = await browser.newContext({ serviceWorkers: "block" });
     await context.route("**/index.json", (route) => route.abort());
     const page = await context.newPage();
     await page.goto(address);

@@ -1,0 +1,102 @@
+"""Files that the package writes: whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .errors import KingpostError, OutputError
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@contextmanager
+def whole(path: str | Path) -> Iterator[Path]:
+    """A file beside `path` for the block to write, with the same ending.
+
+    It takes the place of `path` in one step once the block has ended and the disk holds it. Where the block
+    fails or is stopped, what stood at `path` stands there still.
+
+    >>> import tempfile
+    >>> target = Path(tempfile.mkdtemp()) / "numbers.csv"
+    >>> with whole(target) as beside:
+    ...     _ = beside.write_text("1,2")
+    >>> target.read_text()
+    '1,2'
+
+    Raises
+    ------
+    OutputError
+        When the file cannot be written, as on a full disk.
+    """
+    target = Path(path)
+    try:
+        number, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.", suffix=target.suffix)
+        os.close(number)
+        beside = Path(name)
+        try:
+            yield beside
+            _flush(beside)
+            beside.chmod(_mode(target))
+            beside.replace(target)
+        finally:
+            beside.unlink(missing_ok=True)
+    except OSError as error:
+        raise OutputError(target, error) from None
+
+
+def write_text(path: str | Path, text: str) -> Path:
+    """Write a text in UTF-8, with the line ends that it has."""
+    with whole(path) as beside:
+        beside.write_text(text, encoding="utf-8", newline="")
+    return Path(path)
+
+
+def write_netcdf(dataset: xarray.Dataset, path: str | Path) -> Path:
+    """Write a data set as NetCDF. It is put together in memory: on a full disk the HDF5 library crashes."""
+    with whole(path) as beside:
+        beside.write_bytes(dataset.to_netcdf(engine="h5netcdf"))
+    return Path(path)
+
+
+def check(path: str | Path, endings: Sequence[str]) -> Path:
+    """Make sure, before a computation, that its results can be written to `path`.
+
+    Raises
+    ------
+    KingpostError
+        When the file has another ending; `OutputError` when its folder is not there or takes no file.
+    """
+    path = Path(path)
+    if path.suffix.lower() not in endings:
+        raise KingpostError(f"{path}: unknown ending, allowed: {', '.join(endings)}")
+    try:
+        existed = path.exists()
+        with path.open("ab"):
+            pass
+        if not existed:
+            path.unlink()
+    except OSError as error:
+        raise OutputError(path, error) from None
+    return path
+
+
+def _flush(path: Path) -> None:
+    """Wait until the disk holds a file: a power cut after the renaming would leave it empty."""
+    with path.open("rb+") as file:
+        os.fsync(file.fileno())
+
+
+def _mode(target: Path) -> int:
+    """Permissions of the file that is replaced; of a new one those that the user gives to new files."""
+    try:
+        return target.stat().st_mode & 0o777
+    except FileNotFoundError:
+        mask = os.umask(0)
+        os.umask(mask)
+        return 0o666 & ~mask

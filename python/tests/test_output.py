@@ -1,0 +1,110 @@
+"""Files that are written: whole, or as they stood before."""
+
+from __future__ import annotations
+
+import os
+import resource
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import kingpost
+import pytest
+from kingpost import output
+from kingpost.errors import KingpostError, OutputError
+
+RUN = ("run", "paper", "--set", "simulation.duration_s=0.05")
+ENDINGS = (".nc", ".csv", ".parquet")
+
+
+@pytest.fixture(scope="module")
+def results():
+    """A short run."""
+    return kingpost.run("paper", {"simulation.duration_s": 0.05})
+
+
+def _names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_a_block_that_fails_leaves_the_file_as_it_stood(tmp_path):
+    """Source: what a person would lose: the good file of the run before."""
+    target = tmp_path / "good.csv"
+    target.write_text("good")
+
+    def fails() -> None:
+        with output.whole(target) as beside:
+            beside.write_text("half")
+            raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        fails()
+    assert target.read_text() == "good"
+    assert _names(tmp_path) == ["good.csv"]
+
+
+def test_a_new_file_has_the_permissions_of_new_files_and_an_old_one_keeps_its_own(tmp_path):
+    """Source: umask(2); a temporary file is readable by its owner alone."""
+    mask = os.umask(0o027)
+    try:
+        new = output.write_text(tmp_path / "new.csv", "1")
+        assert new.stat().st_mode & 0o777 == 0o640
+        new.chmod(0o604)
+        output.write_text(new, "2")
+        assert new.stat().st_mode & 0o777 == 0o604
+    finally:
+        os.umask(mask)
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_a_disk_that_is_full_is_one_clear_error_and_the_old_file_stays(tmp_path, results, ending):
+    """Source: setrlimit(2): a file that may not grow fails as on a full disk."""
+    target = tmp_path / f"run{ending}"
+    kingpost.results.write(results, target)
+    before = target.read_bytes()
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2_000, hard))
+    try:
+        with pytest.raises(KingpostError, match=r"cannot be written: .*File too large"):
+            kingpost.results.write(results, target)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert target.read_bytes() == before
+    assert _names(tmp_path) == [target.name]
+
+
+def test_a_folder_that_takes_no_file_is_refused_with_its_reason(tmp_path):
+    """Source: the operating system's words."""
+    with pytest.raises(OutputError, match="No such file or directory") as refused:
+        output.write_text(tmp_path / "nowhere" / "x.csv", "1")
+    assert refused.value.path == tmp_path / "nowhere" / "x.csv"
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_kill_at_any_moment_leaves_the_old_file_or_the_new_one(tmp_path, ending):
+    """Source: kill -9 at moments spread over the whole life of a run that writes over a good file."""
+    target = tmp_path / f"run{ending}"
+    command = [sys.executable, "-m", "kingpost", *RUN, "-o", str(target)]
+    began = time.monotonic()
+    subprocess.run(command, check=True, capture_output=True)
+    took_s = time.monotonic() - began
+    good = _readable(target)
+    for share in (0.5, 0.8, 0.9, 0.95, 1.0):
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(share * took_s)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        assert _readable(target) == good, f"killed after {share * took_s:.2f} s"
+
+
+def _readable(path: Path) -> int:
+    """Rows of a file, read as a user would."""
+    import pandas
+    import xarray
+
+    if path.suffix == ".nc":
+        with xarray.open_dataset(path) as found:
+            return found.sizes["time"]
+    return len(pandas.read_csv(path) if path.suffix == ".csv" else pandas.read_parquet(path))

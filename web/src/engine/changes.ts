@@ -1,0 +1,54 @@
+import type { Value } from "./engine";
+
+/** A lever or a live parameter that was set in a run, at the end of a step. */
+export type Change = { time_s: number; input: string; value: number } | { time_s: number; parameter: string; value: Value };
+
+/** What was set in a run so far, and what a link says is to be set again. */
+export class Changes {
+  private all: Change[] = [];
+
+  constructor(
+    private due: readonly Change[],
+    private readonly step_s: number,
+  ) {}
+
+  get made(): readonly Change[] {
+    return this.all;
+  }
+
+  /** Of several moves of one lever between two steps the last counts. A parameter books energy each time. */
+  make(change: Change): void {
+    const last = this.all.at(-1);
+    const isSame = last && "input" in last && "input" in change && last.input === change.input && last.time_s === change.time_s;
+    if (isSame) this.all.pop();
+    this.all.push(change);
+  }
+
+  /** Those that are due after so many steps; they are due no more. */
+  takeDue(steps: number): Change[] {
+    const now = this.due.filter((change) => this.stepOf(change) <= steps);
+    if (now.length > 0) this.due = this.due.slice(now.length);
+    return now;
+  }
+
+  /** Steps to the next that is due later; infinitely many where there is none. */
+  toNext(steps: number): number {
+    const next = this.due.find((change) => this.stepOf(change) > steps);
+    return next ? this.stepOf(next) - steps : Infinity;
+  }
+
+  /** A hand takes over: nothing is set again any more. */
+  dropDue(): void {
+    this.due = [];
+  }
+
+  /** The run went back to this step. */
+  dropAfter(steps: number): void {
+    this.all = this.all.filter((change) => this.stepOf(change) <= steps);
+    this.dropDue();
+  }
+
+  private stepOf({ time_s }: Change): number {
+    return Math.round(time_s / this.step_s);
+  }
+}

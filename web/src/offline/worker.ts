@@ -1,0 +1,108 @@
+/** The app's service worker: keeps all files of one build, and answers with these alone, so that no build mixes with another. */
+
+interface LastingEvent extends Event {
+  waitUntil(work: Promise<unknown>): void;
+}
+
+interface FetchedEvent extends LastingEvent {
+  request: Request;
+  respondWith(answer: Promise<Response>): void;
+}
+
+/** The part of a service worker's global scope that is used here. */
+interface WorkerScope {
+  /** The files of this build by their paths, with a digest of each: the build writes them before this script. */
+  kingpost_files: Record<string, string>;
+  registration: { scope: string };
+  clients: {
+    claim(): Promise<void>;
+    matchAll(options: { type: "window"; includeUncontrolled: true }): Promise<{ url: string }[]>;
+  };
+  skipWaiting(): Promise<void>;
+  addEventListener(type: "install" | "activate", listener: (event: LastingEvent) => void): void;
+  addEventListener(type: "fetch", listener: (event: FetchedEvent) => void): void;
+  addEventListener(type: "message", listener: (event: LastingEvent & MessageEvent<ToOffline>) => void): void;
+}
+
+/** `claim`: the page has this script, and asks to be answered from now on. `takeOver`: the page asks for the newer build. */
+export type ToOffline = { claim: string } | { takeOver: true };
+/** Other windows have the older build, which would be mixed with the newer one. */
+export type FromOffline = { others: number };
+
+const scope = self as unknown as WorkerScope;
+const files = scope.kingpost_files;
+const folder = scope.registration.scope;
+const opened = () => caches.open(`kingpost ${folder}`);
+
+scope.addEventListener("install", (event) => event.waitUntil(keepAll()));
+scope.addEventListener("activate", (event) => event.waitUntil(dropOthers()));
+scope.addEventListener("fetch", (event) => {
+  const path = pathOf(event.request.url);
+  if (event.request.method === "GET" && path !== null) event.respondWith(kept(path, event.request));
+});
+scope.addEventListener("message", (event) => {
+  const { data, ports } = event;
+  event.waitUntil("claim" in data ? claim(data.claim) : takeOver(ports[0]));
+});
+
+/** What an older build has kept of the same files is not fetched again. One file that does not come, and none counts. */
+async function keepAll(): Promise<void> {
+  const cache = await opened();
+  const keep = async (path: string) => {
+    if (!(await cache.match(keyOf(path)))) await cache.put(keyOf(path), await fetched(path));
+  };
+  await Promise.all(Object.keys(files).map(keep));
+}
+
+/** A file of this build: where the host has another by now, that is another build's. */
+async function fetched(path: string): Promise<Response> {
+  const response = await fetch(new URL(path, folder), { cache: "no-cache" });
+  const content = await response.arrayBuffer();
+  if (!response.ok || (await digestOf(content)) !== files[path]) throw new Error(`${path} is not that of this build`);
+  const headers = new Headers(response.headers);
+  // They are of the bytes on the way, which were packed.
+  for (const name of ["content-encoding", "content-length"]) headers.delete(name);
+  return new Response(content, { headers });
+}
+
+async function digestOf(content: ArrayBuffer): Promise<string> {
+  const bytes = new Uint8Array(await crypto.subtle.digest("SHA-256", content));
+  return Array.from(bytes.subarray(0, 8), (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+async function dropOthers(): Promise<void> {
+  const cache = await opened();
+  const ours = new Set(Object.keys(files).map(keyOf));
+  const others = (await cache.keys()).filter(({ url }) => !ours.has(url));
+  await Promise.all(others.map((request) => cache.delete(request)));
+}
+
+/** A browser short of room may have dropped it. */
+async function kept(path: string, request: Request): Promise<Response> {
+  return (await (await opened()).match(keyOf(path))) ?? fetch(request);
+}
+
+/** A page of another build goes on without. */
+async function claim(script: string): Promise<void> {
+  if (pathOf(script) !== null) await scope.clients.claim();
+}
+
+async function takeOver(port: MessagePort): Promise<void> {
+  const windows = await scope.clients.matchAll({ type: "window", includeUncontrolled: true });
+  const others = windows.filter(({ url }) => url.startsWith(folder)).length - 1;
+  if (others > 0) port.postMessage({ others } satisfies FromOffline);
+  else await scope.skipWaiting();
+}
+
+/** The path of a file of this build, whatever is asked of it; null for another address. */
+function pathOf(url: string): string | null {
+  const { origin, pathname } = new URL(url);
+  const place = origin + pathname;
+  if (!place.startsWith(folder)) return null;
+  const path = decodeURIComponent(place.slice(folder.length)).replace(/^index\.html$/, "");
+  return Object.hasOwn(files, path) ? path : null;
+}
+
+function keyOf(path: string): string {
+  return new URL(`${path}?digest=${files[path]}`, folder).href;
+}

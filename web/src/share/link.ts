@@ -1,0 +1,58 @@
+import { digestOf } from "../engine/digest";
+import type { Fault } from "../engine/engine";
+import { texts } from "../texts";
+import { packed, unpacked } from "./packing";
+import { sharedRunOf } from "./shared_run";
+import type { SharedRun } from "./shared_run";
+
+/** Of the form that is written: `#k1=` and what `packed` makes, a point, a digest of what is in it. */
+const VERSION = 1;
+const KEY = /^k(\d+)$/;
+/** Longest form after the `#`, characters: browsers take more, messengers and mails cut. */
+export const LONGEST = 64_000;
+/** Most that it may hold, bytes: a hundred scenarios. A small link can be made to hold gigabytes. */
+const LARGEST = 2_000_000;
+
+/** What stands after the `#` of an address that opens a run. */
+export async function hashOf(run: SharedRun): Promise<string> {
+  const json = JSON.stringify(run);
+  const bytes = new TextEncoder().encode(json);
+  const hash = `#k${VERSION}=${await packed(bytes)}.${digestOf(bytes)}`;
+  if (hash.length > LONGEST || bytes.length > LARGEST) throw faultOfLink(texts.share.too_large(hash.length, LONGEST));
+  return hash;
+}
+
+/** The run that an address holds; throws a fault of the kind `link` that says why there is none. */
+export async function runIn(hash: string): Promise<SharedRun> {
+  const { version, text } = entryOf(hash) ?? { version: VERSION, text: "" };
+  if (version > VERSION) throw faultOfLink(texts.share.newer);
+  if (text.length > LONGEST) throw faultOfLink(texts.share.too_long(text.length, LONGEST));
+  const [content, digest] = text.split(".");
+  if (!content || digest?.length !== digestOf().length) throw faultOfLink(texts.share.cut);
+  const bytes = await unpacked(content, LARGEST).catch((why: unknown) => {
+    throw faultOfLink(why instanceof RangeError ? texts.share.too_much(LARGEST) : texts.share.broken);
+  });
+  const run = digestOf(bytes) === digest ? sharedRunOf(parsed(bytes)) : null;
+  if (!run) throw faultOfLink(texts.share.broken);
+  return run;
+}
+
+function entryOf(hash: string): { version: number; text: string } | null {
+  for (const [key, text] of new URLSearchParams(hash.slice(1))) {
+    const found = KEY.exec(key);
+    if (found) return { version: Number(found[1]), text };
+  }
+  return null;
+}
+
+function parsed(bytes: Uint8Array): unknown {
+  try {
+    return JSON.parse(new TextDecoder().decode(bytes));
+  } catch {
+    return null;
+  }
+}
+
+function faultOfLink(message: string): Fault {
+  return { kind: "link", message };
+}

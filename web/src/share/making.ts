@@ -1,0 +1,43 @@
+import type { Run, Source } from "../app/run";
+import type { Session } from "../app/session";
+import type { Change } from "../engine/changes";
+import { digestOf } from "../engine/digest";
+import type { Moment } from "../app/recording/recording";
+import type { SharedMoment, SharedRun, SharedScenario } from "./shared_run";
+
+/** The run in hand as it is shown: paused, for the moment to stay what the link says. Null where there is none. */
+export async function sharedRun(session: Session): Promise<SharedRun | null> {
+  session.pause();
+  const changes = await session.changes();
+  const { run, source, shown, values } = session;
+  const { moment } = shown;
+  if (!run || !source || !moment) return null;
+  return { scenario: scenarioOf(source, run), values: values.begun, changes: changes.filter(isBy(moment)), moment: momentOf(moment) };
+}
+
+/** What comes after the moment that is shown is not in the link: who looks back shares what is seen. */
+function isBy(moment: Moment): (change: Change) => boolean {
+  return ({ time_s }) => time_s <= moment.time_s;
+}
+
+/** One of the gallery is named: its text is wherever the app is. */
+function scenarioOf({ gallery, file, text, opened }: Source, { digest }: Run): SharedScenario {
+  return gallery === undefined ? { file, text, opened: opened ?? {} } : { gallery, digest };
+}
+
+function momentOf({ time_s, row }: Moment): SharedMoment | null {
+  return time_s > 0 ? { time_s, digest: digestOf(row) } : null;
+}
+
+/**
+ * Whether the run in hand has, at a link's moment, the numbers that the link was made at; null at any other moment, and where
+ * a hand set something else.
+ */
+export async function isSame(session: Session, link: SharedRun): Promise<boolean | null> {
+  const { moment } = session.shown;
+  if (!moment || moment.time_s !== link.moment?.time_s) return null;
+  const made = await session.changes();
+  const isBefore = (change: Change) => change.time_s < moment.time_s;
+  const [here, there] = [{ values: session.values.begun, changes: made }, link].map(({ values, changes }) => JSON.stringify([values, changes.filter(isBefore)]));
+  return here === there ? digestOf(moment.row) === link.moment.digest : null;
+}

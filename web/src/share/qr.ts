@@ -1,0 +1,16 @@
+import { encode } from "uqr";
+import { svg } from "../instruments/svg";
+
+/** Longest text that a phone still reads off a screen, characters; the standard's own limit is 2953. */
+export const LONGEST_QR = 1000;
+/** White around it, modules: what the standard asks for. */
+const QUIET = 4;
+
+/** A QR code as a picture, dark on white whatever the palette is. */
+export function qrCode(text: string, label: string): SVGSVGElement {
+  const { data, size } = encode(text, { ecc: "L", border: QUIET });
+  const modules = data.flatMap((row, y) => row.flatMap((isDark, x) => (isDark ? [`M${x} ${y}h1v1h-1z`] : [])));
+  const paper = svg("rect", { width: String(size), height: String(size), fill: "#ffffff" });
+  const drawn = svg("path", { d: modules.join(""), fill: "#000000" });
+  return svg("svg", { viewBox: `0 0 ${size} ${size}`, role: "img", "aria-label": label, "shape-rendering": "crispEdges" }, paper, drawn);
+}

@@ -1,0 +1,20 @@
+import type { Session } from "../app/session";
+import { byId } from "../ui/dom";
+import type { ShareDialog } from "./dialog";
+
+/** Makes a link to the run in hand; what that takes is loaded when it is first asked for. */
+export function enableSharing(session: Session): void {
+  const button = byId<HTMLButtonElement>("share");
+  let dialog: Promise<ShareDialog> | null = null;
+  button.addEventListener("click", () => {
+    dialog ??= import("./dialog").then(({ ShareDialog }) => new ShareDialog(session));
+    void dialog.then(
+      (loaded) => loaded.open(),
+      (why: unknown) => {
+        dialog = null;
+        session.report({ kind: "network", message: String(why) });
+      },
+    );
+  });
+  session.listen({ statusChanged: (status) => (button.disabled = status === "loading" || status === "empty") });
+}

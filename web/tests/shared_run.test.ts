@@ -1,0 +1,215 @@
+import { describe, expect, it, vi } from "vitest";
+import type { Source } from "../src/app/run";
+import { Session } from "../src/app/session";
+import type { Change } from "../src/engine/changes";
+import type { EngineClient } from "../src/engine/client";
+import type { Value, Values } from "../src/engine/engine";
+import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
+import { Runner } from "../src/engine/runner";
+import { hashOf, runIn } from "../src/share/link";
+import { isSame, sharedRun } from "../src/share/making";
+import type { SharedRun } from "../src/share/shared_run";
+import { bits, filesOf, initEngine, read } from "./gallery";
+
+await initEngine();
+
+/** A session on the engine itself, without a worker. */
+async function sessionOf(source: Source, values: Values = {}): Promise<Session> {
+  const files = JSON.parse(await filesOf(source.text)) as Record<string, string>;
+  const runner = new Runner((...of) => new Simulation(...of), () => 0);
+  const client = {
+    open: async (text: string, file: string, overrides: Values, _: unknown, changes: readonly Change[]) => runner.open(text, file, overrides, files, changes),
+    advance: async (wall_s: number, speed: number, until_s: number) => runner.advance(wall_s, speed, until_s),
+    step: async () => runner.step(),
+    input: async (name: string, value: number) => runner.input(name, value),
+    parameter: async (name: string, value: Value) => runner.parameter(name, value),
+    snapshot: async () => runner.snapshot(),
+    restore: async (snapshot: Uint8Array) => runner.restore(snapshot),
+    changes: async () => structuredClone(runner.made()),
+    replay: async () => ({ ...runner.replay(), files: [] }),
+  } as unknown as EngineClient;
+  const session = new Session(client);
+  await session.open(source, values);
+  expect(session.fault).toBeNull();
+  return session;
+}
+
+const fromGallery = (gallery: string): Source => ({ text: read(`scenarios/${gallery}.yaml`), file: `${gallery}.yaml`, gallery });
+
+/** What the app does with a link, but for the page. */
+async function openedBy(hash: string): Promise<{ session: Session; link: SharedRun }> {
+  const link = await runIn(hash);
+  const source = "gallery" in link.scenario ? fromGallery(link.scenario.gallery) : link.scenario;
+  return { session: await sessionOf({ ...source, changes: link.changes }, link.values), link };
+}
+
+/** Runs for a while, in frames of uneven length. */
+async function run(session: Session, seconds: number): Promise<void> {
+  session.start();
+  const until_s = session.shown.recording!.now.time_s + seconds;
+  await vi.waitFor(() => expect(session.status).toBe("running"));
+  for (let i = 0; session.shown.recording!.now.time_s < until_s; i++) await session.advance([0.13, 0.017, 0.09][i % 3]);
+  session.pause();
+}
+
+/** As fast as it goes, to a time. */
+async function runTo(session: Session, time_s: number): Promise<void> {
+  session.runTo(time_s);
+  while (session.status === "running") await session.advance(0.016);
+}
+
+const set = async (session: Session, name: string, value: Value) => {
+  session.set(name, value);
+  await vi.waitFor(() => expect(session.pending()).toEqual([]));
+};
+
+/** The bits of rows and poses, by their times. */
+const recorded = (session: Session) => new Map(session.shown.recording!.rows.items.map(({ time_s, row, poses }) => [time_s, bits([...row, ...poses])]));
+
+/** Of the times that both have, those where something differs. */
+function differences(again: Session, first: Session): number[] {
+  const [there, here] = [recorded(first), recorded(again)];
+  const times = [...there.keys()].filter((time) => here.has(time));
+  expect(times.length).toBeGreaterThan(20);
+  return times.filter((time) => String(there.get(time)) !== String(here.get(time)));
+}
+
+const expectSame = (again: Session, first: Session) => expect(differences(again, first)).toEqual([]);
+
+const hashOfRun = async (session: Session) => hashOf((await sharedRun(session))!);
+
+describe("a run that is opened by its link", () => {
+  it("has the same bits where levers were moved", async () => {
+    const first = await sessionOf(fromGallery("lowering_by_winch"), { load_t: 13.7, waves: true });
+    await first.setInput("hoist", 1);
+    await run(first, 1.2);
+    for (const value of [-3, -7.77, -66]) await first.setInput("hoist", value);
+    await run(first, 2.3);
+    await first.setInput("hoist", 50 / 3);
+    await run(first, 1.7);
+    const { session, link } = await openedBy(await hashOfRun(first));
+    expect(link.changes.length).toBe(3);
+    await run(session, 5.3);
+    expectSame(session, first);
+    expect(session.run!.inputs.find(({ name }) => name === "hoist")!.value).toBe(50 / 3);
+    // One step later is another run.
+    const step_s = first.run!.model.step_s;
+    const late = await sessionOf({ ...first.source!, changes: link.changes.map((change) => ({ ...change, time_s: change.time_s + step_s })) }, link.values);
+    await run(late, 5.3);
+    expect(differences(late, first).length).toBeGreaterThan(20);
+  });
+
+  it("has the same bits where live parameters were set, beside an operation that is on", async () => {
+    const first = await sessionOf(fromGallery("offshore_vessel_on_dp"), { wind_speed_m_s: 9 });
+    await run(first, 1.3);
+    await set(first, "wind_speed_m_s", 15);
+    await set(first, "wind_speed_m_s", 16.5);
+    await run(first, 2.1);
+    await set(first, "wind_speed_m_s", 3);
+    await run(first, 2.2);
+    const { session, link } = await openedBy(await hashOfRun(first));
+    expect(link.values).toEqual({ wind_speed_m_s: 9 });
+    expect(link.changes.map(({ value }) => value)).toEqual([15, 16.5, 3]);
+    await runTo(session, link.moment!.time_s);
+    expectSame(session, first);
+    expect([session.value("wind_speed_m_s"), session.pending()]).toEqual([3, []]);
+    expect(await isSame(session, link)).toBe(true);
+    // A reset begins as the link did, and runs to the same.
+    await session.reset();
+    expect([session.status, session.value("wind_speed_m_s"), session.values.begun]).toEqual(["idle", 9, { wind_speed_m_s: 9 }]);
+    for (let i = 0; i < 30; i++) await session.step();
+    expectSame(session, first);
+  });
+
+  it("has the same bits where the run was steered by lever and parameter, looked back and went another way", async () => {
+    const first = await sessionOf(fromGallery("offshore_vessel_moored"));
+    const { name, value } = first.run!.model.parameters.find(({ live }) => live)!;
+    await run(first, 2);
+    await set(first, name, (value as number) * 0.5);
+    await run(first, 2);
+    await set(first, name, (value as number) * 0.25);
+    await run(first, 1);
+    first.scrub(3);
+    await run(first, 1);
+    await set(first, name, (value as number) * 0.75);
+    await run(first, 1);
+    const { session, link } = await openedBy(await hashOfRun(first));
+    expect(link.changes.map((change) => change.value)).toEqual([(value as number) * 0.5, (value as number) * 0.75]);
+    await runTo(session, link.moment!.time_s);
+    expectSame(session, first);
+    expect(await isSame(session, link)).toBe(true);
+  });
+
+  it("holds a scenario of a person's own as its text", async () => {
+    const text = read("scenarios/lowering_by_winch.yaml").replace(/^title: .*/m, "title: My winch");
+    const first = await sessionOf({ text, file: "mine.yaml", opened: {} });
+    await first.setInput("hoist", -5);
+    await run(first, 3);
+    const { session, link } = await openedBy(await hashOfRun(first));
+    expect(link.scenario).toEqual({ file: "mine.yaml", text, opened: {} });
+    await run(session, 3);
+    expectSame(session, first);
+  });
+
+  it("stops at the moment that was shown, between two records too, and knows whether its numbers are those", async () => {
+    const first = await sessionOf(fromGallery("lowering_by_winch"));
+    first.start();
+    for (let i = 0; i < 20; i++) await first.advance(0.0317);
+    const { now } = first.shown.recording!;
+    const { session, link } = await openedBy(await hashOfRun(first));
+    expect(first.status).toBe("paused");
+    expect(link.moment!.time_s).toBe(now.time_s);
+    expect(await isSame(session, link)).toBeNull();
+    await runTo(session, link.moment!.time_s);
+    expect(session.shown.recording!.now.time_s).toBe(now.time_s);
+    expect(bits(session.shown.moment!.row)).toEqual(bits(now.row));
+    expect(await isSame(session, link)).toBe(true);
+    expect(await isSame(session, { ...link, moment: { ...link.moment!, digest: "00000000" } })).toBe(false);
+  });
+
+  it("has of a run that is looked back on what led to the moment that is shown", async () => {
+    const first = await sessionOf(fromGallery("lowering_by_winch"));
+    await run(first, 2);
+    await first.setInput("hoist", -20);
+    await run(first, 2);
+    await first.setInput("hoist", 30);
+    await run(first, 2);
+    first.scrub(3.5);
+    const link = await runIn(await hashOfRun(first));
+    expect(link.changes.map(({ value }) => value)).toEqual([-20]);
+    expect(link.moment!.time_s).toBe(first.shown.time_s);
+  });
+
+  it("is steered by the hand alone once that sets something", async () => {
+    const first = await sessionOf(fromGallery("lowering_by_winch"));
+    await run(first, 1);
+    await first.setInput("hoist", -20);
+    await run(first, 1);
+    await first.setInput("hoist", 30);
+    await run(first, 1);
+    const { session, link } = await openedBy(await hashOfRun(first));
+    await run(session, 1.5);
+    await session.setInput("hoist", 5);
+    await runTo(session, link.moment!.time_s);
+    expect((await session.changes()).map(({ value }) => value)).toEqual([-20, 5]);
+    expect(await isSame(session, link)).toBeNull();
+  });
+
+  it("ends with words where the scenario no more has what was set", async () => {
+    const session = await sessionOf({ ...fromGallery("lowering_by_winch"), changes: [{ time_s: 0.5, input: "no_such_lever", value: 1 }] });
+    session.start();
+    for (let i = 0; i < 20; i++) await session.advance(0.1);
+    expect([session.status, session.fault?.kind]).toEqual(["stopped", "followed"]);
+    expect(session.fault?.message).toContain("no_such_lever");
+    expect(session.shown.recording!.now.time_s).toBeCloseTo(0.5, 9);
+  });
+
+  it("is marked by all files that its scenario stands on", async () => {
+    const source = fromGallery("barge");
+    const files = JSON.parse(await filesOf(source.text)) as Record<string, string>;
+    const digest = (changed: Record<string, string>) => new Runner((...of) => new Simulation(...of), () => 0).open(source.text, source.file, {}, changed).digest;
+    const [name] = Object.keys(files);
+    expect(digest({ ...files })).toBe(digest(Object.fromEntries(Object.entries(files).reverse())));
+    expect(digest({ ...files, [name]: `${files[name]} ` })).not.toBe(digest(files));
+  });
+});
