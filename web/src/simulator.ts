@@ -11,6 +11,7 @@ import { Session } from "./app/session";
 import { EngineClient } from "./engine/client";
 import type { Fault } from "./engine/engine";
 import { EquationsPanel } from "./equations/equations";
+import { exportTool } from "./export/dialog";
 import { Instruments } from "./instruments/instruments";
 import { Plots } from "./plots/plots";
 import { announce } from "./ui/announcer";
@@ -91,8 +92,8 @@ function buildPage(session: Session, startClient: () => EngineClient): void {
   new Transport(session);
   new Scrubber(session);
   announce(session);
-  const plots = new Plots(session);
   const scene = createScene(session);
+  const plots: Plots = new Plots(session, aside, [exportTool(session, scene, () => plots.shown)]);
   new EquationsPanel(session, aside, (what) => scene.highlight(what));
   const ahead = openAhead(session, aside, galleryFolder(document.baseURI));
   new AheadLine(ahead);

@@ -13,9 +13,9 @@ export class Aside {
 
   constructor(private readonly startClient: () => EngineClient) {}
 
-  /** How the hulls of the run in hand float at rest with the crane as it stands; null where something newer was asked. */
-  hydrostatics(session: Session): Promise<Hydrostatics | null> {
-    return this.inTurn("hydrostatics", async () => {
+  /** How the hulls of the run in hand float at rest with the crane as it stands; null where the same one asked something newer. */
+  hydrostatics(session: Session, asking = "ship"): Promise<Hydrostatics | null> {
+    return this.inTurn(`hydrostatics for ${asking}`, async () => {
       const snapshot = await session.snapshot();
       const client = await this.opened(session);
       await client?.restore(snapshot);

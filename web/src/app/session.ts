@@ -137,6 +137,14 @@ export class Session extends Told {
     }
   }
 
+  /** The run in hand as a scenario in JSON, for what is written of it; null where it cannot be one. */
+  async resolved(): Promise<string | null> {
+    return this.asked(this.client.replay()).then(
+      ({ scenario }) => scenario,
+      () => null,
+    );
+  }
+
   /** What was set in the run in hand so far. */
   changes(): Promise<readonly Change[]> {
     return this.asked(this.client.changes());

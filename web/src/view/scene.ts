@@ -14,6 +14,8 @@ export interface Scene {
   highlight(what: Highlight | null): void;
   /** Where the loads may come to be. */
   foresee(outlook: Outlook | null): void;
+  /** The picture as it is, to be copied at once: a browser empties it soon after. */
+  picture(): HTMLCanvasElement | null;
 }
 
 /** Ties the 3D picture to the run and to its buttons; without WebGL it says so, and the rest runs. */
@@ -25,7 +27,7 @@ export function createScene(session: Session): Scene {
     const message = byId("scene-message");
     message.hidden = false;
     message.textContent = "This browser offers no WebGL, so there is no picture; the numbers and plots run.";
-    return { draw() {}, highlight() {}, foresee() {} };
+    return { draw() {}, highlight() {}, foresee() {}, picture: () => null };
   }
   showLosses(byId("canvas"), view);
   const frames = byId<HTMLButtonElement>("frames");
@@ -64,6 +66,7 @@ export function createScene(session: Session): Scene {
     },
     highlight: (what) => view.highlight(what),
     foresee: (outlook) => (due = () => view.showCloud(outlook && session.run && swarmOf(outlook, session.run))),
+    picture: () => view.picture(),
   };
 }
 

@@ -158,6 +158,13 @@ export class View {
     if (this.drawing.drew(performance.now())) this.detail();
   }
 
+  /** Drawn now, to be copied before the browser empties it. */
+  picture(): HTMLCanvasElement {
+    this.stale = true;
+    this.draw();
+    return this.canvas;
+  }
+
   private place({ poses, line_points }: Pose): void {
     this.bodies.forEach((body, i) => {
       const at = 7 * i;

@@ -103,6 +103,11 @@ export class Recording {
     return this.told.warnings.all;
   }
 
+  /** What happened, and what a hand set. */
+  get events(): readonly Warning[] {
+    return this.told.events.all;
+  }
+
   /** What happened, warnings among it, in order of time. */
   get marks(): readonly Warning[] {
     const from = [this.told.warnings.all, this.told.events.all];
