@@ -2,11 +2,11 @@ import { ACESFilmicToneMapping, FogExp2, Group, Mesh, PCFShadowMap, Scene, Sprit
 import type { Color, Material, Object3D } from "three";
 import { onPalette } from "../app/palette";
 import type { Run } from "../app/session";
-import type { ModelInfo } from "../engine/engine";
 import type { Frame } from "../engine/messages";
 import type { Surface } from "../engine/surface";
 import { airOf } from "./air";
 import { Eye } from "./camera";
+import { craftOf } from "./craft/craft";
 import { Daylight } from "./daylight";
 import type { Highlight } from "../equations/highlight";
 import type { Area, Box } from "./fit";
@@ -18,8 +18,7 @@ import { readPalette } from "./palette";
 import type { Palette } from "./palette";
 import { Drawing } from "./quality";
 import { Sea } from "./sea";
-import { boxOf, edgesOf, solidOf, withFrame } from "./solids";
-import type { ShapedHull } from "./solids";
+import { boxOf, edgesOf, shapedHullOf, solidOf, withFrame } from "./solids";
 import { gridSpacing } from "./spacing";
 import { labelScale, triadOf } from "./triad";
 
@@ -53,6 +52,10 @@ export class View {
   private palette: Palette = readPalette();
   private lines: DrawnLines | null = null;
   private run: Shown | null = null;
+  /** How everything stood when the run began: what is on what is taken from it. */
+  private start: Pose = { poses: [], line_points: [] };
+  /** Whether the model's own solids are drawn. */
+  private plain = false;
   private frame: Pose = { poses: [], line_points: [] };
   private boxes: Box[] = [];
   private readonly marks = new Marks();
@@ -79,15 +82,13 @@ export class View {
   /** Builds the bodies; `refit` when it is another model and not the same one reset. */
   build(run: Shown, frame: Pose, refit: boolean): void {
     const { model } = run;
+    if (run !== this.run) this.start = frame;
     this.run = run;
     this.frame = frame;
     this.clear();
-    const hulls = model.bodies.map(({ name }) => shapedHull(model, name));
-    this.bodies = model.bodies.map((body, i) => {
-      const group = new Group();
-      group.add(solidOf(body, this.palette, body.floats, hulls[i]));
-      return group;
-    });
+    const hulls = model.bodies.map(({ name }) => shapedHullOf(model, name));
+    const craft = this.plain ? null : craftOf(run, this.start, this.palette);
+    this.bodies = model.bodies.map((body, i) => new Group().add(craft ? craft.works[i].object() : solidOf(body, this.palette, body.floats, hulls[i])));
     this.world.add(...this.bodies);
     const boxes = model.bodies.map((body, i) => boxOf(body, hulls[i]));
     this.boxes = boxes;
@@ -241,10 +242,6 @@ function coversOf(canvas: HTMLCanvasElement): Area[] {
 /** As the depths are painted at the height of the eye. */
 function fogColour({ deep, shallow }: Palette): Color {
   return deep.clone().lerp(shallow, 0.4);
-}
-
-function shapedHull(model: ModelInfo, body: string): ShapedHull | undefined {
-  return model.hulls.find((hull): hull is ShapedHull => hull.body === body && hull.mesh !== null);
 }
 
 function dispose(object: Object3D): void {
