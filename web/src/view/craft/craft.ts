@@ -40,12 +40,15 @@ const WATER = 0.42;
 /** A place that is off a solid by less than this needs no bracket, m. */
 const NEAR_M = 0.02;
 
-/** What is drawn of a run: its bodies by their shapes and by how they stand at the start. */
-export function craftOf(run: { model: ModelInfo; lines: readonly DrawnLine[] }, start: Pick<Scene, "poses" | "line_points">, palette: Palette): Craft {
-  const { model, lines } = run;
+/** What of a run, and of how it stands at its start, the bodies are drawn by. */
+export function sceneOf({ model, lines }: { model: ModelInfo; lines: readonly DrawnLine[] }, { poses, line_points }: Pick<Scene, "poses" | "line_points">): Scene {
   const boxes = model.bodies.map((body) => boxOf(body, shapedHullOf(model, body.name)));
-  const scene: Scene = { model, lines, boxes, roles: rolesOf(model), poses: start.poses, line_points: start.line_points };
-  return new Builder(scene, palette).build();
+  return { model, lines, boxes, roles: rolesOf(model), poses, line_points };
+}
+
+/** What is drawn of a run: its bodies by their shapes and by how they stand at the start. */
+export function craftOf(run: Pick<Scene, "model" | "lines">, start: Pick<Scene, "poses" | "line_points">, palette: Palette): Craft {
+  return new Builder(sceneOf(run, start), palette).build();
 }
 
 class Builder {
@@ -65,7 +68,9 @@ class Builder {
       if (scene.roles[i] !== "hull") return null;
       if (hull?.mesh) return outlineOfMesh(hull.mesh, boxes[i], hull);
       const { low, high } = boxes[i];
-      return outlineOfBox(boxes[i], hull?.origin_m[2] ?? low[2] + WATER * (high[2] - low[2]));
+      // The sea is at height 0.
+      const water_m = model.sea ? -scene.poses[7 * i + 2] : low[2] + WATER * (high[2] - low[2]);
+      return outlineOfBox(boxes[i], hull?.origin_m[2] ?? Math.min(high[2], Math.max(low[2], water_m)));
     });
   }
 
@@ -95,7 +100,7 @@ class Builder {
     if (role === "quay") return addQuay(work, box, colour);
     if (shape?.kind === "box" && role === "cargo") return addCargo(work, box, colour);
     if (shape?.kind === "box") return void work.body.box(edgesOf(box), [0, 0, 0], colour);
-    work.body.ball([0, 0, 0], box.high[0], colour);
+    work.body.ball([0, 0, 0], box.high[0], colour, 40);
   }
 
   private addHull(i: number): void {
@@ -104,7 +109,7 @@ class Builder {
     const mesh = model.hulls.find((one) => one.body === model.bodies[i].name)?.mesh;
     if (mesh) addMeshShell(work.body, mesh, outline, work.palette);
     else addBoxShell(work.body, outline, work.palette);
-    if (outline.halfAt(outline.box.high[0] - 0.5 * (outline.box.high[0] - outline.box.low[0])) < 1e-3) return;
+    if (!outline.hasDeck) return;
     const hull = new Place(poses, i);
     const obstacles = model.bodies.flatMap((_, k) => {
       if (k === i || roles[k] === "tank" || roles[k] === "hull" || roles[k] === "quay") return [];

@@ -18,7 +18,8 @@ export function addDrum({ body, fittings, palette }: Work, radius: number, lengt
     const at = -half + flange + (k / turns) * (length - 2 * flange);
     fittings.turned(straight(1.03 * radius, at - 0.02 * length, at + 0.02 * length), axis, [0, 0, 0], palette.fitting, 24);
   }
-  for (const side of [-1, 1]) fittings.turned(straight(0.3 * radius, side * half, side * (half + 0.18 * length)).sort((a, b) => a[1] - b[1]), axis, [0, 0, 0], palette.pin, 14);
+  const end = 1.36 * half;
+  for (const from of [-end, half]) fittings.turned(straight(0.3 * radius, from, from + end - half), axis, [0, 0, 0], palette.pin, 14);
 }
 
 /** A sheave that turns about an axis, with its cheeks, around a middle. */

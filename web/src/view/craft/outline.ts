@@ -18,6 +18,8 @@ export interface Outline {
   water_m: number;
   /** Whether it has a bow. */
   isShip: boolean;
+  /** Whether it has a deck: a sphere has none. */
+  hasDeck: boolean;
   /** Half of its breadth at deck, by x. */
   halfAt(x: number): number;
   /** Both sides, at the x of its stations. */
@@ -28,7 +30,9 @@ export interface Outline {
 export function outlineOfMesh(mesh: MeshInfo, box: Box, { origin_m }: HullInfo): Outline {
   const z = box.high[2] - 1e-3 * (box.high[2] - box.low[2]);
   const sides = crossings(mesh, z);
-  return outlineOf(box, origin_m[2], (x) => halfBreadth(sides, x), null);
+  const outline = outlineOf(box, origin_m[2], (x) => halfBreadth(sides, x), null);
+  const areOnTop = (triangle: readonly number[]) => triangle.every((i) => mesh.vertices_m[i][2] >= z);
+  return { ...outline, hasDeck: mesh.triangles.some(areOnTop) };
 }
 
 /** Of a box: pointed where it is as slender as a ship. */
@@ -54,7 +58,7 @@ function outlineOf(box: Box, water_m: number, half: (x: number) => number, known
   });
   const most = Math.max(...stations.map((one) => one.half));
   const isShip = known ?? half(from + (1 - POINTED.at) * length) < POINTED.below * most;
-  return { box, water_m, isShip, halfAt: half, stations };
+  return { box, water_m, isShip, hasDeck: true, halfAt: half, stations };
 }
 
 type Segment = [[number, number], [number, number]];

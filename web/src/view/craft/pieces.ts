@@ -51,8 +51,8 @@ export class Pieces {
     return this.add(geometry.applyMatrix4(new Matrix4().compose(start, turn, new Vector3(1, 1, 1))), colour);
   }
 
-  ball(middle: Vec3, radius: number, colour: Color): this {
-    return this.add(new SphereGeometry(radius, 14, 10).translate(...middle), colour);
+  ball(middle: Vec3, radius: number, colour: Color, sides = 12): this {
+    return this.add(new SphereGeometry(radius, sides, sides / 2 + 2).translate(...middle), colour);
   }
 
   /** Upright walls over a plan. */
