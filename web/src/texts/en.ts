@@ -59,4 +59,28 @@ export const en = {
     palettes: { device: "As the device", day: "Day", dusk: "Dusk", night: "Night", bright: "Bright sun" },
     sound: "Sound when a limit is exceeded",
   },
+  picture: {
+    camera: "Camera",
+    cameras: {
+      free: "All around",
+      load: "Follow the load",
+      cab: "Operator's cab",
+      bridge: "Bridge",
+      top: "From above",
+      section: "Section",
+    },
+    dive: "May go under water",
+    show: "Show",
+    shown: {
+      frames: "Body frames",
+      plain: "Plain shapes",
+      forces: "Forces",
+      axes: "Joint axes",
+      masses: "Centres of mass",
+      buoyancy: "Buoyancy and metacentre",
+      trace: "Path of the load",
+      ghost: "Where it began",
+    },
+    shown_help: "Plain shapes are the model's own solids. House, cab, rails and brackets are for the eye: the model has neither their weight nor their wind.",
+  },
 };

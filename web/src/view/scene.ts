@@ -4,6 +4,7 @@ import type { ModelInfo } from "../engine/engine";
 import { length } from "../app/format";
 import type { Highlight } from "../equations/highlight";
 import { byId, setText } from "../ui/dom";
+import { Tools } from "./tools";
 import { View } from "./view";
 
 export interface Scene {
@@ -24,19 +25,13 @@ export function createScene(session: Session): Scene {
     return { draw() {}, highlight() {} };
   }
   showLosses(byId("canvas"), view);
-  const frames = byId<HTMLButtonElement>("frames");
-  frames.addEventListener("click", () => {
-    const shown = frames.getAttribute("aria-pressed") !== "true";
-    frames.setAttribute("aria-pressed", String(shown));
-    byId("frames-legend").hidden = !shown;
-    byId("scene-note").hidden = shown;
-    view.showFrames(shown);
-  });
+  const tools = new Tools(view);
   byId("fit").addEventListener("click", () => view.fit());
   session.listen({
     opened: (run, frame, isAnother) => {
       view.build(run, frame, isAnother);
       view.showSea(frame.surface);
+      tools.offer();
       setText(byId("scene-note"), noteOf(run.model, view.spacing()));
     },
   });

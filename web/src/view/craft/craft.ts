@@ -33,6 +33,8 @@ export interface Craft {
   works: Work[];
   cab: Post | null;
   bridge: Post | null;
+  /** The body that hangs on the crane. */
+  load: number | null;
 }
 
 /** The water line of a hull without data, as a part of its height from the keel. */
@@ -56,6 +58,7 @@ class Builder {
   private readonly outlines: (Outline | null)[];
   private cab: Post | null = null;
   private bridge: Post | null = null;
+  private load: number | null = null;
 
   constructor(
     private readonly scene: Scene,
@@ -85,7 +88,7 @@ class Builder {
     }
     this.addHooks(anchors);
     this.scene.model.bodies.forEach((_, i) => this.addHinge(i));
-    return { works: this.works, cab: this.cab, bridge: this.bridge };
+    return { works: this.works, cab: this.cab, bridge: this.bridge, load: this.load ?? this.lastCarried() };
   }
 
   private addBody(body: BodyInfo, i: number): void {
@@ -207,6 +210,13 @@ class Builder {
     addBracket(this.works[body], nearest, point, outline || x < y ? [1, 0, 0] : [0, 1, 0], size);
   }
 
+  /** What a boom carries that is no boom itself; null where there is none. */
+  private lastCarried(): number | null {
+    const { model, roles } = this.scene;
+    const isOnBoom = (i: number) => roles[model.bodies.findIndex(({ name }) => name === model.bodies[i].parent)] === "boom";
+    return roles.flatMap((role, i) => (role !== "boom" && role !== "drum" && isOnBoom(i) ? [i] : [])).pop() ?? null;
+  }
+
   /** A hook on each load where a single line from above takes it. */
   private addHooks(anchors: readonly Anchor[]): void {
     const { roles, boxes, model, poses } = this.scene;
@@ -219,6 +229,7 @@ class Builder {
       if (towards[2] <= 0 || towards[2] < 0.5 * Math.hypot(...towards)) return;
       const share = (top - point[2]) / towards[2];
       const eye = [0, 1, 2].map((k) => point[k] + share * towards[k]) as unknown as Vec3;
+      this.load ??= i;
       addHook(this.works[i], eye, Math.min(0.55 * Math.cbrt(mass_kg / 1000), 0.3 * Math.hypot(...towards)));
     });
   }
