@@ -48,7 +48,7 @@ new Transport(session);
 new Scrubber(session);
 announce(session);
 const plots = new Plots(session);
-const scene = createScene(session);
+const scene = createScene(session, aside);
 new EquationsPanel(session, aside, (what) => scene.highlight(what));
 exposeHandle(session);
 runClock(session, () => {

@@ -81,6 +81,7 @@ export const en = {
       trace: "Path of the load",
       ghost: "Where it began",
     },
+    scale: { force: "Force", moment: "Moment" },
     shown_help: "Plain shapes are the model's own solids. House, cab, rails and brackets are for the eye: the model has neither their weight nor their wind.",
   },
 };

@@ -1,9 +1,11 @@
+import type { Aside } from "../app/aside";
 import { Playback } from "../app/recording/playback";
 import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
 import { length } from "../app/format";
 import type { Highlight } from "../equations/highlight";
 import { byId, setText } from "../ui/dom";
+import { Watched } from "./overlays/watched";
 import { Tools } from "./tools";
 import { View } from "./view";
 
@@ -14,7 +16,7 @@ export interface Scene {
 }
 
 /** Ties the 3D picture to the run and to its buttons; without WebGL it says so, and the rest runs. */
-export function createScene(session: Session): Scene {
+export function createScene(session: Session, aside: Aside): Scene {
   let view: View;
   try {
     view = new View(byId<HTMLCanvasElement>("canvas"));
@@ -25,7 +27,8 @@ export function createScene(session: Session): Scene {
     return { draw() {}, highlight() {} };
   }
   showLosses(byId("canvas"), view);
-  const tools = new Tools(view);
+  const watched = new Watched(session, aside, view);
+  const tools = new Tools(view, watched);
   byId("fit").addEventListener("click", () => view.fit());
   session.listen({
     opened: (run, frame, isAnother) => {
@@ -45,9 +48,11 @@ export function createScene(session: Session): Scene {
       if (moment && moment.poses !== drawn) {
         view.show(moment);
         view.showSea(moment.surface);
+        watched.show(moment);
         drawn = moment.poses;
       }
       view.draw();
+      watched.showScale();
     },
     highlight: (what) => view.highlight(what),
   };

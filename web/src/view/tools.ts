@@ -1,6 +1,8 @@
 import { texts } from "../texts";
 import { byId, make } from "../ui/dom";
 import { menuOf, oneOf, tick } from "../ui/menu";
+import { OVERLAYS } from "./overlays/overlays";
+import type { Watched } from "./overlays/watched";
 import type { CameraName, View } from "./view";
 
 const CAMERA_ICON = "M2.5 6.5h9v8h-9zM11.5 9.5l6-3v8l-6-3";
@@ -11,7 +13,10 @@ export class Tools {
   private readonly cameras = byId<HTMLDetailsElement>("cameras");
   private offered = "";
 
-  constructor(private readonly view: View) {
+  constructor(
+    private readonly view: View,
+    private readonly watched: Watched,
+  ) {
     this.addCameras(["free"]);
     this.addShown();
     view.onLook((camera) => this.mark(camera));
@@ -50,6 +55,7 @@ export class Tools {
       show,
       SHOW_ICON,
       tick("frames", shown.frames, false, (isOn) => this.showFrames(isOn)),
+      ...OVERLAYS.map((name) => tick(`show-${name}`, shown[name], false, (isOn) => this.watched.turn(name, isOn))),
       tick("show-plain", shown.plain, false, (isOn) => view.showPlain(isOn)),
       make("p", { class: "menu-note" }, shown_help),
     );

@@ -1,16 +1,19 @@
 import { ACESFilmicToneMapping, FogExp2, PCFShadowMap, Scene, WebGLRenderer } from "three";
 import type { Color } from "three";
 import { onPalette } from "../app/palette";
+import type { Moment } from "../app/recording/recording";
+import type { Run } from "../app/session";
 import type { Surface } from "../engine/surface";
 import { airOf } from "./air";
 import { Eye } from "./camera";
 import { Daylight } from "./daylight";
 import type { Highlight } from "../equations/highlight";
-import type { Area } from "./fit";
+import type { Area, Vec3 } from "./fit";
 import { Fleet } from "./fleet";
 import type { Pose, Shown } from "./fleet";
 import { Ground } from "./ground";
 import { Marks } from "./highlight";
+import { Overlays } from "./overlays/overlays";
 import { readPalette } from "./palette";
 import type { Palette } from "./palette";
 import { Drawing } from "./quality";
@@ -48,6 +51,7 @@ export class View {
   private readonly drawing: Drawing;
   private readonly fleet = new Fleet();
   private readonly section = new Section();
+  readonly overlays = new Overlays(this.fleet);
   private palette: Palette = readPalette();
   private run: Shown | null = null;
   /** How everything stood when the run began. */
@@ -73,7 +77,7 @@ export class View {
     this.eye = new Eye(canvas, () => (this.stale = true), () => coversOf(canvas));
     this.daylight = new Daylight(this.renderer, this.air);
     this.drawing = Drawing.of(this.renderer);
-    this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.section, this.marks.group);
+    this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.section, this.marks.group, this.overlays);
     this.light();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     onPalette(() => this.repaint());
@@ -96,6 +100,23 @@ export class View {
     if (refit || !this.cameras().includes(this.camera)) this.look("free");
     else if (this.camera === "section") this.cut(true);
     this.stale = true;
+  }
+
+  /** What is drawn over the bodies at a moment. */
+  showOverlays(run: Run, moment: Moment, path: () => readonly Vec3[]): void {
+    this.overlays.show(run, moment, this.start.poses, path, this.palette);
+    this.stale = true;
+  }
+
+  /** The body that hangs on the crane; null where there is none. */
+  get load(): number | null {
+    return this.fleet.craft?.load ?? null;
+  }
+
+  /** In the middle of what is looked at. */
+  pixelsPerMetre(): number {
+    const { camera, target, fov } = this.eye;
+    return this.canvas.clientHeight / (2 * Math.tan(fov / 2) * camera.position.distanceTo(target));
   }
 
   /** From where this model can be looked at. */
