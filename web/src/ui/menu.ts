@@ -5,11 +5,26 @@ export function menuOf(element: HTMLDetailsElement, title: string, icon: string,
   const summary = make("summary", { class: "button button-quiet" });
   summary.innerHTML = `<svg viewBox="0 0 20 20" width="18" height="18" aria-hidden="true"><path d="${icon}" /></svg>`;
   summary.append(title);
-  element.replaceChildren(summary, make("div", { class: "menu-panel" }, ...parts));
+  const panel = make("div", { class: "menu-panel" }, ...parts);
+  element.replaceChildren(summary, panel);
+  listenOnce(element, panel);
+}
+
+/** How far the panel stays from the foot of what it lies in, pixels. */
+const FOOT_PX = 8;
+
+/** The panel is no higher than there is room; what the menu hears it hears once, however often it is filled. */
+function listenOnce(element: HTMLDetailsElement, panel: HTMLElement): void {
+  element.ontoggle = () => {
+    const room = element.closest("section")?.getBoundingClientRect();
+    if (element.open && room) panel.style.maxHeight = `${room.bottom - panel.getBoundingClientRect().top - FOOT_PX}px`;
+  };
+  if (element.dataset.hears) return;
+  element.dataset.hears = "true";
   element.addEventListener("keydown", (event) => {
     if (event.key !== "Escape" || !element.open) return;
     element.open = false;
-    summary.focus();
+    element.querySelector("summary")!.focus();
   });
   document.addEventListener("pointerdown", ({ target }) => {
     if (!element.contains(target as Node)) element.open = false;

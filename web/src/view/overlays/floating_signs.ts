@@ -11,7 +11,7 @@ export interface FloatingSigns {
   buoyancy: { at: Vec3; force_N: number };
 }
 
-/** Keel, centres of buoyancy and gravity, and metacentre across the ship, of each hull at rest with the crane as it stands. */
+/** Keel, centres of buoyancy and of mass, and metacentre across the ship, of each hull at rest with the crane as it stands. */
 export function floatingSignsOf(model: ModelInfo, { hulls }: Hydrostatics, poses: ArrayLike<number>): FloatingSigns[] {
   return hulls.flatMap((hull): FloatingSigns[] => {
     const described = model.hulls.find(({ name }) => name === hull.force);

@@ -73,6 +73,11 @@ export class Overlays extends Group {
     parts.letters.show(signs.flatMap(({ letters }) => letters), palette.label, palette.halo);
     const places = on.has("trace") ? path() : [];
     parts.path.show(places.slice(1).map((place, i) => [places[i], place] as const), palette.load);
+    parts.arrows.visible = loads.length + signs.length > 0;
+    parts.axes.visible = axes.length > 0;
+    parts.masses.visible = on.has("masses");
+    parts.heights.visible = signs.length > 0;
+    parts.path.visible = places.length > 1;
     this.showGhost(start, palette);
   }
 
@@ -81,9 +86,9 @@ export class Overlays extends Group {
     ghost.visible = this.on.has("ghost");
     if (!ghost.visible) return;
     ghost.paint(palette);
-    if (this.ghostOf === this.fleet.bodies) return;
+    if (this.ghostOf !== this.fleet.bodies) ghost.show(this.fleet.bodies, start);
     this.ghostOf = this.fleet.bodies;
-    ghost.show(this.fleet.bodies, start);
+    ghost.compare(this.fleet.bodies, this.fleet.size);
   }
 
   private arrowsOf(loads: readonly Load[], palette: Palette): Arrow[] {

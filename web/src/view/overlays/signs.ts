@@ -54,9 +54,10 @@ export class Letters extends Group {
       material.dispose();
     }
     this.clear();
-    for (const text of texts) {
+    for (const [i, text] of texts.entries()) {
       const sprite = new Sprite(new SpriteMaterial({ map: written(text, ink, halo), depthTest: false, sizeAttenuation: false }));
-      sprite.center.set(-0.15, 0.5);
+      // In turn to the right and to the left: some lie close together.
+      sprite.center.set(i % 2 === 0 ? -0.1 : 1.1, 0.5);
       sprite.scale.setScalar(LETTER);
       sprite.renderOrder = 14;
       this.add(sprite);
