@@ -1,5 +1,6 @@
 import type { DrawnLine, ModelInfo } from "../../engine/engine";
 import type { Box, Vec3 } from "../fit";
+import { edgesOf } from "../solids";
 import { distance, nearestOf, Place } from "./place";
 import type { Role } from "./roles";
 
@@ -13,6 +14,8 @@ export interface Anchor {
   towards: Vec3;
   /** Radius of the pin, m. */
   radius: number;
+  /** Length of what is tied, m. */
+  length: number;
 }
 
 /** A wheel that a line runs over. */
@@ -36,6 +39,8 @@ export interface Scene {
 
 /** A link's end is on a body no further away than this, as a part of the link. */
 const LINK_REACH = 0.5;
+/** A line's end that is further from a body than this part of its diagonal is on the seabed, or on land. */
+const REACH = 0.5;
 /** A line that turns by more than this at once runs over a wheel, rad. */
 const WRAP = 0.15;
 
@@ -86,21 +91,16 @@ function lineAnchors(scene: Scene): Anchor[] {
     const own = places[at];
     const tie = (world: Vec3, next: Vec3, kind: Anchor["kind"]): Anchor[] => {
       const body = nearestBody(scene, among, world);
-      if (body < 0 || isBuried(scene, world, next)) return [];
+      if (body < 0 || distanceFrom(scene, body, world) > REACH * Math.hypot(...edgesOf(scene.boxes[body]))) return [];
       const place = new Place(scene.poses, body);
       const [point, to] = [place.toBody(world), place.toBody(next)];
-      return [{ body, point, kind, radius: line.radius_m, towards: [to[0] - point[0], to[1] - point[1], to[2] - point[2]] }];
+      const length = own.slice(1).reduce((sum, place, i) => sum + distance(place, own[i]), 0);
+      return [{ body, point, kind, radius: line.radius_m, length, towards: [to[0] - point[0], to[1] - point[1], to[2] - point[2]] }];
     };
     if (line.points === 1) return tie(own[0], own[0], "tube");
     if (line.radius_m > 0) return [];
     return [...tie(own[0], own[1], "line"), ...tie(own[own.length - 1], own[own.length - 2], "line")];
   });
-}
-
-/** An end on the seabed is on no body. */
-function isBuried({ model }: Scene, world: Vec3, next: Vec3): boolean {
-  const depth = model.sea?.depth_m;
-  return depth !== null && depth !== undefined && world[2] < 1e-3 * depth - depth && next[2] < 0.2;
 }
 
 /** Both ends of a slim link, on what is nearest and no link itself. */
@@ -116,7 +116,7 @@ function linkAnchors(scene: Scene): Anchor[] {
       const world = new Place(poses, i).toWorld(end);
       const body = nearestBody(scene, others, world);
       if (body < 0 || distanceFrom(scene, body, world) > LINK_REACH * shape.length_m) return [];
-      return [{ body, point: new Place(poses, body).toBody(world), kind: "link", radius: 1.6 * shape.radius_m, towards: [0, 0, 0] }];
+      return [{ body, point: new Place(poses, body).toBody(world), kind: "link", radius: 1.6 * shape.radius_m, length: shape.length_m, towards: [0, 0, 0] }];
     });
   });
 }
@@ -125,7 +125,7 @@ function loopAnchors({ model }: Scene): Anchor[] {
   return model.loops.flatMap(({ first, second }) =>
     [first, second].flatMap(({ body, position_m }): Anchor[] => {
       const at = model.bodies.findIndex(({ name }) => name === body);
-      return at < 0 ? [] : [{ body: at, point: position_m, kind: "loop", radius: 0, towards: [0, 0, 0] }];
+      return at < 0 ? [] : [{ body: at, point: position_m, kind: "loop", radius: 0, length: 0, towards: [0, 0, 0] }];
     }),
   );
 }

@@ -224,13 +224,13 @@ class Builder {
       const { shape, mass_kg } = model.bodies[i];
       const own = anchors.filter(({ body, kind, towards }) => body === i && kind === "line" && new Place(poses, i).toWorld(towards)[2] > new Place(poses, i).toWorld([0, 0, 0])[2]);
       if (own.length !== 1 || role === "hull" || role === "boom" || role === "column" || role === "quay" || role === "drum") return;
-      const [{ point, towards }] = own;
+      const [{ point, towards, length }] = own;
       const top = Math.max(point[2], shape?.kind === "box" || shape?.kind === "sphere" || shape?.kind === "point" ? boxes[i].high[2] : point[2]);
       if (towards[2] <= 0 || towards[2] < 0.5 * Math.hypot(...towards)) return;
       const share = (top - point[2]) / towards[2];
       const eye = [0, 1, 2].map((k) => point[k] + share * towards[k]) as unknown as Vec3;
       this.load ??= i;
-      addHook(this.works[i], eye, Math.min(0.55 * Math.cbrt(mass_kg / 1000), 0.3 * Math.hypot(...towards)));
+      addHook(this.works[i], eye, Math.min(0.55 * Math.cbrt(mass_kg / 1000), 0.3 * length));
     });
   }
 }

@@ -49,21 +49,21 @@ export function grown(plan: Plan, by: number): Plan {
   return plan.map((place) => [0, 1].map((k) => share[k].middle + share[k].factor * (place[k] - share[k].middle)) as [number, number]);
 }
 
-/** A row of windows along every wall of a plan. */
+/** A row of windows along the walls of a plan, evenly all around. */
 function addWindows(work: Work, plan: Plan, z: number, storey: number): void {
-  const [wide, high, apart] = [0.26 * storey, 0.3 * storey, 0.72 * storey];
+  const [wide, high, apart, proud] = [0.26 * storey, 0.3 * storey, 0.72 * storey, 0.03 * storey];
+  let passed = 0;
   plan.forEach((from, i) => {
     const to = plan[(i + 1) % plan.length];
-    const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-    const wall = Math.hypot(dx, dy);
-    const count = Math.floor(wall / apart);
-    for (let k = 0; k < count; k++) {
-      const at = (k + 0.5) / count;
-      const [u, v] = [dx / wall, dy / wall];
-      const middle = [from[0] + at * dx, from[1] + at * dy];
-      const pane = [[-1, -0.5], [1, -0.5], [1, 1], [-1, 1]].map(([a, b]) => [middle[0] + (a * wide * u) / 2 + b * 0.03 * storey * v, middle[1] + (a * wide * v) / 2 - b * 0.03 * storey * u] as const);
-      work.lit.prism(pane, z, z + high, work.palette.window);
+    const wall = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    const [u, v] = [(to[0] - from[0]) / wall, (to[1] - from[1]) / wall];
+    for (let next = (Math.floor(passed / apart) + 0.5) * apart; next < passed + wall; next += apart) {
+      if (next < passed) continue;
+      const at = next - passed;
+      const corner = (along: number, out: number) => [from[0] + (at + along) * u + out * v, from[1] + (at + along) * v - out * u] as const;
+      work.lit.prism([corner(-wide / 2, -proud), corner(wide / 2, -proud), corner(wide / 2, proud), corner(-wide / 2, proud)], z, z + high, work.palette.window);
     }
+    passed += wall;
   });
 }
 
