@@ -12,6 +12,7 @@ import layout from "./layout.mjs";
 import losses from "./losses.mjs";
 import numbers from "./numbers.mjs";
 import panels from "./panels.mjs";
+import picture from "./picture.mjs";
 import recording from "./recording.mjs";
 import saving from "./saving.mjs";
 import scenarios from "./scenarios.mjs";
@@ -34,7 +35,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels }).filter(([name]) => name.includes(wanted));
+const tests = Object.entries({ ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels, ...picture }).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];
