@@ -82,6 +82,6 @@ export const en = {
       ghost: "Where it began",
     },
     scale: { force: "Force", moment: "Moment" },
-    shown_help: "Plain shapes are the model's own solids. House, cab, rails and brackets are for the eye: the model has neither their weight nor their wind.",
+    shown_help: "Plain shapes are the model's own solids. House, cab, rails, brackets and a boom's stays are for the eye: the model has neither their weight nor their wind.",
   },
 };

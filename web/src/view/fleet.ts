@@ -9,6 +9,7 @@ import { Linkages } from "./linkages";
 import { DrawnLines } from "./lines";
 import type { Palette } from "./palette";
 import { boxOf, edgesOf, shapedHullOf, solidOf } from "./solids";
+import { Stays } from "./stays";
 
 /** What of a run is drawn. */
 export type Shown = Pick<Run, "model" | "lines">;
@@ -26,6 +27,7 @@ export class Fleet {
   craft: Craft | null = null;
   private linkages: Linkages | null = null;
   private lines: DrawnLines | null = null;
+  private stays: Stays | null = null;
 
   /** `start` is how everything stood when the run began: what is tied to what is taken from it. */
   build({ model, lines }: Shown, start: Pose, palette: Palette, isPlain: boolean): void {
@@ -39,6 +41,8 @@ export class Fleet {
     const thickness = this.boxes.map((box) => Math.min(...edgesOf(box)));
     this.linkages = new Linkages(model, this.bodies, thickness, this.world, palette);
     this.lines = new DrawnLines(lines, this.world, palette);
+    this.stays = isPlain || this.craft.stays.length === 0 ? null : new Stays(this.craft.stays, palette);
+    if (this.stays) this.world.add(this.stays);
   }
 
   place({ poses, line_points }: Pose): void {
@@ -49,6 +53,7 @@ export class Fleet {
     });
     this.linkages?.place();
     this.lines?.place(line_points);
+    this.stays?.place(this.bodies);
   }
 
   /** The longest diagonal of a body's solid, m. */

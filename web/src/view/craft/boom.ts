@@ -22,8 +22,12 @@ export interface BoomShape {
 /** A lattice where it is long and slim, plates where it is stout, a tube where the model has one; its extents are the model's. */
 export function addBoom(work: Work, shape: BoomShape, colour: Color): void {
   if (shape.isRound) addTube(work.body, shape, colour, work.palette.fitting);
-  else if (shape.length / Math.max(shape.width, shape.height) >= LATTICE_RATIO) addLattice(work, shape, colour);
+  else if (isLattice(shape.length, shape.width, shape.height)) addLattice(work, shape, colour);
   else addPlates(work, shape, colour);
+}
+
+export function isLattice(length: number, width: number, height: number): boolean {
+  return length / Math.max(width, height) >= LATTICE_RATIO;
 }
 
 /** A stout tube with flanges. */

@@ -1,4 +1,4 @@
-import { Color, Matrix4 } from "three";
+import { Color, Matrix4, Vector3 } from "three";
 import type { BodyInfo, DrawnLine, ModelInfo } from "../../engine/engine";
 import type { Vec3 } from "../fit";
 import type { Palette } from "../palette";
@@ -6,7 +6,7 @@ import { boxOf, edgesOf, shapedHullOf } from "../solids";
 import { anchorsOf, sheavesOf } from "./anchors";
 import type { Anchor, Scene } from "./anchors";
 import { addBarge } from "./barge";
-import { addBoom } from "./boom";
+import { addBoom, isLattice } from "./boom";
 import { addBracket, addFoundation, addSponson } from "./bracket";
 import { addColumn, cabOf } from "./column";
 import type { ColumnShape } from "./column";
@@ -18,6 +18,8 @@ import { distance, longestAxis, nearestOf, Place } from "./place";
 import { rolesOf } from "./roles";
 import { addBoxShell, addMeshShell } from "./shell";
 import { addShip } from "./ship";
+import { addStays } from "./stays";
+import type { Stay } from "./stays";
 import { boxAround, Work } from "./work";
 
 /** A place from which a person looks: on a body, in its axes. */
@@ -35,6 +37,7 @@ export interface Craft {
   bridge: Post | null;
   /** The body that hangs on the crane. */
   load: number | null;
+  stays: Stay[];
 }
 
 /** The water line of a hull without data, as a part of its height from the keel. */
@@ -59,6 +62,7 @@ class Builder {
   private cab: Post | null = null;
   private bridge: Post | null = null;
   private load: number | null = null;
+  private readonly stays: Stay[] = [];
 
   constructor(
     private readonly scene: Scene,
@@ -88,7 +92,9 @@ class Builder {
     }
     this.addHooks(anchors);
     this.scene.model.bodies.forEach((_, i) => this.addHinge(i));
-    return { works: this.works, cab: this.cab, bridge: this.bridge, load: this.load ?? this.lastCarried() };
+    const pushed = new Set(anchors.filter(({ kind }) => kind === "tube").map(({ body }) => body));
+    this.scene.roles.forEach((role, i) => role === "boom" && !pushed.has(i) && this.addStays(i));
+    return { works: this.works, cab: this.cab, bridge: this.bridge, load: this.load ?? this.lastCarried(), stays: this.stays };
   }
 
   private addBody(body: BodyInfo, i: number): void {
@@ -131,8 +137,7 @@ class Builder {
     const { shape, parent } = model.bodies[i];
     if (shape?.kind !== "cylinder") return;
     const boom = roles.findIndex((role, k) => role === "boom" && model.bodies[k].parent === model.bodies[i].name);
-    const towards = boom < 0 ? ([1, 0, 0] as const) : new Place(poses, i).toBody(new Place(poses, boom).toWorld([0, 0, 0]));
-    const column: ColumnShape = { radius: shape.radius_m, length: shape.length_m, boom_rad: Math.atan2(towards[1], towards[0]), hasCab: boom >= 0 };
+    const column: ColumnShape = { radius: shape.radius_m, length: shape.length_m, boom_rad: boom < 0 ? 0 : this.boomCourse(boom, i), hasCab: boom >= 0 };
     addColumn(this.works[i], column, colour);
     if (boom >= 0 && !this.cab) {
       const { middle, looks_rad } = cabOf(column);
@@ -162,13 +167,40 @@ class Builder {
     const isLast = !roles.some((role, k) => role === "boom" && model.bodies[k].parent === body.name);
     const work = new Work(this.works[i].palette);
     addBoom(work, { length: along, width, height, isRound: body.shape?.kind === "cylinder", isFirst, isLast }, colour);
+    work.move(this.turnOfBoom(i, parent, axis));
+    this.works[i].body.take(work.body);
+    this.works[i].fittings.take(work.fittings);
+  }
+
+  /** From a boom along x with its foot at the lesser end to the body's axes. */
+  private turnOfBoom(i: number, parent: number, axis: number): Matrix4 {
     const turn = new Matrix4();
     if (axis === 1) turn.makeRotationZ(Math.PI / 2);
     if (axis === 2) turn.makeRotationY(-Math.PI / 2);
-    if (this.footSide(i, parent, axis) > 0) turn.multiply(new Matrix4().makeRotationZ(Math.PI));
-    work.move(turn);
-    this.works[i].body.take(work.body);
-    this.works[i].fittings.take(work.fittings);
+    return this.footSide(i, parent, axis) > 0 ? turn.multiply(new Matrix4().makeRotationZ(Math.PI)) : turn;
+  }
+
+  /** A slim boom on a column that nothing else holds up has stays. */
+  private addStays(i: number): void {
+    const { model, roles, boxes } = this.scene;
+    const { parent, shape } = model.bodies[i];
+    const under = model.bodies.findIndex(({ name }) => name === parent);
+    const column = model.bodies[under]?.shape;
+    const edges = edgesOf(boxes[i]);
+    const axis = longestAxis(boxes[i]);
+    const [length, width, height] = [[0, 1, 2], [1, 0, 2], [2, 1, 0]][axis].map((k) => edges[k]);
+    if (roles[under] !== "column" || column?.kind !== "cylinder" || shape?.kind !== "box" || !isLattice(length, width, height)) return;
+    const turn = this.turnOfBoom(i, under, axis);
+    const toBody = (along: number, across: number, up: number) => new Vector3(along, across, up).applyMatrix4(turn).toArray();
+    const stays = addStays(this.works[under], { body: under, radius: column.radius_m, head: column.length_m / 2, boom_rad: this.boomCourse(i, under) }, { body: i, length, width, height, toBody });
+    this.stays.push(...stays);
+  }
+
+  /** Where a boom points in plan, in the axes of what carries it, rad. */
+  private boomCourse(boom: number, column: number): number {
+    const { poses } = this.scene;
+    const [x, y] = new Place(poses, column).toBody(new Place(poses, boom).toWorld([0, 0, 0]));
+    return Math.atan2(y, x);
   }
 
   /** The side of a body along an axis that is nearer to what carries it. */
