@@ -92,7 +92,7 @@ function buildPage(session: Session, startClient: () => EngineClient): void {
   new Transport(session);
   new Scrubber(session);
   announce(session);
-  const scene = createScene(session);
+  const scene = createScene(session, aside);
   const plots: Plots = new Plots(session, aside, [exportTool(session, scene, () => plots.shown)]);
   new EquationsPanel(session, aside, (what) => scene.highlight(what));
   const ahead = openAhead(session, aside, galleryFolder(document.baseURI));

@@ -121,9 +121,9 @@ export default {
   async "draws the body frames on demand"(host) {
     const { page, close } = await openApp(host);
     const before = await look(page);
-    await page.getByTestId("frames").evaluate((button) => button.click());
+    await page.getByTestId("frames").evaluate((box) => box.click());
     await page.waitForTimeout(800);
-    assert.equal(await page.getByTestId("frames").getAttribute("aria-pressed"), "true");
+    assert.equal(await page.getByTestId("frames").isChecked(), true);
     assert.notDeepEqual(await look(page), before);
     await close();
   },

@@ -14,6 +14,7 @@ import losses from "./losses.mjs";
 import numbers from "./numbers.mjs";
 import offline from "./offline.mjs";
 import panels from "./panels.mjs";
+import picture from "./picture.mjs";
 import plots from "./plots.mjs";
 import recording from "./recording.mjs";
 import saving from "./saving.mjs";
@@ -39,7 +40,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, addresses, losses, saving, sea, panels, plots, sharing, offline, ahead];
+const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, addresses, losses, saving, sea, panels, picture, plots, sharing, offline, ahead];
 const tests = SUITES.flatMap(Object.entries).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
