@@ -16,7 +16,7 @@ import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from . import __version__
 from .errors import KingpostError, RunError
@@ -32,9 +32,17 @@ DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
 class Parser(argparse.ArgumentParser):
-    """Reports a wrong command line in one line."""
+    """Reports a wrong command line in one line. An option has one spelling: `--seed` is not `--seeds`."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(**{"allow_abbrev": False} | settings)
 
     def error(self, message: str) -> NoReturn:
+        unknown = message.removeprefix("unrecognized arguments: ")
+        if unknown != message and any(
+            Path(name).suffix in (".nc", ".csv", ".parquet") for name in unknown.split()
+        ):
+            message += "; a shell puts the files that are there in the place of *: write 'run_*.nc' in quotes"
         self.exit(WRONG_INPUT, f"error: {message} (see {self.prog} --help)\n")
 
 
@@ -219,6 +227,7 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
 
     if options.output is None:
         raise KingpostError("--seeds: found no -o, allowed: -o with * for the seed, as run_*.nc")
+    older = sum(path.exists() for path in seeds.files(options.output, options.seeds))
     with progress.bar(options.seeds, "runs") as update:
         runs = list(seeds.run(scenario, options.seeds, options.output, update))
     failed = [(path, found) for path, found in runs if found["status"] != FINISHED]
@@ -228,7 +237,8 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
         print(f"{len(failed)} of {len(runs)} runs failed, of the seeds {of}: they count until then")
     for block in outcome_report.blocks([outcome_report.of_run(found, found["seed"]) for _, found in runs]):
         print("", *block, sep="\n")
-    print(f"\nwritten         {runs[0][0]} to {runs[-1][0]}")
+    over = f", {older} in the place of an older file" if older else ""
+    print(f"\nwritten         {runs[0][0]} to {runs[-1][0]}{over}")
     print(f"to go on        kingpost statistics {options.output}")
     for path, found in failed:
         _fail(f"{path}: {found['status']}", FAILED)

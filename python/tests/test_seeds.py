@@ -26,6 +26,9 @@ def test_each_file_is_the_run_of_its_seed(tmp_path, capsys) -> None:
         assert found.attrs["scenario"] == alone.attrs["scenario"]
         assert found.attrs["warnings"] == alone.attrs["warnings"]
         assert (found.attrs["seed"], found.attrs["status"]) == (seed, "finished")
+    files[2].unlink()
+    assert main(["run", "barge", *arguments, "--seeds", "6", "-o", str(tmp_path / "run_*.nc")]) == 0
+    assert "run_6.nc, 5 in the place of an older file" in capsys.readouterr().out
     assert main(["statistics", *map(str, files), "--after_s", "1"]) == 0
     assert "of 6 runs" in capsys.readouterr().out
 
@@ -54,6 +57,21 @@ def test_what_is_wrong_is_said_before_a_run(arguments, message, tmp_path, monkey
     assert main(["run", "barge", *arguments]) == 2
     assert message in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["-o", "run_1.nc", "run_2.nc", "--seeds", "3"], "run_2.nc; a shell puts the files that are there"),
+        (["--seed", "2"], "unrecognized arguments: --seed 2 (see"),
+    ],
+)
+def test_what_a_shell_made_of_a_pattern_and_half_an_option_are_refused(arguments, message, capsys) -> None:
+    """Source: a second use of --seeds, where the shell expands run_*.nc; abbreviations of argparse."""
+    with pytest.raises(SystemExit) as ended:
+        main(["run", "barge", *arguments])
+    assert ended.value.code == 2
+    assert message in capsys.readouterr().err
 
 
 def test_files_sort_by_seed() -> None:

@@ -1,4 +1,6 @@
 import "uplot/dist/uPlot.min.css";
+import { AheadLine } from "./ahead/line";
+import { openAhead } from "./ahead/open";
 import { Aside } from "./app/aside";
 import { runClock } from "./app/clock";
 import { galleryFolder } from "./app/gallery";
@@ -9,6 +11,7 @@ import { Session } from "./app/session";
 import { EngineClient } from "./engine/client";
 import type { Fault } from "./engine/engine";
 import { EquationsPanel } from "./equations/equations";
+import { exportTool } from "./export/dialog";
 import { Instruments } from "./instruments/instruments";
 import { Levers } from "./levers/levers";
 import { Plots } from "./plots/plots";
@@ -91,9 +94,15 @@ function buildPage(session: Session, startClient: () => EngineClient): void {
   new Transport(session);
   new Scrubber(session);
   announce(session);
-  const plots = new Plots(session);
-  const scene = createScene(session);
+  const scene = createScene(session, aside);
+  const plots: Plots = new Plots(session, aside, [exportTool(session, scene, () => plots.shown)]);
   new EquationsPanel(session, aside, (what) => scene.highlight(what));
+  const ahead = openAhead(session, aside, galleryFolder(document.baseURI));
+  new AheadLine(ahead);
+  ahead.onChange(() => {
+    plots.foresee(ahead.outlook);
+    scene.foresee(ahead.outlook);
+  });
   runClock(session, () => {
     scene.draw();
     plots.draw();

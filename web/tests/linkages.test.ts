@@ -1,5 +1,5 @@
-import { Color, Group, Mesh, Vector3 } from "three";
-import type { InterleavedBufferAttribute, Object3D } from "three";
+import { Color, Group, Matrix4, Mesh, Vector3 } from "three";
+import type { InstancedMesh, InterleavedBufferAttribute } from "three";
 import type { Line2 } from "three/addons/lines/Line2.js";
 import { expect, it } from "vitest";
 import type { BodyInfo, DrawnLine, ModelInfo } from "../src/engine/engine";
@@ -69,15 +69,22 @@ it("lays tubes, pins and ropes through the engine's points", () => {
   const world = new Group();
   const lines = new DrawnLines(TELESCOPE, world, PALETTE);
   for (const y of [3, 4]) {
-    lines.place([0, 0, 1, 0, 1.76, 1, 0, 0.88, 1, 0, y, 1, 0, y, 1, 5, 5, 5, 6, 5, 4, 7, 5, 5]);
+    lines.place([0, 0, 1, 0, 1.75, 1, 0, 0.875, 1, 0, y, 1, 0, y, 1, 5, 5, 5, 6, 5, 4, 7, 5, 5]);
     world.updateMatrixWorld(true);
-    const [tube, rod, pin, rope] = world.children;
-    const ends = (part: Object3D) => [part.localToWorld(new Vector3()), part.localToWorld(new Vector3(0, 1, 0))];
-    expect(ends(tube)[0].distanceTo(new Vector3(0, 0, 1))).toBeCloseTo(0, 12);
-    expect(ends(tube)[1].distanceTo(new Vector3(0, 1.76, 1))).toBeCloseTo(0, 12);
-    expect(ends(rod)[1].distanceTo(new Vector3(0, y, 1))).toBeCloseTo(0, 12);
-    expect(pin.position.toArray()).toEqual([0, y, 1]);
-    const { data } = (rope as Line2).geometry.getAttribute("instanceStart") as InterleavedBufferAttribute;
+    const [tubes, pins, rope] = world.children as [InstancedMesh, InstancedMesh, Line2];
+    const placed = (mesh: InstancedMesh, at: number, place: Vector3) => {
+      const matrix = new Matrix4();
+      mesh.getMatrixAt(at, matrix);
+      return place.applyMatrix4(matrix);
+    };
+    const ends = (at: number) => [placed(tubes, at, new Vector3()), placed(tubes, at, new Vector3(0, 1, 0))];
+    const [barrel, collar, rod] = [0, 1, 2].map(ends);
+    expect(barrel[0].distanceTo(new Vector3(0, 0, 1))).toBeCloseTo(0, 12);
+    expect(barrel[1].distanceTo(new Vector3(0, 1.75, 1))).toBeCloseTo(0, 12);
+    expect(collar[1].distanceTo(barrel[1])).toBeCloseTo(0, 6);
+    expect(rod[1].distanceTo(new Vector3(0, y, 1))).toBeCloseTo(0, 12);
+    expect(placed(pins, 0, new Vector3()).toArray()).toEqual([0, y, 1]);
+    const { data } = rope.geometry.getAttribute("instanceStart") as InterleavedBufferAttribute;
     expect(Array.from(data.array)).toEqual([5, 5, 5, 6, 5, 4, 6, 5, 4, 7, 5, 5]);
   }
 });

@@ -4,7 +4,8 @@ import { expect, it } from "vitest";
 import { Columns } from "../src/engine/columns";
 import { readModel } from "../src/engine/engine";
 import type { Channel } from "../src/engine/engine";
-import { kindsOf } from "../src/plots/quantities";
+import { Figures } from "../src/plots/figures";
+import { shownUnit } from "../src/plots/units";
 import { FakeEngine } from "./fake";
 
 /** The table that the engine gives for an element that only a test of it has: crates/kingpost/tests/mechanics/new_element.rs holds the file to the engine. */
@@ -12,12 +13,14 @@ const file = fileURLToPath(new URL("../../crates/kingpost/tests/golden/new_eleme
 const channels = JSON.parse(readFileSync(file, "utf8")) as Channel[];
 
 it("offers what an element of a new kind shows among the plots, in its unit", () => {
-  const { rates } = kindsOf(readModel(new FakeEngine().model_json()), channels);
-  const own = rates.filter(({ title }) => title.startsWith("governor"));
-  expect(own.map(({ title, units, quantities }) => [title, units.deg, quantities.map(({ column }) => column)])).toEqual([
-    ["governor: rate behind the lag of a governor", "rad/s", ["governor.governor_rate"]],
-    ["governor: moment of a governor", "kN m", ["x", "y", "z"].map((axis) => `governor.governor_moment.${axis}`)],
+  const figures = new Figures(readModel(new FakeEngine().model_json()), channels);
+  const own = figures.lines.filter(({ thing }) => thing === "governor");
+  expect(own.map(({ id, what, unit }) => [id, what, shownUnit(unit, "deg").unit])).toEqual([
+    ["governor.governor_rate", "governor rate", "°/s"],
+    ...["x", "y", "z"].map((axis) => [`governor.governor_moment.${axis}`, `governor moment ${axis}`, "kN m"]),
   ]);
+  const together = figures.all.filter(({ title }) => title.startsWith("governor"));
+  expect(together.map(({ title, labels }) => [title, labels])).toEqual([["governor: governor moment", ["x", "y", "z"]]]);
 });
 
 it("reads every column of it from where the table says that it stands", () => {

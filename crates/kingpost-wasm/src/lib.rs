@@ -73,6 +73,27 @@ impl Simulation {
         self.inner.surface(x, y).into()
     }
 
+    /// Amplitudes of the regular waves that the sea is the sum of, m; none in calm water.
+    pub fn wave_amplitudes_m(&self) -> Box<[f64]> {
+        self.inner.waves().iter().map(|wave| wave.amplitude_m).collect()
+    }
+
+    /// Their phases at the world's origin at time 0, rad.
+    pub fn wave_phases_rad(&self) -> Box<[f64]> {
+        self.inner.waves().iter().map(|wave| wave.phase_rad).collect()
+    }
+
+    /// The complex elevation of each of them at a point of the world, m, and a time, s, with the ramp: the real parts, then
+    /// the imaginary ones. The real parts together are the elevation of the sea.
+    pub fn wave_phasors(&self, x_m: f64, y_m: f64, time_s: f64) -> Box<[f64]> {
+        self.inner.wave_phasors([x_m, y_m], time_s).concat().into()
+    }
+
+    /// Goes on in another sea of the same frequencies and directions.
+    pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) -> Result<(), JsValue> {
+        self.inner.set_waves(amplitudes_m, phases_rad).map_err(thrown::input)
+    }
+
     /// What a person should know of the rows so far: time, name and text of each.
     pub fn warnings_json(&self) -> Result<JsString, JsValue> {
         json(&self.inner.warnings())

@@ -13,9 +13,9 @@ export class Aside {
 
   constructor(private readonly startClient: () => EngineClient) {}
 
-  /** How the hulls of the run in hand float at rest with the crane as it stands; null where something newer was asked. */
-  hydrostatics(session: Session): Promise<Hydrostatics | null> {
-    return this.inTurn("hydrostatics", async () => {
+  /** How the hulls of the run in hand float at rest with the crane as it stands; null where the same asked for something newer. */
+  hydrostatics(session: Session, asker = "panel"): Promise<Hydrostatics | null> {
+    return this.inTurn(`hydrostatics for ${asker}`, async () => {
       const snapshot = await session.snapshot();
       const client = await this.opened(session);
       await client?.restore(snapshot);
@@ -23,9 +23,9 @@ export class Aside {
     });
   }
 
-  /** The matrices of the method at the moment that is shown; null where something newer was asked. */
-  equations(session: Session): Promise<Equations | null> {
-    return this.inTurn("equations", async () => {
+  /** The matrices of the method at the moment that is shown; null where the same asked for something newer. */
+  equations(session: Session, asker = "panel"): Promise<Equations | null> {
+    return this.inTurn(`equations for ${asker}`, async () => {
       const { shown } = session;
       const snapshot = shown.isBack ? null : await session.snapshot();
       const client = await this.opened(session);
@@ -33,6 +33,17 @@ export class Aside {
       if (snapshot) await client.restore(snapshot);
       else await this.goTo(client, session);
       return client.equations();
+    });
+  }
+
+  /** The state at the moment that is shown; null where something newer was asked. */
+  snapshot(session: Session): Promise<Uint8Array | null> {
+    return this.inTurn("snapshot", async () => {
+      if (!session.shown.isBack) return session.snapshot();
+      const client = await this.opened(session);
+      if (!client) return null;
+      await this.goTo(client, session);
+      return client.snapshot();
     });
   }
 

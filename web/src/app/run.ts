@@ -43,10 +43,14 @@ export interface Listener {
   advanced?(run: Run, frame: Frame): void;
   /** Another moment is shown: a newer one, or one that was looked up. */
   moved?(run: Run, moment: Moment): void;
-  /** A hand set an input of the run, or the run by itself as a link says. */
+  /** An input of the run has another value. */
   inputsChanged?(run: Run): void;
   /** The run goes on from an earlier moment: what came after is no more. */
   branched?(run: Run): void;
+  /** Something was set by hand under way: from here the run goes on otherwise. */
+  steered?(): void;
+  /** The run set levers again by itself, as a link says. */
+  followed?(run: Run): void;
   statusChanged?(status: Status): void;
   valuesChanged?(): void;
   faulted?(fault: Fault | null): void;

@@ -55,8 +55,12 @@ export function faultOfSaving(fault: Fault): Fault {
 }
 
 function nameOf(opened: string): string {
-  const stem = opened.slice(opened.lastIndexOf("/") + 1).replace(/(-saved)?\.(ya?ml|json)$/i, "");
-  return `${stem}-saved.yaml`;
+  return `${stemOf(opened)}-saved.yaml`;
+}
+
+/** Of files that are made of a scenario. */
+export function stemOf(opened: string): string {
+  return opened.slice(opened.lastIndexOf("/") + 1).replace(/(-saved)?\.(ya?ml|json)$/i, "");
 }
 
 function seconds(time_s: number): string {

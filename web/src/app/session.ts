@@ -117,7 +117,10 @@ export class Session extends Told {
     if (!(await this.isReady()) || this.values.inForce[name] === value) return;
     const { run } = this;
     await this.asked(this.client.parameter(name, value)).then(
-      () => run === this.run && this.values.apply(name, value),
+      () => {
+        if (run === this.run) this.values.apply(name, value);
+        this.emit((listener) => listener.steered?.());
+      },
       (fault: Fault) => this.reportOfRun(faultOfControl(fault, run?.model.parameters ?? [])),
     );
     this.emit((listener) => listener.valuesChanged?.());
@@ -142,6 +145,7 @@ export class Session extends Told {
         if (!run || run !== this.run) return;
         this.noteMove(run, { time_s, input: name, value: value === 0 ? 0 : value });
         this.emit((listener) => listener.inputsChanged?.(run));
+        this.emit((listener) => listener.steered?.());
       },
       (fault: Fault) => run === this.run && this.reportOfRun(fault),
     );
@@ -162,6 +166,14 @@ export class Session extends Told {
       this.reportOfRun(faultOfSaving(fault as Fault));
       return null;
     }
+  }
+
+  /** The run in hand as a scenario in JSON, for what is written of it; null where it cannot be one. */
+  async resolved(): Promise<string | null> {
+    return this.asked(this.client.replay()).then(
+      ({ scenario }) => scenario,
+      () => null,
+    );
   }
 
   /** What was set in the run in hand so far. */
@@ -337,6 +349,7 @@ export class Session extends Told {
       else this.noteMove(run, change);
     }
     this.emit((listener) => listener.inputsChanged?.(run));
+    this.emit((listener) => listener.followed?.(run));
     this.emit((listener) => listener.valuesChanged?.());
   }
 

@@ -2,10 +2,11 @@ import init, { file_names, Simulation } from "./pkg/kingpost_wasm.js";
 import moduleUrl from "./pkg/kingpost_wasm_bg.wasm?url";
 import { asFault } from "./engine";
 import { faultOfLoading } from "./faults";
-import { gathered, isOfGallery, ScenarioFiles, textsOf } from "./files";
-import type { FromWorker, Frame, OpenRequest, Replay, Request, ToWorker } from "./messages";
-import { fetched, fetchText, said } from "./network";
+import { isOfGallery } from "./files";
+import type { FromWorker, Frame, Replay, Request, ToWorker } from "./messages";
+import { fetched, said } from "./network";
 import { Runner } from "./runner";
+import { FilesOfScenarios } from "./scenario_files";
 
 /** The part of a worker's global scope that is used here. */
 interface WorkerScope {
@@ -32,18 +33,7 @@ async function load(): Promise<void> {
   }
 }
 
-const files = new Map<string, ScenarioFiles>();
-
-/** The files that a scenario names: of a person's own those that were opened with it, of the gallery's from its folder. */
-async function filesOf({ text, file, overrides, opened, folder }: OpenRequest): Promise<Record<string, string>> {
-  const known = files.get(folder) ?? new ScenarioFiles(folder, fetchText);
-  files.set(folder, known);
-  const set = JSON.stringify(overrides);
-  return gathered(
-    (texts) => JSON.parse(file_names(text, file, set, JSON.stringify(texts))) as string[],
-    (names) => textsOf(names, opened, known),
-  );
-}
+const files = new FilesOfScenarios();
 
 /** The run in hand as a scenario, with the names of the files that must lie beside it. */
 function replay(): Replay {
@@ -55,7 +45,7 @@ function replay(): Replay {
 async function answer(request: Request): Promise<unknown> {
   switch (request.kind) {
     case "open":
-      return runner.open(request.text, request.file, request.overrides, await filesOf(request), request.changes);
+      return runner.open(request.text, request.file, request.overrides, await files.of(request), request.changes);
     case "advance":
       return runner.advance(request.wall_s, request.speed, request.until_s);
     case "step":

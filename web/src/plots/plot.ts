@@ -1,214 +1,266 @@
-import uPlot from "uplot";
-import { fixed } from "../app/format";
+import type { Outlook } from "../ahead/outlook";
 import type { Shown } from "../app/recording/shown";
-import type { Columns } from "../engine/columns";
+import type { Run } from "../app/session";
+import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
-import { decimalsOf, PER_RADIAN, scaleOf } from "./quantities";
-import type { FigureKey, PlotKind, Unit } from "./quantities";
+import { ArmsChart, armsLegend } from "./arms_chart";
+import type { Arms } from "./arms_chart";
+import type { Chart, Content } from "./chart";
+import { coloursOf, DrawnLine } from "./drawn";
+import { Fan } from "./fan";
+import { titleAndLabels } from "./figures";
+import type { Figures } from "./figures";
+import { PhaseChart } from "./phase_chart";
+import { drawnApart } from "./sheet";
+import { SpectrumChart } from "./spectrum_chart";
+import { StatisticsTable } from "./statistics_table";
 import { read, Stretch } from "./stretch";
-import type { Places } from "./stretch";
-import { rowsOf } from "./table";
-import { rangeInSight, wrapPlaces } from "./window";
-
-/** Room for the half of the last time on the axis that stands out, pixels. */
-const LAST_TICK_PX = 24;
+import { TimeChart } from "./time_chart";
+import type { Angle } from "./units";
+import type { PlotView } from "./view";
 
 /** Least time between two tables of the same plot, ms. */
 const TABLE_EVERY_MS = 1000;
+/** Smaller is not drawn, pixels. */
+const LEAST_PX = 40;
 
-/** One figure: what it shows, to choose; legend with the values at the crosshair or the moment that is shown; the lines. */
+/** What all plots of a run share. */
+export interface PlotContext {
+  run: Run;
+  shown: Shown;
+  figures: Figures;
+  angle: Angle;
+  /** The stretch of time in sight, s. */
+  range_s(): [number, number];
+  arms(): Arms | null;
+  /** What may come, to be drawn after what came. */
+  outlook(): Outlook | null;
+  /** A stretch of time was drawn on. */
+  chooseRange(range_s: [number, number]): void;
+  /** The person asks what else this plot could show. */
+  choose(plot: Plot): void;
+  changed(): void;
+}
+
+/** A plot as a picture has it. */
+export interface PlotPicture {
+  title: string;
+  entries: { label: string; colour: string; unit: string }[];
+  notes: string;
+  canvas: HTMLCanvasElement;
+}
+
+/** One plot: what it shows, to choose; a legend with the numbers at the crosshair or the moment that is shown; the picture. */
 export class Plot {
-  private chart: uPlot | null = null;
-  private unit: Unit = "deg";
-  private stale = true;
-  private duration_s = 1;
-  private window_s = 1;
-  private readonly area: HTMLElement;
+  readonly element: HTMLElement;
+  private readonly title: HTMLButtonElement;
+  private readonly unit = make("span", { class: "plot-unit" });
   private readonly at = make("span", { class: "plot-at" });
-  private readonly unitLabel = make("span", { class: "plot-unit" });
-  private readonly choice: HTMLSelectElement;
   private readonly legend = make("span", { class: "plot-legend" });
-  private values: HTMLElement[] = [];
-  private lines: Places[] = [];
-  private kinds: PlotKind[] = [];
-  private columns: Columns | null = null;
-  private kind: PlotKind = { title: "", quantities: [], units: { deg: "", rad: "" }, turns: true, wraps: false };
-  private readonly stretch = new Stretch();
+  private readonly area = make("div", { class: "plot-area", role: "img" });
+  private readonly notes = make("p", { class: "plot-notes" });
+  private readonly told: HTMLButtonElement;
+  private readonly statistics: StatisticsTable;
   /** The same in numbers, for those who do not see it. */
   private readonly table = make("table");
-  private tabledAt_ms = -Infinity;
+  private readonly stretch = new Stretch();
+  private readonly fan = new Fan();
+  private chart!: Chart;
+  private lines: DrawnLine[] = [];
+  private values: HTMLElement[] = [];
+  private name = "";
+  private stale = true;
   private isTabled = false;
+  private tabledAt_ms = -Infinity;
 
   constructor(
-    figure: HTMLElement,
-    private readonly key: FigureKey,
-    label: string,
-    private readonly shown: Shown,
+    readonly view: PlotView,
+    readonly place: number,
+    private readonly context: PlotContext,
   ) {
-    this.choice = make("select", { class: "plot-choice", "aria-label": label, "data-testid": `choice-${key}` });
-    this.choice.addEventListener("change", () => this.show(this.choice.selectedIndex));
-    this.area = make("div", { class: "plot-area", role: "img" });
-    const head = make("span", { class: "plot-head" }, this.choice, this.unitLabel, this.at);
-    figure.replaceChildren(make("figcaption", {}, head, this.legend), this.area, make("div", { class: "visually-hidden" }, this.table));
+    this.title = make("button", { type: "button", class: "plot-title", "aria-haspopup": "dialog", "data-testid": `choose-${place}` });
+    this.title.addEventListener("click", () => context.choose(this));
+    this.told = make("button", { type: "button", class: "button button-quiet plot-tell", title: texts.plots.statistics, "aria-label": `${texts.plots.statistics}, ${texts.plots.plot(place).toLowerCase()}`, "data-testid": `statistics-${place}` }, "Σ");
+    this.told.addEventListener("click", () => this.tell(!view.isTold));
+    this.statistics = new StatisticsTable(place);
+    const head = make("span", { class: "plot-head" }, this.title, this.unit, this.at, this.told);
+    const hidden = make("div", { class: "visually-hidden" }, this.table);
+    const caption = make("figcaption", {}, head, this.legend);
+    this.element = make("figure", { class: "plot", "data-testid": `plot-${place}` }, caption, this.area, this.notes, this.statistics.element, hidden);
     new ResizeObserver(() => this.resize()).observe(this.area);
+    this.show();
   }
 
-  /** What can be shown of rows with these columns. A choice that is still there stays. */
-  offer(kinds: PlotKind[], columns: Columns): void {
-    const kept = kinds.findIndex(({ title }) => title === this.kind.title);
-    this.kinds = kinds;
-    this.columns = columns;
-    this.choice.replaceChildren(...kinds.map(({ title }) => make("option", {}, title)));
-    this.show(Math.max(0, kept));
-  }
-
-  private show(index: number): void {
-    this.choice.selectedIndex = index;
-    this.kind = this.kinds[index];
-    this.lines = this.kind.quantities.map(({ column, lengthOf }) => (lengthOf ?? [column]).map((name) => this.columns!.at(name)));
-    this.values = this.kind.quantities.map(({ key }) => make("span", { class: "plot-value", "data-testid": `${key}-${this.key}` }));
-    const entries = this.kind.quantities.map((quantity, i) =>
-      make("span", { class: "plot-entry" }, make("span", { class: `swatch swatch-${quantity.key}` }), quantity.label, this.values[i]),
-    );
-    this.legend.replaceChildren(...entries);
-    this.area.setAttribute("aria-label", `${this.kind.title} over time`);
-    this.restyle();
-  }
-
-  setUnit(unit: Unit): void {
-    this.unit = unit;
-    this.stale = true;
-  }
-
-  setWindow(duration_s: number, window_s: number): void {
-    this.duration_s = duration_s;
-    this.window_s = window_s;
-    this.stale = true;
-  }
-
-  /** Colours come from the page's theme; they are read when the chart is made. */
-  restyle(): void {
+  /** Takes up what the view says. */
+  show(): void {
+    const { view, context } = this;
+    const { run, figures, angle } = context;
+    const chosen = view.kind === "arms" ? [] : view.lines.map((id) => figures.line(id)!);
+    const { title, labels } = titleAndLabels(chosen, figures.ofLines(view.lines));
+    const colours = coloursOf(chosen);
+    this.lines = chosen.map((line, i) => new DrawnLine(line, labels[i], colours[i], run.columns, angle, run.model.limits));
+    this.name = this.titleOf(title, labels);
+    setText(this.title, this.name);
+    this.title.setAttribute("aria-label", texts.plots.choose(this.name, this.place));
+    this.area.setAttribute("aria-label", view.kind === "time" ? texts.plots.over_time(this.name) : this.name);
+    const units = [...new Set(this.lines.map(({ shown }) => shown.unit))];
+    setText(this.unit, units.length === 1 && view.kind === "time" ? units[0] : "");
+    this.drawEntries(units.length > 1);
     this.chart?.destroy();
-    this.chart = null;
+    this.chart = this.chartIn(this.area);
+    this.tell(view.isTold);
+    this.touch();
+  }
+
+  get heading(): string {
+    return this.name;
+  }
+
+  private titleOf(title: string, labels: readonly string[]): string {
+    const { kind } = this.view;
+    if (kind === "time") return title;
+    if (kind === "arms") return texts.plots.kinds.arms;
+    if (kind === "phase" && labels.length > 1) return texts.plots.against(labels[1], labels[0]);
+    return texts.plots.with_kind(title, texts.plots.kinds[kind]);
+  }
+
+  private drawEntries(hasUnits: boolean): void {
+    this.values = this.lines.map(({ line }) => make("span", { class: "plot-value", "data-testid": `value-${this.place}-${line.id}` }));
+    const entries = this.lines.map(({ colour, label, shown }, i) => {
+      const unit = hasUnits && shown.unit && this.view.kind === "time" ? [make("span", { class: "plot-unit" }, ` ${shown.unit}`)] : [];
+      return make("span", { class: "plot-entry" }, swatch(colour), label, this.values[i], ...unit);
+    });
+    const hulls = this.hulls().map(({ colour, label }) => make("span", { class: "plot-entry" }, swatch(colour), label));
+    this.legend.replaceChildren(...entries, ...hulls);
+  }
+
+  /** Whose righting arms are drawn. */
+  private hulls(): PlotPicture["entries"] {
+    return this.view.kind === "arms" ? armsLegend(this.context.run.model.hulls) : [];
+  }
+
+  private chartIn(area: HTMLElement): Chart {
+    const { context, view } = this;
+    switch (view.kind) {
+      case "time":
+        return new TimeChart(area, (range_s) => context.chooseRange(range_s));
+      case "spectrum":
+        return new SpectrumChart(area, () => view.parts, () => this.touch());
+      case "phase":
+        return new PhaseChart(area);
+      case "arms":
+        return new ArmsChart(area, () => context.arms(), context.run.columns, context.shown);
+    }
+  }
+
+  private tell(isTold: boolean): void {
+    const { view } = this;
+    this.tabledAt_ms = -Infinity;
+    const isOffered = view.kind === "time" || view.kind === "phase";
+    this.told.hidden = !isOffered;
+    this.told.setAttribute("aria-pressed", String(isTold));
+    this.statistics.element.hidden = !isTold || !isOffered;
     this.stale = true;
+    if (view.isTold === isTold) return;
+    view.isTold = isTold;
+    this.context.changed();
   }
 
   touch(): void {
     this.stale = true;
   }
 
-  private drawTable(): void {
-    const now = performance.now();
-    if (this.isTabled || now - this.tabledAt_ms < TABLE_EVERY_MS) return;
-    [this.isTabled, this.tabledAt_ms] = [true, now];
-    this.fill();
-    const [times, ...lines] = this.stretch.data;
-    const write = (value: number) => fixed(value, decimalsOf(this.kind, this.unit));
-    const heads = ["", ...this.kind.quantities.map(({ label }) => `${label}, ${this.kind.units[this.unit]}`)];
-    const row = ([head, ...cells]: string[]) => make("tr", {}, make("th", { scope: "row" }, head), ...cells.map((cell) => make("td", {}, cell)));
-    const head = make("tr", {}, ...heads.map((name) => (name ? make("th", { scope: "col" }, name) : make("td"))));
-    this.table.replaceChildren(make("caption", {}, `${this.kind.title} over time`), head, ...rowsOf(times, lines, write).map(row));
+  /** Colours come from the page's theme; they are read when a chart is made. */
+  restyle(): void {
+    this.chart.destroy();
+    this.stale = true;
   }
 
   draw(): void {
     if (this.stale) this.isTabled = false;
-    this.drawTable();
-    if (!this.stale || this.area.clientWidth < 40 || this.area.clientHeight < 40) return this.drawLegend();
-    this.stale = false;
-    const [min, max] = this.fill();
-    this.chart ??= this.makeChart();
-    this.chart.setData(this.stretch.data as unknown as uPlot.AlignedData, false);
-    this.chart.setScale("x", { min, max });
-    this.drawLegend();
+    const content = this.content();
+    this.drawTable(content);
+    const { clientWidth: width, clientHeight: height } = this.area;
+    if (this.stale && width >= LEAST_PX && height >= LEAST_PX) {
+      this.stale = false;
+      this.fill(content);
+      this.chart.draw(content);
+    }
+    this.drawWords(content);
   }
 
-  /** Takes what is in sight from the recording; returns the range of time, s. */
-  private fill(): [number, number] {
-    const rows = this.shown.recording?.rows;
-    const last_s = rows?.last?.time_s ?? 0;
-    const range = rangeInSight(last_s, this.shown.time_s, this.duration_s, this.window_s);
-    // One record beyond the left edge, so that the line comes from there.
-    const places: [number, number] = rows ? [Math.max(0, rows.indexAt(range[0])), rows.indexAt(range[1]) + 1] : [0, 0];
-    this.stretch.fill(rows?.items ?? [], places, this.lines, (value, i) => this.scaled(value, i));
-    return range;
+  private content(): Content {
+    const { context, fan, lines, stretch } = this;
+    const { shown } = context;
+    const row = shown.recording?.rows.around(shown.time_s)[0].row ?? [];
+    const now = (line: DrawnLine) => line.scaled(read(row, line.places));
+    return { lines, stretch, fan, range_s: context.range_s(), shown_s: shown.time_s, isBack: shown.isBack, now };
   }
 
-  private scaled(value: number, line: number): number {
-    return (value + (this.kind.quantities[line].offset ?? 0)) * scaleOf(this.kind, this.unit);
+  /** Takes what is in sight from the recording. */
+  private fill({ range_s }: Content): void {
+    const rows = this.context.shown.recording?.rows;
+    // Over time one record beyond the left edge, so that the line comes from there.
+    const first = rows ? rows.indexAt(range_s[0]) : 0;
+    const isAt = rows?.items[first]?.time_s === range_s[0];
+    const from = Math.max(0, this.view.kind === "time" || isAt ? first : first + 1);
+    const places: [number, number] = rows ? [from, Math.max(from, rows.indexAt(range_s[1]) + 1)] : [0, 0];
+    const columns = this.lines.map((line) => line.places);
+    const scale = (value: number, i: number) => this.lines[i].scaled(value);
+    this.stretch.fill(rows?.items ?? [], places, columns, scale);
+    this.fan.fill(this.view.kind === "time" ? this.context.outlook() : null, columns, scale);
   }
 
-  private drawLegend(): void {
-    const index = this.chart?.cursor.idx ?? null;
-    const [times, ...lines] = index === null ? [] : this.stretch.data;
-    const inside = index !== null && index < this.stretch.length;
-    const row = this.shown.recording?.rows.around(this.shown.time_s)[0].row ?? [];
-    setText(this.unitLabel, this.kind.units[this.unit]);
-    setText(this.at, inside ? `at ${fixed(times[index], 2)} s` : "");
-    this.values.forEach((value, i) => {
-      const number = inside ? lines[i][index] : this.scaled(read(row, this.lines[i]), i);
-      setText(value, fixed(number, decimalsOf(this.kind, this.unit)));
-    });
+  private drawWords(content: Content): void {
+    setText(this.at, this.chart.at(content));
+    const values = this.chart.values(content);
+    this.values.forEach((value, i) => setText(value, values[i] ?? ""));
+    const notes = this.chart.notes(content).join(". ").replace(/\.\./g, ".");
+    setText(this.notes, notes);
+    this.notes.hidden = notes === "";
+  }
+
+  /** The table of numbers, the statistics and how many decimals there are: now and then. */
+  private drawTable(content: Content): void {
+    const now = performance.now();
+    if (this.isTabled || now - this.tabledAt_ms < TABLE_EVERY_MS) return;
+    [this.isTabled, this.tabledAt_ms] = [true, now];
+    this.fill(content);
+    const [times, ...columns] = this.stretch.data;
+    for (const line of this.lines) line.largest = Math.max(...this.lines.map((other, i) => (other.shown.unit === line.shown.unit ? largestOf(columns[i]) : 0)));
+    const [heads, ...rows] = this.chart.table(content);
+    const head = make("tr", {}, ...heads.map((name) => (name ? make("th", { scope: "col" }, name) : make("td"))));
+    const row = ([name, ...cells]: string[]) => make("tr", {}, make("th", { scope: "row" }, name), ...cells.map((cell) => make("td", {}, cell)));
+    this.table.replaceChildren(make("caption", {}, this.area.getAttribute("aria-label")!), head, ...rows.map(row));
+    if (!this.statistics.element.hidden) this.statistics.show(this.name, this.lines, times, columns, content.range_s[0]);
   }
 
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.area;
-    if (this.chart && width > 0 && height > 0) this.chart.setSize({ width, height });
+    if (width > 0 && height > 0) this.chart.resize(width, height);
     this.stale = true;
   }
 
-  private makeChart(): uPlot {
-    const style = getComputedStyle(document.documentElement);
-    const colour = (name: string) => style.getPropertyValue(name).trim();
-    const axis = { stroke: colour("--muted"), font: "12px " + colour("--font"), ticks: { show: false } };
-    const grid = { stroke: colour("--plot-grid"), width: 1 };
-    const options: uPlot.Options = {
-      width: this.area.clientWidth,
-      height: this.area.clientHeight,
-      legend: { show: false },
-      padding: [8, LAST_TICK_PX, 0, 0],
-      cursor: { sync: { key: "time" }, drag: { x: false, y: false }, points: { size: 7 } },
-      scales: { x: { time: false }, y: { range: (_u, low, high) => paddedRange(low, high, 0.005 * scaleOf(this.kind, this.unit)) } },
-      axes: [
-        { ...axis, grid, size: 28, values: (_u, splits) => splits.map((split) => `${Number(split.toPrecision(6))} s`) },
-        { ...axis, grid, size: 52, values: (_u, splits) => splits.map((split) => fixed(split, 6).replace(/\.?0+$/, "")) },
-      ],
-      hooks: { draw: [(u) => this.drawMoment(u, colour("--accent"))] },
-      series: [{}, ...this.kind.quantities.map(({ key, label }) => this.line(label, colour(`--${key}`)))],
-    };
-    return new uPlot(options, this.stretch.data as unknown as uPlot.AlignedData, this.area);
+  /** What the plot shows, to be kept as a picture. */
+  async picture(): Promise<PlotPicture | null> {
+    const content = this.content();
+    this.fill(content);
+    const canvas = await drawnApart((area) => this.chartIn(area), content);
+    const entries = this.lines.map(({ label, colour, shown }) => ({ label, colour, unit: shown.unit }));
+    return canvas && { title: this.name, entries: [...entries, ...this.hulls()], notes: this.notes.textContent ?? "", canvas };
   }
 
-  /** A line across at an earlier moment that is shown. */
-  private drawMoment({ ctx, bbox, valToPos }: uPlot, stroke: string): void {
-    if (!this.shown.isBack) return;
-    const x = Math.round(valToPos(this.shown.time_s, "x", true)) + 0.5;
-    ctx.save();
-    ctx.strokeStyle = stroke;
-    ctx.lineWidth = devicePixelRatio;
-    ctx.beginPath();
-    ctx.moveTo(x, bbox.top);
-    ctx.lineTo(x, bbox.top + bbox.height);
-    ctx.stroke();
-    ctx.restore();
-  }
-
-  private line(label: string, stroke: string): uPlot.Series {
-    const series: uPlot.Series = { label, stroke, width: 2, pxAlign: 0, points: { show: false } };
-    if (!this.kind.wraps) return series;
-    series.gaps = (u, seriesIndex, first, last) => {
-      const values = u.data[seriesIndex] as unknown as Float64Array;
-      const pixel = (i: number) => u.valToPos(u.data[0][i], "x", true);
-      const places = wrapPlaces(values, first, last, Math.PI * PER_RADIAN[this.unit]);
-      return places.map(([from, to]): [number, number] => [pixel(from), pixel(to)]);
-    };
-    return series;
+  destroy(): void {
+    this.chart.destroy();
+    this.element.remove();
   }
 }
 
-/** Room around the lines; never so narrow that rounding noise looks like motion. */
-function paddedRange(low: number | null, high: number | null, least: number): [number, number] {
-  const bottom = Math.min(low ?? 0, -least);
-  const top = Math.max(high ?? 0, least);
-  const margin = 0.06 * (top - bottom);
-  return [bottom - margin, top + margin];
+export function swatch(colour: string): HTMLElement {
+  return make("span", { class: "swatch", style: `background: var(--${colour})` });
 }
+
+function largestOf(values: Float64Array): number {
+  return values.reduce((largest, value) => Math.max(largest, Number.isNaN(value) ? 0 : Math.abs(value)), 0);
+}
+

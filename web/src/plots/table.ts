@@ -8,8 +8,8 @@ export function places(length: number, most = MOST_ROWS): number[] {
 }
 
 /** What the lines of a plot show, in numbers: of each its least, its greatest and a few moments. */
-export function rowsOf(times: ArrayLike<number>, lines: readonly ArrayLike<number>[], write: (value: number) => string): string[][] {
-  const moments = places(times.length).map((at) => [`${Number(times[at].toPrecision(6))} s`, ...lines.map((line) => write(line[at]))]);
-  const ends = (of: (a: number, b: number) => number) => lines.map((line) => write(Array.from(line).reduce((so, value) => of(so, value), line[0])));
+export function rowsOf(times: ArrayLike<number>, lines: readonly ArrayLike<number>[], write: (value: number, line: number) => string): string[][] {
+  const moments = places(times.length).map((at) => [`${Number(times[at].toPrecision(6))} s`, ...lines.map((line, i) => write(line[at], i))]);
+  const ends = (of: (a: number, b: number) => number) => lines.map((line, i) => write(Array.from(line).reduce((so, value) => of(so, value), line[0]), i));
   return times.length > 0 ? [["Least", ...ends(Math.min)], ["Greatest", ...ends(Math.max)], ...moments] : [];
 }

@@ -37,3 +37,39 @@ export function wrapPlaces(values: ArrayLike<number>, first: number, last: numbe
   }
   return places;
 }
+
+/** What of the time the plots show: follow the run, all of it, the last so many seconds, or from one time to another. */
+export type WindowChoice = { kind: "follow" } | { kind: "all" } | { kind: "last"; length_s: number } | { kind: "between"; from_s: number; to_s: number };
+
+export const FOLLOWING: WindowChoice = { kind: "follow" };
+/** Last so many seconds, to choose. */
+export const LAST_S = [10, 30, 60, 300];
+
+export function isWindow(value: unknown): value is WindowChoice {
+  const one = value as WindowChoice | null | undefined;
+  if (one?.kind === "last") return one.length_s > 0;
+  if (one?.kind === "between") return one.from_s < one.to_s;
+  return one?.kind === "follow" || one?.kind === "all";
+}
+
+/** The run as far as the plots need to know it: its newest time, the one that is shown, its length and how far plots look back. */
+export interface Extent {
+  now_s: number;
+  shown_s: number;
+  duration_s: number;
+  window_s: number;
+}
+
+/** The stretch of time in sight. */
+export function stretchOf(choice: WindowChoice, { now_s, shown_s, duration_s, window_s }: Extent): [number, number] {
+  switch (choice.kind) {
+    case "follow":
+      return rangeInSight(now_s, shown_s, duration_s, window_s);
+    case "all":
+      return [0, Math.max(now_s, 1e-3)];
+    case "last":
+      return [Math.max(0, shown_s - choice.length_s), Math.max(shown_s, choice.length_s)];
+    case "between":
+      return [choice.from_s, choice.to_s];
+  }
+}

@@ -1,23 +1,19 @@
-import type { SavedFile } from "../app/saved";
 import type { Session } from "../app/session";
-import { byId, make } from "./dom";
+import { byId } from "./dom";
+import { download } from "./download";
 
 /** Hands the scenario over as a file, with the parameters and the levers as they were set. */
 export function enableSaving(session: Session): void {
   const button = byId<HTMLButtonElement>("save");
-  button.addEventListener("click", () => {
-    void session.save().then((file) => {
-      if (!file) return;
-      download(file);
-      if (file.differs) session.report({ kind: "saved", message: file.differs });
-    });
-  });
+  button.addEventListener("click", () => void saveScenario(session));
   session.listen({ statusChanged: (status) => (button.disabled = status === "loading" || status === "empty") });
 }
 
-function download({ name, text }: SavedFile): void {
-  const href = URL.createObjectURL(new Blob([text], { type: "application/yaml" }));
-  make("a", { href, download: name }).click();
-  // The browser has begun to read it once the click is through.
-  setTimeout(() => URL.revokeObjectURL(href), 60_000);
+/** The name of the file; null where there is none, which is reported. */
+export async function saveScenario(session: Session): Promise<string | null> {
+  const file = await session.save();
+  if (!file) return null;
+  download(file.name, new Blob([file.text], { type: "application/yaml" }));
+  if (file.differs) session.report({ kind: "saved", message: file.differs });
+  return file.name;
 }

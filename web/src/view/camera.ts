@@ -1,11 +1,18 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { Post } from "./craft/craft";
 import { cornersOf, fitDistance, frame, roomIn, unit } from "./fit";
 import type { Area, Box, Vec3 } from "./fit";
+import { Outlook } from "./outlook";
 
 /** From the starboard quarter and above: the crane near, the bow away. */
 const FIRST_VIEW: Vec3 = [-0.62, -1, 0.62];
 const UP: Vec3 = [0, 0, 1];
+const FIELD_DEG = 32;
+/** How far a body that is followed is away, in its own sizes, and at least in those of the model. */
+const FOLLOWED = { own: 9, model: 0.25 };
+/** The eye stays so far above the water, in sizes of the model. */
+const ABOVE_WATER = 0.012;
 /** Room around what is fitted. */
 const MARGIN = 1.16;
 /** Room that is left before the eye steps back. */
@@ -17,12 +24,17 @@ const KEY_ZOOM = 0.9;
 
 /** The eye: orbits the ship by mouse, touch and keys, and keeps it in the picture until taken over. */
 export class Eye {
-  readonly camera = new PerspectiveCamera(32, 1, 0.5, 3000);
+  readonly camera = new PerspectiveCamera(FIELD_DEG, 1, 0.5, 3000);
   private readonly orbit: OrbitControls;
   private readonly isCalm = matchMedia("(prefers-reduced-motion: reduce)");
   private boxes: Box[] = [];
   private poses: ArrayLike<number> = [];
   private root: Vec3 = [0, 0, 0];
+  /** The body that the eye goes along with. */
+  private followed = 0;
+  /** From where what is fitted is seen. */
+  private back = FIRST_VIEW;
+  private readonly outlook: Outlook;
   private last_ms = 0;
   private width = 1;
   private height = 1;
@@ -44,6 +56,7 @@ export class Eye {
     this.orbit.maxPolarAngle = 0.94 * Math.PI;
     this.orbit.addEventListener("change", moved);
     this.orbit.addEventListener("start", () => (this.isTaken = true));
+    this.outlook = new Outlook(this.camera, canvas, moved);
     canvas.addEventListener("keydown", (event) => this.key(event));
   }
 
@@ -51,17 +64,71 @@ export class Eye {
   watch(boxes: Box[], poses: ArrayLike<number>): void {
     this.boxes = boxes;
     this.poses = poses;
-    this.root = rootOf(poses);
+    this.root = this.rootOf(poses);
     this.orbit.minDistance = 0.2 * this.size();
     this.orbit.maxDistance = 40 * this.size();
+    this.useLens();
+  }
+
+  private useLens(): void {
+    if (this.outlook.isTaken) return;
+    this.camera.fov = FIELD_DEG;
     this.camera.near = Math.min(0.5, 0.05 * this.size());
     this.camera.updateProjectionMatrix();
+  }
+
+  /** Everything from a side, to be turned from there. */
+  lookFrom(back: Vec3 = FIRST_VIEW): void {
+    this.leavePost();
+    this.followed = 0;
+    this.back = back;
+    this.root = this.rootOf(this.poses);
+    this.fit();
+  }
+
+  /** Near a body, and along with it. */
+  goAlong(body: number): void {
+    this.leavePost();
+    this.followed = body;
+    this.root = this.rootOf(this.poses);
+    this.makeRoom([]);
+    const { low, high } = this.boxes[body];
+    const own = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+    const distance = Math.max(FOLLOWED.own * own, FOLLOWED.model * this.size());
+    this.isTaken = true;
+    this.orbit.target.set(...this.root);
+    this.camera.position.set(...this.root).addScaledVector(new Vector3(...unit(FIRST_VIEW)), distance);
+    this.orbit.update();
+    this.moved();
+  }
+
+  /** Where a person stands; `target` is the body to look at. */
+  standAt(post: Post, target: number | null): void {
+    this.isTaken = true;
+    this.orbit.enabled = false;
+    this.outlook.take(post, target);
+    this.moved();
+  }
+
+  private leavePost(): void {
+    this.outlook.leave();
+    this.orbit.enabled = true;
+    this.useLens();
+  }
+
+  /** Lifts the eye where it would be under water. */
+  stayAbove(water_m: (x: number, y: number) => number | null): void {
+    const { position } = this.camera;
+    const water = water_m(position.x, position.y);
+    if (water === null || this.outlook.isTaken) return;
+    position.z = Math.max(position.z, water + ABOVE_WATER * this.size());
+    this.camera.lookAt(this.orbit.target);
   }
 
   /** Follows the ship's centre. */
   follow(poses: ArrayLike<number>): void {
     this.poses = poses;
-    const root = rootOf(poses);
+    const root = this.rootOf(poses);
     const shift = new Vector3(root[0] - this.root[0], root[1] - this.root[1], root[2] - this.root[2]);
     this.root = root;
     this.camera.position.add(shift);
@@ -71,26 +138,28 @@ export class Eye {
   resize(width: number, height: number): void {
     [this.width, this.height] = [width, height];
     this.camera.aspect = width / height;
-    if (this.isTaken) this.makeRoom(cornersOf(this.poses, this.boxes));
+    if (this.outlook.isTaken) this.camera.updateProjectionMatrix();
+    else if (this.isTaken) this.makeRoom(cornersOf(this.poses, this.boxes));
     else this.fit();
   }
 
   /** Puts what is looked at in the middle of that part of the picture which nothing covers and where it is seen largest. */
   private makeRoom(points: readonly Vec3[]): void {
     const { width, height } = this;
-    const nearness = (area: Area) => 1 / frame(points, unit(FIRST_VIEW), UP, this.lensOf(area)).distance;
+    const nearness = (area: Area) => 1 / frame(points, unit(this.back), UP, this.lensOf(area)).distance;
     this.room = roomIn(width, height, this.covers(), points.length > 0 ? nearness : undefined);
     const { left, top, right, bottom } = this.room;
     this.camera.setViewOffset(width, height, (width - left - right) / 2, (height - top - bottom) / 2, width, height);
   }
 
   fit(): void {
+    if (this.outlook.isTaken) return;
     this.isTaken = false;
     const points = cornersOf(this.poses, this.boxes);
     this.makeRoom(points);
     if (points.length === 0) return;
     this.stopSwinging();
-    const back = unit(FIRST_VIEW);
+    const back = unit(this.back);
     const { target, distance } = frame(points, back, UP, this.lens());
     this.orbit.target.set(...target);
     this.camera.position.set(...target).addScaledVector(new Vector3(...back), MARGIN * distance);
@@ -102,6 +171,7 @@ export class Eye {
   update(now_ms: number): void {
     const passed_ms = Math.min(now_ms - this.last_ms, 250);
     this.last_ms = now_ms;
+    if (this.outlook.isTaken) return this.outlook.place(this.poses);
     if (!this.isTaken && this.boxes.length > 0) this.stepBack(this.isCalm.matches ? 1 : 1 - Math.exp(-passed_ms / STEP_BACK_MS));
     this.orbit.update();
   }
@@ -152,6 +222,11 @@ export class Eye {
     this.camera.position.copy(this.orbit.target).add(offset);
   }
 
+  private rootOf(poses: ArrayLike<number>): Vec3 {
+    const at = 7 * this.followed;
+    return [poses[at] ?? 0, poses[at + 1] ?? 0, poses[at + 2] ?? 0];
+  }
+
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const turns: Record<string, [number, number]> = {
@@ -163,12 +238,13 @@ export class Eye {
     if (event.key in turns) this.turn(...turns[event.key]);
     else if (event.key === "+" || event.key === "=") this.zoom(KEY_ZOOM);
     else if (event.key === "-") this.zoom(1 / KEY_ZOOM);
-    else if (event.key === "Home") this.fit();
+    else if (event.key === "Home") this.lookFrom(this.back);
     else return;
     event.preventDefault();
   }
 
   private turn(around: number, down: number): void {
+    if (this.outlook.isTaken) return this.outlook.turn(around, down);
     this.isTaken = true;
     const offset = this.camera.position.clone().sub(this.orbit.target);
     const distance = offset.length();
@@ -181,6 +257,7 @@ export class Eye {
   }
 
   private zoom(factor: number): void {
+    if (this.outlook.isTaken) return;
     this.isTaken = true;
     const offset = this.camera.position.clone().sub(this.orbit.target).multiplyScalar(factor);
     this.camera.position.copy(this.orbit.target).add(offset);
@@ -189,6 +266,3 @@ export class Eye {
   }
 }
 
-function rootOf(poses: ArrayLike<number>): Vec3 {
-  return [poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0];
-}

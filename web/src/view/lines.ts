@@ -1,5 +1,5 @@
-import { CylinderGeometry, Group, Mesh, MeshStandardMaterial, SphereGeometry, Vector3 } from "three";
-import type { Color, InterleavedBufferAttribute, Object3D } from "three";
+import { CylinderGeometry, Group, InstancedMesh, Matrix4, Mesh, MeshStandardMaterial, Quaternion, SphereGeometry, Vector3 } from "three";
+import type { BufferGeometry, Color, InterleavedBufferAttribute } from "three";
 import { Line2 } from "three/addons/lines/Line2.js";
 import { LineGeometry } from "three/addons/lines/LineGeometry.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -12,21 +12,30 @@ const WIDTH_PX = 2.2;
 /** Axis along which three's cylinders stand. */
 const ALONG = new Vector3(0, 1, 0);
 
-interface Drawn {
-  object: Object3D;
-  /** Puts it where its points are: x, y, z of each. */
-  lay(points: ArrayLike<number>, from: number): void;
-  points: number;
-}
+/** The collar at the mouth of a barrel that a rod slides in, over the barrel's radius: its radius and its length. */
+const COLLAR = { radius: 1.22, length: 1.1 };
 
-/** What the engine draws beside the bodies: ropes, tubes and pins, through its points. */
+/** What lays one line through its points: x y z of each. */
+type Lay = (points: ArrayLike<number>, from: number) => void;
+
+/** What the engine draws beside the bodies: ropes, tubes and pins, through its points. All tubes are one draw call, and all pins. */
 export class DrawnLines {
-  private readonly drawn: Drawn[];
+  private readonly drawn: { lay: Lay; points: number }[];
+  private readonly tubes: Instances | null;
+  private readonly pins: Instances | null;
 
   /** Puts what is drawn into the world. */
   constructor(lines: readonly DrawnLine[], world: Group, palette: Pick<Palette, DrawnLine["style"]>) {
-    this.drawn = lines.map((line) => ({ ...shapeOf(line, palette[line.style]), points: line.points }));
-    if (this.drawn.length > 0) world.add(...this.drawn.map(({ object }) => object));
+    const isTube = ({ points, radius_m }: DrawnLine) => points > 1 && radius_m > 0;
+    const collars = lines.filter(({ style }) => style === "barrel").length;
+    this.tubes = Instances.of(lines.filter(isTube).length + collars, new CylinderGeometry(1, 1, 1, 20).translate(0, 0.5, 0), world);
+    this.pins = Instances.of(lines.filter(({ points }) => points === 1).length, new SphereGeometry(1, 16, 12), world);
+    this.drawn = lines.map((line) => {
+      const colour = palette[line.style];
+      if (line.points === 1) return { lay: this.pins!.ball(line.radius_m, colour), points: 1 };
+      if (!isTube(line)) return { lay: threadOf(line.points, colour, world), points: line.points };
+      return { lay: this.tubes!.tube(line.radius_m, colour, line.style === "barrel"), points: line.points };
+    });
   }
 
   /** Lays them through their points now, one line's after another's. */
@@ -36,50 +45,77 @@ export class DrawnLines {
       line.lay(points, from);
       from += 3 * line.points;
     }
+    for (const instances of [this.tubes, this.pins]) instances?.changed();
   }
 }
 
-function shapeOf({ points, radius_m }: DrawnLine, colour: Color): Omit<Drawn, "points"> {
-  if (points === 1) return ballOf(radius_m, colour);
-  return radius_m > 0 ? tubeOf(radius_m, colour) : threadOf(points, colour);
+/** Solids of one shape, each of its own size and colour, as one mesh. */
+class Instances {
+  private count = 0;
+
+  private constructor(private readonly mesh: InstancedMesh) {}
+
+  /** Null where there are none. */
+  static of(count: number, geometry: BufferGeometry, world: Group): Instances | null {
+    if (count === 0) return null;
+    const mesh = new InstancedMesh(geometry, new MeshStandardMaterial({ roughness: 0.35, metalness: 0.25 }), count);
+    mesh.castShadow = mesh.receiveShadow = true;
+    mesh.frustumCulled = false;
+    world.add(mesh);
+    return new Instances(mesh);
+  }
+
+  ball(radius_m: number, colour: Color): Lay {
+    const at = this.next(colour);
+    return (points, from) => this.put(at, point(points, from), new Quaternion(), new Vector3().setScalar(radius_m));
+  }
+
+  /** From its first point to its second; a barrel has a collar where its rod comes out. */
+  tube(radius_m: number, colour: Color, isBarrel: boolean): Lay {
+    const [at, collar] = [this.next(colour), isBarrel ? this.next(colour) : -1];
+    return (points, from) => {
+      const [start, end] = [point(points, from), point(points, from + 3)];
+      const way = end.clone().sub(start);
+      const length = Math.max(way.length(), Number.EPSILON);
+      const turn = new Quaternion().setFromUnitVectors(ALONG, way.divideScalar(length));
+      this.put(at, start, turn, new Vector3(radius_m, length, radius_m));
+      if (collar < 0) return;
+      const long = Math.min(COLLAR.length * radius_m, length);
+      this.put(collar, end.addScaledVector(way, -long), turn, new Vector3(COLLAR.radius * radius_m, long, COLLAR.radius * radius_m));
+    };
+  }
+
+  changed(): void {
+    this.mesh.instanceMatrix.needsUpdate = true;
+  }
+
+  private next(colour: Color): number {
+    this.mesh.setColorAt(this.count, colour);
+    return this.count++;
+  }
+
+  private put(at: number, place: Vector3, turn: Quaternion, scale: Vector3): void {
+    this.mesh.setMatrixAt(at, new Matrix4().compose(place, turn, scale));
+  }
 }
 
-function ballOf(radius_m: number, colour: Color): Omit<Drawn, "points"> {
-  const object = painted(new SphereGeometry(radius_m, 20, 14), colour);
-  return { object, lay: (points, from) => object.position.copy(at(points, from)) };
-}
-
-function tubeOf(radius_m: number, colour: Color): Omit<Drawn, "points"> {
-  const geometry = new CylinderGeometry(radius_m, radius_m, 1, 24);
-  geometry.translate(0, 0.5, 0);
-  const object = painted(geometry, colour);
-  const lay = (points: ArrayLike<number>, from: number) => {
-    const way = at(points, from + 3).sub(at(points, from));
-    const length = way.length();
-    object.position.copy(at(points, from));
-    object.scale.y = Math.max(length, Number.EPSILON);
-    if (length > 0) object.quaternion.setFromUnitVectors(ALONG, way.divideScalar(length));
-  };
-  return { object, lay };
-}
-
-function threadOf(count: number, colour: Color): Omit<Drawn, "points"> {
+function threadOf(count: number, colour: Color, world: Group): Lay {
   const geometry = new LineGeometry();
   geometry.setPositions(new Float32Array(3 * count));
   const object = new Line2(geometry, new LineMaterial({ color: colour, linewidth: WIDTH_PX }));
   object.frustumCulled = false;
+  world.add(object);
   const { data } = geometry.getAttribute("instanceStart") as InterleavedBufferAttribute;
-  const lay = (points: ArrayLike<number>, from: number) => {
+  return (points, from) => {
     // Each of its parts has both its ends.
     for (let part = 0; part + 1 < count; part++) {
       for (let k = 0; k < 6; k++) data.array[6 * part + k] = points[from + 3 * part + k];
     }
     data.needsUpdate = true;
   };
-  return { object, lay };
 }
 
-function at(points: ArrayLike<number>, from: number): Vector3 {
+function point(points: ArrayLike<number>, from: number): Vector3 {
   return new Vector3(points[from], points[from + 1], points[from + 2]);
 }
 

@@ -1,19 +1,28 @@
+import { swarmOf } from "../ahead/swarm";
+import type { Outlook } from "../ahead/outlook";
+import type { Aside } from "../app/aside";
 import { Playback } from "../app/recording/playback";
 import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
 import { length } from "../app/format";
 import type { Highlight } from "../equations/highlight";
 import { byId, setText } from "../ui/dom";
+import { Watched } from "./overlays/watched";
+import { Tools } from "./tools";
 import { View } from "./view";
 
 export interface Scene {
   draw(): void;
   /** Points out bodies and how they move; null for nothing. */
   highlight(what: Highlight | null): void;
+  /** Where the loads may come to be. */
+  foresee(outlook: Outlook | null): void;
+  /** The picture as it is, to be copied at once: a browser empties it soon after. */
+  picture(): HTMLCanvasElement | null;
 }
 
 /** Ties the 3D picture to the run and to its buttons; without WebGL it says so, and the rest runs. */
-export function createScene(session: Session): Scene {
+export function createScene(session: Session, aside: Aside): Scene {
   let view: View;
   try {
     view = new View(byId<HTMLCanvasElement>("canvas"));
@@ -21,27 +30,24 @@ export function createScene(session: Session): Scene {
     const message = byId("scene-message");
     message.hidden = false;
     message.textContent = "This browser offers no WebGL, so there is no picture; the numbers and plots run.";
-    return { draw() {}, highlight() {} };
+    return { draw() {}, highlight() {}, foresee() {}, picture: () => null };
   }
   showLosses(byId("canvas"), view);
-  const frames = byId<HTMLButtonElement>("frames");
-  frames.addEventListener("click", () => {
-    const shown = frames.getAttribute("aria-pressed") !== "true";
-    frames.setAttribute("aria-pressed", String(shown));
-    byId("frames-legend").hidden = !shown;
-    byId("scene-note").hidden = shown;
-    view.showFrames(shown);
-  });
+  const watched = new Watched(session, aside, view);
+  const tools = new Tools(view, watched);
   byId("fit").addEventListener("click", () => view.fit());
   session.listen({
     opened: (run, frame, isAnother) => {
       view.build(run, frame, isAnother);
       view.showSea(frame.surface);
+      tools.offer();
       setText(byId("scene-note"), noteOf(run.model, view.spacing()));
     },
   });
   const timeOfPicture = follow(session);
   let drawn: unknown = null;
+  /** What is to be shown with the next picture: futures come faster than pictures. */
+  let due: (() => void) | null = null;
   return {
     draw() {
       const { recording } = session.shown;
@@ -50,11 +56,17 @@ export function createScene(session: Session): Scene {
       if (moment && moment.poses !== drawn) {
         view.show(moment);
         view.showSea(moment.surface);
+        watched.show(moment);
         drawn = moment.poses;
       }
+      due?.();
+      due = null;
       view.draw();
+      watched.showScale();
     },
     highlight: (what) => view.highlight(what),
+    foresee: (outlook) => (due = () => view.showCloud(outlook && session.run && swarmOf(outlook, session.run))),
+    picture: () => view.picture(),
   };
 }
 

@@ -160,9 +160,14 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     this.suit(drawn);
   }
 
+  /** Whether there is a sea, in sight or not. */
+  get isShown(): boolean {
+    return this.surface !== null;
+  }
+
   /** Height of the water at a place, m; null where there is none. */
   heightAt(x: number, y: number): number | null {
-    return this.visible && this.drawn ? heightAt(this.drawn, x, y) : null;
+    return this.isShown && this.drawn ? heightAt(this.drawn, x, y) : null;
   }
 
   /** Ripples, haze and colours to the size of the ship and the roughness of the sea. */

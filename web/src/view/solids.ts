@@ -1,7 +1,7 @@
 import { Color, LatheGeometry, Mesh, MeshStandardMaterial, SphereGeometry, Vector2 } from "three";
 import type { BufferGeometry, Object3D } from "three";
 import { RoundedBoxGeometry } from "three/addons/geometries/RoundedBoxGeometry.js";
-import type { BodyInfo, HullInfo, MeshInfo, Shape } from "../engine/engine";
+import type { BodyInfo, HullInfo, MeshInfo, ModelInfo, Shape } from "../engine/engine";
 import { boxOfMesh, meshHullOf } from "./afloat";
 import type { Box, Vec3 } from "./fit";
 import { hullOf } from "./hull";
@@ -72,6 +72,11 @@ function ballOf(mass_kg: number): BufferGeometry {
 
 export function ballRadius(mass_kg: number): number {
   return Math.cbrt((3 * mass_kg) / (4 * Math.PI * BALL_DENSITY));
+}
+
+/** The hull of a body that has one with a shape. */
+export function shapedHullOf(model: ModelInfo, body: string): ShapedHull | undefined {
+  return model.hulls.find((hull): hull is ShapedHull => hull.body === body && hull.mesh !== null);
 }
 
 /** The box around a body. */

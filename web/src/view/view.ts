@@ -1,25 +1,27 @@
-import { ACESFilmicToneMapping, FogExp2, Group, Mesh, PCFShadowMap, Scene, Sprite, WebGLRenderer } from "three";
-import type { Color, Material, Object3D } from "three";
+import { ACESFilmicToneMapping, FogExp2, PCFShadowMap, Scene, WebGLRenderer } from "three";
+import type { Color } from "three";
 import { onPalette } from "../app/palette";
+import type { Moment } from "../app/recording/recording";
 import type { Run } from "../app/session";
-import type { ModelInfo } from "../engine/engine";
-import type { Frame } from "../engine/messages";
 import type { Surface } from "../engine/surface";
 import { airOf } from "./air";
+import { Cloud } from "./cloud";
+import type { Swarm } from "./cloud";
 import { Eye } from "./camera";
 import { Daylight } from "./daylight";
 import type { Highlight } from "../equations/highlight";
-import type { Area, Box } from "./fit";
+import type { Area, Vec3 } from "./fit";
+import { Fleet } from "./fleet";
+import type { Pose, Shown } from "./fleet";
 import { Ground } from "./ground";
 import { Marks } from "./highlight";
-import { Linkages } from "./linkages";
-import { DrawnLines } from "./lines";
+import { Overlays } from "./overlays/overlays";
 import { readPalette } from "./palette";
 import type { Palette } from "./palette";
 import { Drawing } from "./quality";
 import { Sea } from "./sea";
-import { boxOf, edgesOf, solidOf, withFrame } from "./solids";
-import type { ShapedHull } from "./solids";
+import { Section } from "./section";
+import { withFrame } from "./solids";
 import { gridSpacing } from "./spacing";
 import { labelScale, triadOf } from "./triad";
 
@@ -32,10 +34,12 @@ const FRAME_LENGTH = 0.14;
 /** How dense the water is to look through, over the longest diagonal of a body. */
 const FOG = 0.22;
 
-/** What of a run is drawn. */
-type Shown = Pick<Run, "model" | "lines">;
-/** What of a moment is drawn. */
-type Pose = { [part in keyof Pick<Frame, "poses" | "line_points">]: ArrayLike<number> };
+/** From where the model is looked at. */
+export type CameraName = "free" | "load" | "cab" | "bridge" | "top" | "section";
+
+/** From straight above, and from starboard: off it by a little, so that the bow is to the right. */
+const FROM_ABOVE = [0, -0.002, 1] as const;
+const FROM_STARBOARD = [0, -1, 0.1] as const;
 
 /** The 3D picture: world z up, a body's object at the pose that the engine gives. Drawn on demand. */
 export class View {
@@ -47,15 +51,20 @@ export class View {
   private readonly sea = new Sea(this.air);
   private readonly daylight: Daylight;
   private readonly drawing: Drawing;
-  private readonly world = new Group();
-  private bodies: Group[] = [];
-  private linkages: Linkages | null = null;
+  private readonly fleet = new Fleet();
+  private readonly section = new Section();
+  readonly overlays = new Overlays(this.fleet);
   private palette: Palette = readPalette();
-  private lines: DrawnLines | null = null;
   private run: Shown | null = null;
+  /** How everything stood when the run began. */
+  private start: Pose = { poses: [], line_points: [] };
   private frame: Pose = { poses: [], line_points: [] };
-  private boxes: Box[] = [];
+  private isPlain = false;
+  mayDive = false;
+  camera: CameraName = "free";
+  private tell: (camera: CameraName) => void = () => {};
   private readonly marks = new Marks();
+  private readonly cloud = new Cloud();
   private highlighted: Highlight | null = null;
   private framesShown = false;
   private stale = true;
@@ -67,10 +76,11 @@ export class View {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.autoUpdate = false;
     this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.localClippingEnabled = true;
     this.eye = new Eye(canvas, () => (this.stale = true), () => coversOf(canvas));
     this.daylight = new Daylight(this.renderer, this.air);
     this.drawing = Drawing.of(this.renderer);
-    this.scene.add(this.ground, this.sea, this.daylight, this.world, this.marks.group);
+    this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.section, this.marks.group, this.overlays, this.cloud);
     this.light();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     onPalette(() => this.repaint());
@@ -78,38 +88,99 @@ export class View {
 
   /** Builds the bodies; `refit` when it is another model and not the same one reset. */
   build(run: Shown, frame: Pose, refit: boolean): void {
-    const { model } = run;
+    if (run !== this.run) this.start = frame;
     this.run = run;
     this.frame = frame;
-    this.clear();
-    const hulls = model.bodies.map(({ name }) => shapedHull(model, name));
-    this.bodies = model.bodies.map((body, i) => {
-      const group = new Group();
-      group.add(solidOf(body, this.palette, body.floats, hulls[i]));
-      return group;
-    });
-    this.world.add(...this.bodies);
-    const boxes = model.bodies.map((body, i) => boxOf(body, hulls[i]));
-    this.boxes = boxes;
-    const thickness = boxes.map((box) => Math.min(...edgesOf(box)));
-    this.linkages = new Linkages(model, this.bodies, thickness, this.world, this.palette);
-    this.lines = new DrawnLines(run.lines, this.world, this.palette);
-    const size = Math.max(...boxes.map((box) => Math.hypot(...edgesOf(box))));
-    const axes = this.framesShown ? FRAME_LENGTH * size : 0;
-    this.eye.watch(boxes.map((box) => withFrame(box, 1.3 * axes)), frame.poses);
+    this.fleet.build(run, this.start, this.palette, this.isPlain);
+    const axes = this.framesShown ? FRAME_LENGTH * this.fleet.size : 0;
+    this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses);
     if (axes > 0) this.addFrames(axes);
     this.ground.space(this.spacing());
-    this.ground.visible = model.sea === null || model.hulls.length === 0;
+    this.ground.visible = run.model.sea === null || run.model.hulls.length === 0;
     if (this.daylight.surround(!this.ground.visible)) this.detail();
     this.highlight(this.highlighted);
     this.place(frame);
-    if (refit) this.eye.fit();
+    if (refit || !this.cameras().includes(this.camera)) this.look("free");
+    else if (this.camera === "section") this.cut(true);
     this.stale = true;
+  }
+
+  /** What is drawn over the bodies at a moment. */
+  showOverlays(run: Run, moment: Moment, path: () => readonly Vec3[]): void {
+    this.overlays.show(run, moment, this.start.poses, path, this.palette);
+    this.stale = true;
+  }
+
+  /** The body that hangs on the crane; null where there is none. */
+  get load(): number | null {
+    return this.fleet.craft?.load ?? null;
+  }
+
+  /** In the middle of what is looked at. */
+  pixelsPerMetre(): number {
+    const { camera, target, fov } = this.eye;
+    return this.canvas.clientHeight / (2 * Math.tan(fov / 2) * camera.position.distanceTo(target));
+  }
+
+  /** From where this model can be looked at. */
+  cameras(): CameraName[] {
+    const { craft } = this.fleet;
+    const offered = { free: true, load: craft?.load != null, cab: craft?.cab != null, bridge: craft?.bridge != null, top: true, section: this.hull() >= 0 };
+    return (Object.keys(offered) as CameraName[]).filter((name) => offered[name]);
+  }
+
+  /** Looks from somewhere else. */
+  look(from: CameraName): void {
+    const { craft } = this.fleet;
+    this.camera = from;
+    this.tell(from);
+    this.cut(from === "section");
+    if (from === "load" && craft?.load != null) this.eye.goAlong(craft.load);
+    else if (from === "cab" && craft?.cab) this.eye.standAt(craft.cab, craft.load);
+    else if (from === "bridge" && craft?.bridge) this.eye.standAt(craft.bridge, null);
+    else this.eye.lookFrom({ top: FROM_ABOVE, section: FROM_STARBOARD }[from as string]);
+    this.stale = true;
+  }
+
+  /** Hears from where the picture is looked at. */
+  onLook(tell: (camera: CameraName) => void): void {
+    this.tell = tell;
+  }
+
+  /** The first body with a bow and a stern; -1 where there is none. */
+  private hull(): number {
+    return this.run?.model.bodies.findIndex(({ name, floats, shape }) => floats && (shape?.kind === "box" || this.run!.model.hulls.some(({ body }) => body === name))) ?? -1;
+  }
+
+  private cut(isCut: boolean): void {
+    this.fleet.cut(this.hull(), isCut ? this.section.plane : null);
+    this.showWater();
+    this.place(this.frame);
+  }
+
+  /** Of the sea a section has its line alone. */
+  private showWater(): void {
+    const isCut = this.camera === "section";
+    this.section.visible = isCut && this.sea.isShown;
+    this.sea.visible = this.sea.isShown && !isCut;
+  }
+
+  /** Whether the eye may go under water. */
+  dive(may: boolean): void {
+    this.mayDive = may;
+    this.stale = true;
+  }
+
+  /** Draws the model's own solids, or ships and cranes. */
+  showPlain(isPlain: boolean): void {
+    this.isPlain = isPlain;
+    if (this.run) this.build(this.run, this.frame, false);
   }
 
   /** The sea around; null where there is none to draw. */
   showSea(surface: Surface | null): void {
     this.sea.show(surface);
+    this.showWater();
     this.stale = true;
   }
 
@@ -127,12 +198,18 @@ export class View {
   /** Points out bodies and how they move, until something else is pointed out. */
   highlight(what: Highlight | null): void {
     this.highlighted = what;
-    this.marks.show(what, this.bodies, this.boxes, this.eye.size(), this.palette);
+    this.marks.show(what, this.fleet.bodies, this.fleet.boxes, this.eye.size(), this.palette);
+    this.stale = true;
+  }
+
+  /** Places where something may come to be; null for nothing. */
+  showCloud(swarm: Swarm | null): void {
+    this.cloud.show(swarm, this.eye.size(), this.palette);
     this.stale = true;
   }
 
   fit(): void {
-    this.eye.fit();
+    this.look(this.camera);
   }
 
   /** Distance of the grid's lines, m. */
@@ -142,6 +219,7 @@ export class View {
 
   draw(): void {
     this.eye.update(performance.now());
+    if (!this.mayDive && this.sea.visible) this.eye.stayAbove((x, y) => this.sea.heightAt(x, y));
     if (!this.stale) return this.drawing.rest();
     this.stale = false;
     this.lookFrom(this.eye.camera.position);
@@ -149,15 +227,19 @@ export class View {
     if (this.drawing.drew(performance.now())) this.detail();
   }
 
-  private place({ poses, line_points }: Pose): void {
-    this.bodies.forEach((body, i) => {
-      const at = 7 * i;
-      body.position.set(poses[at], poses[at + 1], poses[at + 2]);
-      body.quaternion.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 3]);
-    });
-    this.linkages?.place();
-    this.marks.place(this.bodies);
-    this.lines?.place(line_points);
+  /** Drawn now, to be copied before the browser empties it. */
+  picture(): HTMLCanvasElement {
+    this.stale = true;
+    this.draw();
+    return this.canvas;
+  }
+
+  private place(frame: Pose): void {
+    const { poses } = frame;
+    this.fleet.place(frame);
+    this.marks.place(this.fleet.bodies);
+    const hull = this.hull();
+    if (this.camera === "section" && hull >= 0) this.section.place(this.fleet.bodies[hull], this.fleet.boxes[hull], (x, y) => this.sea.heightAt(x, y));
     const [x, y, z] = [poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0];
     this.daylight.follow(x, y, z, this.eye.size());
     this.ground.reachFrom(x, y, this.eye.size());
@@ -177,13 +259,14 @@ export class View {
   private addFrames(length: number): void {
     const height = this.canvas.clientHeight || 1;
     const scale = labelScale(Math.min(LABEL_PX, 0.14 * height), height, this.eye.fov);
-    this.bodies.forEach((body, i) => body.add(triadOf(length, `(${i + 1})`, scale, this.palette)));
-    this.world.add(triadOf(1.7 * length, "I", scale, this.palette, 0.6));
+    this.fleet.bodies.forEach((body, i) => body.add(triadOf(length, `(${i + 1})`, scale, this.palette)));
+    this.fleet.world.add(triadOf(1.7 * length, "I", scale, this.palette, 0.6));
   }
 
   private light(): void {
     this.ground.paint(this.palette);
     this.daylight.paint(this.palette);
+    this.section.paint(this.palette);
     this.scene.fog?.color.copy(fogColour(this.palette));
     this.detail();
   }
@@ -221,11 +304,6 @@ export class View {
     this.stale = true;
     this.draw();
   }
-
-  private clear(): void {
-    this.world.traverse(dispose);
-    this.world.clear();
-  }
 }
 
 /** What of the page stands on the picture, in its pixels. */
@@ -241,16 +319,4 @@ function coversOf(canvas: HTMLCanvasElement): Area[] {
 /** As the depths are painted at the height of the eye. */
 function fogColour({ deep, shallow }: Palette): Color {
   return deep.clone().lerp(shallow, 0.4);
-}
-
-function shapedHull(model: ModelInfo, body: string): ShapedHull | undefined {
-  return model.hulls.find((hull): hull is ShapedHull => hull.body === body && hull.mesh !== null);
-}
-
-function dispose(object: Object3D): void {
-  if (object instanceof Sprite) object.material.map?.dispose();
-  if (object instanceof Mesh || object instanceof Sprite) {
-    object.geometry.dispose();
-    (object.material as Material).dispose();
-  }
 }

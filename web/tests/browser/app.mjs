@@ -61,6 +61,29 @@ export async function setFigures(page) {
   await setNumber(page, "crane_y_m", 0);
 }
 
+/** Angles of the plots in degrees or radians. */
+export async function setAngle(page, angle) {
+  await page.getByTestId("view-plots").click();
+  await page.getByTestId(`unit-${angle}`).click();
+  await page.getByTestId("view-done").click();
+}
+
+/** Has a plot show lines that belong together, or these, over time or as another kind of plot. */
+export async function setPlot(page, place, { figure, lines = [], kind }) {
+  await page.getByTestId(`choose-${place}`).click();
+  const picker = page.getByTestId("picker");
+  if (kind) await page.getByTestId("plot-kind").selectOption(kind);
+  if (figure) await picker.getByRole("button", { name: figure, exact: true }).click();
+  if (lines.length > 0) {
+    while ((await picker.locator(".picker-drop").count()) > 0) await picker.locator(".picker-drop").first().click();
+  }
+  for (const line of lines) {
+    await page.getByTestId("search-lines").fill(line);
+    await picker.locator(`input[value="${line}"]`).check();
+  }
+  await page.getByTestId("picker-done").click();
+}
+
 /** Opens a file, and others of these texts by their names with it. */
 export async function openFile(page, name, text, others = {}) {
   const files = Object.entries({ [name]: text, ...others });

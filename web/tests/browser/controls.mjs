@@ -121,9 +121,9 @@ export default {
   async "draws the body frames on demand"(host) {
     const { page, close } = await openApp(host);
     const before = await look(page);
-    await page.getByTestId("frames").evaluate((button) => button.click());
+    await page.getByTestId("frames").evaluate((box) => box.click());
     await page.waitForTimeout(800);
-    assert.equal(await page.getByTestId("frames").getAttribute("aria-pressed"), "true");
+    assert.equal(await page.getByTestId("frames").isChecked(), true);
     assert.notDeepEqual(await look(page), before);
     await close();
   },
@@ -132,11 +132,11 @@ export default {
     const { page, close } = await openApp(host);
     await stepTo(page, 0.3);
     await page.waitForTimeout(500);
-    const area = await page.locator("#plot-rates .u-over").boundingBox();
+    const area = await page.locator("[data-testid=plot-1] .u-over").boundingBox();
     await page.mouse.move(area.x + 0.05 * area.width, area.y + 0.5 * area.height);
     await page.waitForTimeout(500);
-    assert.match(await page.locator("#plot-rates .plot-at").textContent(), /^at 0\.\d\d s$/);
-    assert.match(await page.locator("#plot-angles .plot-at").textContent(), /^at 0\.\d\d s$/, "both plots follow");
+    assert.match(await page.locator("[data-testid=plot-1] .plot-at").textContent(), /^at 0\.\d\d s$/);
+    assert.match(await page.locator("[data-testid=plot-2] .plot-at").textContent(), /^at 0\.\d\d s$/, "both plots follow");
     await close();
   },
 

@@ -102,7 +102,7 @@ export default {
     const { row, time_s } = await sample(page);
     assert.ok(time_s > 0.2 && Number.isFinite(row["ship.angular_velocity.x"]));
     assert.equal(await page.getByTestId("start").isDisabled(), true);
-    assert.notEqual(await page.getByTestId("pitch-rates").textContent(), "–");
+    assert.notEqual(await page.getByTestId("value-1-ship.angular_velocity.y").textContent(), "–");
     await page.getByTestId("reset").click();
     await settle(page);
     assert.equal(await page.getByTestId("alert").textContent(), "");

@@ -1,6 +1,6 @@
 // Nothing is cropped on a phone or a desktop; everything is labelled, reachable and large enough.
 import assert from "node:assert/strict";
-import { DESKTOP, look, openApp, PHONE, settle, stepTo } from "./app.mjs";
+import { DESKTOP, look, openApp, PHONE, setAngle, settle, stepTo } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const SCREENS = { phone: PHONE, "narrow phone": { width: 340, height: 640 }, "phone on its side": { width: 844, height: 390 }, desktop: DESKTOP };
@@ -118,11 +118,11 @@ export default {
     await says("Crane ship of Jardim et al. (2019): at the start.");
     await stepTo(page, 0.05);
     await says("Paused at 0.05 s.");
-    await page.getByTestId("unit-rad").click();
+    await setAngle(page, "rad");
     // A table is written once a second at most.
-    const tabled = (words) => words.every((one) => document.querySelector("#plot-rates table").textContent.includes(one));
+    const tabled = (words) => words.every((one) => document.querySelector("[data-testid=plot-1] .visually-hidden table").textContent.includes(one));
     await page.waitForFunction(tabled, ["0.05 s", "rad/s"]);
-    const rows = await page.locator("#plot-rates table tr").allTextContents();
+    const rows = await page.locator("[data-testid=plot-1] .visually-hidden table tr").allTextContents();
     assert.equal(rows[0], "Pitch, rad/sYaw, rad/sRoll, rad/s");
     assert.match(rows[1], /^Least/);
     assert.match(rows[2], /^Greatest/);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { close, numberIn, openApp, sample, setChecked, setFigures, settle, stepTo } from "./app.mjs";
+import { close, numberIn, openApp, sample, setAngle, setChecked, setFigures, settle, stepTo } from "./app.mjs";
 
 const GOLDEN = fileURLToPath(new URL("../../../crates/kingpost/tests/golden/paper.json", import.meta.url));
 const goldens = JSON.parse(readFileSync(GOLDEN, "utf8"));
@@ -63,10 +63,10 @@ export default {
     assert.equal(time_s, 0.5);
     for (const [name, value] of Object.entries(TRUTH)) close(row[name], value, tolerance(name), name);
     assertBits(row, golden("truth").row);
-    await page.getByTestId("unit-rad").click();
-    await shows(page, "pitch-rates", 0.19709, 1e-5);
-    await shows(page, "yaw-rates", -0.12348, 1e-5);
-    await shows(page, "roll-rates", -0.07719, 1e-5);
+    await setAngle(page, "rad");
+    await shows(page, "value-1-ship.angular_velocity.y", 0.19709, 1e-5);
+    await shows(page, "value-1-ship.angular_velocity.z", -0.12348, 1e-5);
+    await shows(page, "value-1-ship.angular_velocity.x", -0.07719, 1e-5);
     assert.equal(await page.getByTestId("time").textContent(), "0.50 s");
     assert.equal(await page.getByTestId("step-size").textContent(), "1 ms");
     assert.equal(await page.getByTestId("integrator").textContent(), "RK4");

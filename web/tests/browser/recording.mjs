@@ -12,7 +12,7 @@ async function scrub(page, time_s) {
   }, time_s);
 }
 
-const shows = (page, testId, text) => page.waitForFunction(([id, wanted]) => document.querySelector(`[data-testid=${id}]`).textContent === wanted, [testId, text]);
+const shows = (page, testId, text) => page.waitForFunction(([id, wanted]) => document.querySelector(`[data-testid="${id}"]`).textContent === wanted, [testId, text]);
 
 /** How much two pictures of the ship differ, as a share: the camera comes back to its place but for a pixel or two. */
 const apart = (one, other) => Math.max(...["green", "grey"].map((key) => Math.abs(one[key] - other[key]) / other[key]));
@@ -31,7 +31,7 @@ export default {
     await stepTo(page, 0.4);
     const early = await sample(page);
     await page.waitForTimeout(500);
-    const [pictured, plotted] = [await look(page), await page.getByTestId("pitch-rates").textContent()];
+    const [pictured, plotted] = [await look(page), await page.getByTestId("value-1-ship.angular_velocity.y").textContent()];
     await stepTo(page, 1.2);
     await page.waitForTimeout(500);
     const last = await look(page);
@@ -43,7 +43,7 @@ export default {
     const again = await sample(page);
     assert.deepEqual([again.row, again.poses, again.newest_s], [early.row, early.poses, 1.2]);
     assert.equal(await page.getByTestId("time").textContent(), "0.40 s");
-    await shows(page, "pitch-rates", plotted);
+    await shows(page, "value-1-ship.angular_velocity.y", plotted);
     assert.equal(await cursor(page).getAttribute("aria-valuetext"), "0.40 s of 1.20 s");
     assert.equal(await page.locator("#start-label").textContent(), "From here");
     await cursor(page).blur();

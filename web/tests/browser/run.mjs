@@ -5,6 +5,7 @@ import { fileURLToPath } from "node:url";
 import { findBrowser, launch } from "../../scripts/browser.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import addresses from "./address.mjs";
+import ahead from "./ahead.mjs";
 import controls from "./controls.mjs";
 import faults from "./faults.mjs";
 import gestures from "./gestures.mjs";
@@ -14,6 +15,8 @@ import losses from "./losses.mjs";
 import numbers from "./numbers.mjs";
 import offline from "./offline.mjs";
 import panels from "./panels.mjs";
+import picture from "./picture.mjs";
+import plots from "./plots.mjs";
 import recording from "./recording.mjs";
 import saving from "./saving.mjs";
 import scenarios from "./scenarios.mjs";
@@ -38,7 +41,8 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const tests = Object.entries({ ...start, ...scenarios, ...numbers, ...recording, ...controls, ...gestures, ...faults, ...layout, ...addresses, ...losses, ...saving, ...sea, ...panels, ...levers, ...sharing, ...offline }).filter(([name]) => name.includes(wanted));
+const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, addresses, losses, saving, sea, panels, levers, picture, plots, sharing, offline, ahead];
+const tests = SUITES.flatMap(Object.entries).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");
 const waiting = [...tests];

@@ -1,7 +1,7 @@
 // The app on any scenario: every one of the gallery.
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
-import { look, openApp, sample, stepTo } from "./app.mjs";
+import { look, numberIn, openApp, sample, setAngle, setPlot, stepTo } from "./app.mjs";
 
 const FILES = readdirSync(new URL("../../../scenarios", import.meta.url)).filter((file) => file.endsWith(".yaml"));
 
@@ -30,22 +30,29 @@ export default {
 
   async "plots any joint of the scenario, from its start"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=chain" });
-    const options = await page.getByTestId("choice-angles").locator("option").allTextContents();
-    assert.deepEqual(options.slice(0, 3), ["Angles of base", "link_1: position", "link_2: position"]);
+    await page.getByTestId("choose-2").click();
+    await page.getByTestId("search-lines").fill("joint position");
+    const found = page.locator(".picker-list input");
+    assert.deepEqual((await found.evaluateAll((boxes) => boxes.map(({ value }) => value))).slice(0, 2), ["link_1.joint_position", "link_2.joint_position"]);
+    await page.getByTestId("picker-done").click();
     await stepTo(page, 0.3);
-    await page.getByTestId("choice-angles").selectOption("link_1: position");
-    await page.getByTestId("unit-rad").click();
+    await setPlot(page, 2, { lines: ["link_1.joint_position"] });
+    await setAngle(page, "rad");
     await page.waitForTimeout(500);
-    const shown = Number.parseFloat((await page.getByTestId("plain-angles").textContent()).replace("−", "-"));
+    const shown = await numberIn(page, "value-2-link_1.joint_position");
     const { row } = await sample(page);
     assert.ok(Math.abs(shown - row["link_1.joint_position"]) < 1e-5, `${shown}`);
-    // A reset keeps what is plotted; another scenario has its own.
+    // A reset keeps what is plotted; another scenario has its own, and this one has it again.
+    const title = page.getByTestId("choose-2");
     await page.getByTestId("reset").click();
     await page.waitForTimeout(300);
-    assert.equal(await page.getByTestId("choice-angles").inputValue(), "link_1: position");
+    assert.equal(await title.textContent(), "link 1 joint position");
     await page.getByTestId("gallery").selectOption("paper");
     await page.waitForTimeout(800);
-    assert.equal(await page.getByTestId("choice-angles").inputValue(), "Angles of ship");
+    assert.equal(await title.textContent(), "Angles of ship");
+    await page.getByTestId("gallery").selectOption("chain");
+    await page.waitForTimeout(800);
+    assert.equal(await title.textContent(), "link 1 joint position");
     await close();
   },
 };

@@ -1,7 +1,7 @@
 // Ships afloat: the sea is drawn as the engine has it, and the page says how the ship floats.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { close as near, numberIn, openApp, openFile, PHONE, sample, stepTo } from "./app.mjs";
+import { close as near, numberIn, openApp, openFile, PHONE, sample, setPlot, stepTo } from "./app.mjs";
 
 /** A barge in a regular wave, with its database beside it. */
 const BARGE = `version: 1
@@ -82,9 +82,9 @@ export default {
       near(elevation, 0.8 * Math.cos((omega ** 2 / 9.80665) * along - omega * time_s), 1e-9, `the surface at ${x}, ${y}`);
     });
     assert.ok(x_m[0] < poses[0] - 10 && x_m.at(-1) > poses[0] + 10 && y_m[0] < poses[1] - 5 && y_m.at(-1) > poses[1] + 5);
-    await page.getByTestId("choice-angles").selectOption("Heave of hull");
+    await setPlot(page, 2, { figure: "Heave of hull" });
     await page.waitForTimeout(500);
-    near(await numberIn(page, "pitch-angles"), row["hull.position.z"], 1e-4, "heave plotted");
+    near(await numberIn(page, "value-2-hull.heave"), row["hull.position.z"], 1e-4, "heave plotted");
     await close();
   },
 

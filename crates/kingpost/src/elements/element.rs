@@ -138,6 +138,11 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 
+    /// Whether it holds on to the waves that it was made in: in another sea what it moves would jump.
+    fn keeps_waves(&self) -> bool {
+        false
+    }
+
     /// The floating body that it keeps afloat: one that lies on its side at rest has capsized.
     fn keeps_afloat(&self) -> Option<usize> {
         None

@@ -4,6 +4,7 @@ mod between_steps;
 mod holding;
 mod observation;
 mod scene;
+mod sea;
 mod settling;
 mod tangent;
 

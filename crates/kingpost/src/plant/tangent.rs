@@ -67,6 +67,11 @@ impl Tangent {
         self.plant.set_situation(situation);
     }
 
+    /// As [`Plant::set_waves`].
+    pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) {
+        self.plant.set_waves(amplitudes_m, phases_rad);
+    }
+
     /// As [`Plant::set_trims`].
     pub fn set_trims(&mut self, trims: &[Vec<f64>]) {
         let constant = |trim: &Vec<f64>| trim.iter().map(|entry| Number::constant(*entry)).collect();

@@ -240,6 +240,9 @@ pub enum InputError {
         /// What it takes.
         signal: String,
     },
+    /// Other waves under a body that moves as the waves say: it would jump.
+    #[error("waves: found others, allowed: the run's own, since a body moves as they say and would jump")]
+    MovedByWaves,
     /// An array of the wrong length.
     #[error("{name}: found {found} numbers, allowed: {allowed}")]
     Length {

@@ -7,6 +7,7 @@ mod from_outside;
 mod limits;
 mod live;
 mod recording;
+mod sea;
 mod settle;
 mod setup;
 mod steering;

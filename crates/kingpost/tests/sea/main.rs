@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod another_sea;
 mod box_tanks;
 mod catenary;
 mod current_profiles;

@@ -6,7 +6,7 @@ use common::values;
 use core::f64::consts::{PI, TAU};
 use kingpost::scenario::{Files, read_with};
 use kingpost::sea::raos::RaoTable;
-use kingpost::simulation::Simulation;
+use kingpost::simulation::{InputError, Simulation};
 
 const MODES: [&str; 6] = ["surge_forward", "sway_port", "heave_up", "roll_port_up", "pitch_bow_down", "yaw_bow_port"];
 
@@ -211,4 +211,10 @@ fn files_that_leave_something_open_are_refused() {
     let long = REGULAR.replace("period_s: 8", "period_s: 25");
     let error = build(&scenario("", &long), csv()).map(drop).unwrap_err();
     assert!(error.contains("100.0 % of the waves' energy outside"), "{error}");
+}
+
+#[test]
+fn a_ship_that_moves_as_the_waves_say_stays_in_its_sea() {
+    let mut ship = build(&scenario("", REGULAR), csv()).unwrap();
+    assert_eq!(ship.set_waves(&[1.5], &[1.0]), Err(InputError::MovedByWaves));
 }

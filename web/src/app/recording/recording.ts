@@ -10,6 +10,8 @@ import { Series } from "./series";
 export const DEPTH = { rows: 48e6, pictures: 40e6, keyframes: 8e6 };
 /** Pictures that are kept however close they are: the one that is drawn lags behind the newest. */
 const NEWEST_PICTURES = 3;
+/** Times that are closer are one, s. */
+const TIME_SLACK_S = 1e-6;
 /** Of an object beside its numbers, bytes, about. */
 const OVERHEAD = 300;
 
@@ -102,6 +104,11 @@ export class Recording {
     return this.told.warnings.all;
   }
 
+  /** What happened, and what a hand set. */
+  get events(): readonly Warning[] {
+    return this.told.events.all;
+  }
+
   /** What happened, warnings among it, in order of time. */
   get marks(): readonly Warning[] {
     const from = [this.told.warnings.all, this.told.events.all];
@@ -157,6 +164,18 @@ export class Recording {
   /** Moves of levers from a time to another, those at both among them. */
   movesBetween(from_s: number, to_s: number): LeverMove[] {
     return this.moves.filter(({ time_s }) => time_s >= from_s && time_s <= to_s);
+  }
+
+  /** What was recorded at a time; null where nothing was. */
+  rowAt(time_s: number): Float64Array | null {
+    const near = this.rows.around(time_s + TIME_SLACK_S)[0];
+    return Math.abs(near.time_s - time_s) <= TIME_SLACK_S ? near.row : null;
+  }
+
+  /** Whether a hand set something between two times. */
+  isSteeredBetween(from_s: number, to_s: number): boolean {
+    const isBetween = ({ time_s }: { time_s: number }) => time_s >= from_s && time_s < to_s;
+    return this.moves.some(isBetween) || this.keyframes.items.some((one) => one.isChange && isBetween(one));
   }
 
   /** The run goes on from here: what came after is forgotten. */

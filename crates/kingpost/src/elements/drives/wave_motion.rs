@@ -34,6 +34,10 @@ impl<S: Scalar> Element<S> for WaveMotion<S> {
         Declaration { prescribes: true, ..Declaration::default() }
     }
 
+    fn keeps_waves(&self) -> bool {
+        true
+    }
+
     fn prescribe(&self, world: &World<S>, clock: Clock, rates: &mut [S], accelerations: &mut [S]) {
         let motion = self.at(world, clock.time_s);
         rates[self.coordinates()].copy_from_slice(&motion.rates);

@@ -33,8 +33,8 @@ pub struct Excitation<S = f64> {
     drifts: bool,
     /// Whether [`rates`] follow, by which D changes with the hull's velocity.
     by_velocity: bool,
-    /// The last force, and the time and frame that it was computed for.
-    last: Option<(f64, SlowFrame<S>)>,
+    /// The realisation of the waves, the time and the frame that the last force was computed for.
+    last: Option<(u64, f64, SlowFrame<S>)>,
     force: [S; 6],
     drift: [S; 6],
     /// Of the drift, by velocity.
@@ -145,7 +145,7 @@ impl<S: Scalar> Excitation<S> {
     }
 
     fn update(&mut self, field: &WaveField<S>, time_s: f64, slow: &SlowFrame<S>) {
-        let key = (time_s, *slow);
+        let key = (field.realisation(), time_s, *slow);
         if self.last == Some(key) {
             return;
         }

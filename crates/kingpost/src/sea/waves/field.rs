@@ -32,6 +32,8 @@ pub struct WaveField<S = f64> {
     pub(super) turns: Turns<S>,
     /// 1 / (1 + e^-2kh) of each wave.
     pub(super) bottom_scales: Vec<S>,
+    /// How often its waves have been replaced.
+    realisation: u64,
 }
 
 /// What the waves' phases are made of, in turns of 2 pi rad and one array each, so that a loop over
@@ -75,7 +77,27 @@ impl<S: Scalar> WaveField<S> {
         let double_depth = S::constant(-2.0 * water.depth_m.unwrap_or(0.0));
         let bottom_scales = of_each(&|wave| S::ONE / (S::ONE + (double_depth * wave.wave_number_per_m).exp()));
         let amplitudes_m = of_each(&|wave| wave.amplitude_m);
-        Self { waves: waves.to_vec(), water, ramp_s, amplitudes_m, turns, bottom_scales }
+        Self { waves: waves.to_vec(), water, ramp_s, amplitudes_m, turns, bottom_scales, realisation: 0 }
+    }
+
+    /// Another sea of the same frequencies and directions: a new amplitude, m, and phase, rad, of each wave.
+    ///
+    /// # Panics
+    /// When a slice has not one entry a wave.
+    pub fn set_realisation(&mut self, amplitudes_m: &[S], phases_rad: &[S]) {
+        assert_eq!((amplitudes_m.len(), phases_rad.len()), (self.len(), self.len()), "one entry a wave");
+        for (wave, (amplitude, phase)) in self.waves.iter_mut().zip(amplitudes_m.iter().zip(phases_rad)) {
+            (wave.amplitude_m, wave.phase_rad) = (*amplitude, *phase);
+        }
+        self.amplitudes_m.copy_from_slice(amplitudes_m);
+        let turns = phases_rad.iter().map(|phase| *phase * S::constant(1.0 / TAU));
+        self.turns.phase.iter_mut().zip(turns).for_each(|(to, turns)| *to = turns);
+        self.realisation += 1;
+    }
+
+    /// How often its waves have been replaced: what was computed from them holds for one of these numbers.
+    pub fn realisation(&self) -> u64 {
+        self.realisation
     }
 
     /// Still water.

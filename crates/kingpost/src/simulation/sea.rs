@@ -1,0 +1,43 @@
+//! Another sea under a run.
+
+use super::errors::check_array;
+use super::{InputError, Simulation, stage};
+use crate::sea::waves::WaveComponent;
+
+impl Simulation {
+    /// The regular waves that the sea is the sum of; none in calm water.
+    pub fn waves(&self) -> Vec<WaveComponent> {
+        self.plant.world.waves.as_ref().map_or_else(Vec::new, |waves| waves.components().copied().collect())
+    }
+
+    /// The complex elevation a e^(i q) of each of them at a point (x, y) of the world, m, and a time, s, the ramp included:
+    /// real and imaginary parts.
+    pub fn wave_phasors(&self, point: [f64; 2], time_s: f64) -> [Vec<f64>; 2] {
+        let Some(waves) = &self.plant.world.waves else { return [Vec::new(), Vec::new()] };
+        let (mut real, mut imaginary) = (vec![0.0; waves.len()], vec![0.0; waves.len()]);
+        waves.phasors(point, time_s, &mut real, &mut imaginary);
+        [real, imaginary]
+    }
+
+    /// Goes on from here in another sea of the same frequencies and directions, one amplitude (m) and phase (rad) a wave in
+    /// the order of [`Self::waves`]: what may happen yet, where the waves to come are not known.
+    ///
+    /// Motion, states and the memory of radiated waves stay; the integrator begins anew. The sea is no part of a
+    /// snapshot: one that is restored goes on in the sea that was set last, as a reset begins in it. No replay has it.
+    ///
+    /// # Errors
+    /// Not one finite number a wave; a body that moves as the waves say. Nothing has changed then.
+    pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) -> Result<(), InputError> {
+        let count = self.plant.world.waves.as_ref().map_or(0, |waves| waves.len());
+        check_array("amplitudes_m", amplitudes_m, count)?;
+        check_array("phases_rad", phases_rad, count)?;
+        if self.plant.keeps_waves() {
+            return Err(InputError::MovedByWaves);
+        }
+        let before = self.plant.totals(stage(self.interval(), &self.state));
+        self.plant.set_waves(amplitudes_m, phases_rad);
+        self.plant.book_jump(&before, self.time_s(), &mut self.state);
+        self.state.memory.fill(0.0);
+        Ok(())
+    }
+}

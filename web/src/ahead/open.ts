@@ -1,0 +1,23 @@
+import type { Aside } from "../app/aside";
+import type { Session } from "../app/session";
+import { fetched, said } from "../engine/network";
+import moduleUrl from "../engine/pkg/kingpost_wasm_bg.wasm?url";
+import { Ahead } from "./ahead";
+import { Foreseers } from "./pool";
+
+/** Engines beside that of the run: one core is the run's and the page's, where there are more than two. */
+const MOST_WORKERS = 6;
+
+export function openAhead(session: Session, aside: Aside, folder: string): Ahead {
+  const cores = navigator.hardwareConcurrency || 2;
+  const count = Math.max(1, Math.min(MOST_WORKERS, cores > 2 ? cores - 1 : cores));
+  const startWorker = () => new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+  return new Ahead(session, aside, new Foreseers(startWorker, loadModule, count), folder);
+}
+
+/** Compiled once: workers share it. */
+async function loadModule(): Promise<WebAssembly.Module> {
+  const response = await fetched(moduleUrl);
+  if (!response.ok) throw new Error(said(response));
+  return WebAssembly.compile(await response.arrayBuffer());
+}

@@ -1,0 +1,25 @@
+/** Shares of the futures that stay below the lines of a fan. */
+export const LEVELS = [0.05, 0.25, 0.5, 0.75, 0.95] as const;
+
+/**
+ * The value that a share of what comes lies below, from a sample in ascending order: what comes next is equally likely in
+ * each of the n + 1 gaps (Weibull's plotting position), so that a band of 90 % holds 90 % whatever n is; as far as n goes.
+ */
+export function quantile(ascending: ArrayLike<number>, share: number): number {
+  const n = ascending.length;
+  if (n === 0) return NaN;
+  const place = Math.min(n - 1, Math.max(0, share * (n + 1) - 1));
+  const below = Math.floor(place);
+  const above = Math.min(n - 1, below + 1);
+  return ascending[below] + (place - below) * (ascending[above] - ascending[below]);
+}
+
+/** The lines of a fan: of each level its value at each time. `values[k]` are those of all futures at the time k. */
+export function fanOf(values: readonly Float64Array[]): Float64Array[] {
+  const lines = LEVELS.map(() => new Float64Array(values.length));
+  values.forEach((all, k) => {
+    const ascending = all.filter(Number.isFinite).sort();
+    LEVELS.forEach((level, i) => (lines[i][k] = quantile(ascending, level)));
+  });
+  return lines;
+}

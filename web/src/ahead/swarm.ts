@@ -1,0 +1,26 @@
+import type { Run } from "../app/session";
+import type { Swarm } from "../view/cloud";
+import type { Outlook } from "./outlook";
+import { loads, placeOf } from "./score";
+
+/** From one place of a load to the next, s: the cloud is to be looked through. */
+const EVERY_S = 2;
+
+/** Where the loads of a run may come to be, at times from soon to late. */
+export function swarmOf(outlook: Outlook, { model, columns }: Pick<Run, "model" | "columns">): Swarm {
+  const [points, lateness]: [number[], number[]] = [[], []];
+  const { length } = outlook;
+  const every = Math.max(1, Math.round(EVERY_S / (outlook.timeAt(1) - outlook.start_s)));
+  for (const body of loads(model)) {
+    const place = placeOf(model, body, columns);
+    for (let k = every; k < length; k += every) {
+      outlook.futures.forEach((_, i) => {
+        const row = outlook.row(i, k);
+        if (!place.every((at) => Number.isFinite(row[at]))) return;
+        points.push(...place.map((at) => row[at]));
+        lateness.push(k / (length - 1));
+      });
+    }
+  }
+  return { points, lateness };
+}

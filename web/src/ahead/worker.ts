@@ -1,0 +1,93 @@
+import { asFault } from "../engine/engine";
+import type { Fault } from "../engine/engine";
+import { FilesOfScenarios } from "../engine/scenario_files";
+import init, { Simulation } from "../engine/pkg/kingpost_wasm.js";
+import { Futures } from "./futures";
+import type { FromForeseer, ScenarioOf, ToForeseer } from "./messages";
+
+/** How long it computes before it hears whether something newer is asked, ms. */
+const TURN_MS = 20;
+
+interface WorkerScope {
+  onmessage: ((event: MessageEvent<ToForeseer>) => void) | null;
+  postMessage(message: FromForeseer, transfer?: Transferable[]): void;
+}
+
+type Look = ToForeseer & { kind: "look" };
+
+const scope = self as unknown as WorkerScope;
+const files = new FilesOfScenarios();
+let ready: Promise<unknown> = Promise.resolve();
+/** What is asked now; a message may put another in its place while a future is on its way. */
+let asked: Look | null = null;
+let isBusy = false;
+let open: { scenario: string; futures: Futures } | null = null;
+
+scope.onmessage = ({ data }) => {
+  if (data.kind === "module") ready = init({ module_or_path: data.module });
+  else {
+    asked = data.kind === "look" ? data : null;
+    void serve();
+  }
+};
+
+async function serve(): Promise<void> {
+  if (isBusy) return;
+  isBusy = true;
+  while (asked) {
+    const look: Look = asked;
+    await answer(look).catch((thrown) => {
+      open = null;
+      scope.postMessage({ kind: "fault", job: look.job, fault: thrown as Fault });
+    });
+    if (asked === look) asked = null;
+  }
+  isBusy = false;
+}
+
+async function answer(look: Look): Promise<void> {
+  try {
+    const futures = await opened(look.scenario);
+    futures.begin(look.start);
+    for (const seed of look.seeds) {
+      const running = futures.run(seed);
+      let next = running.next();
+      for (let since_ms = performance.now(); !next.done; next = running.next()) {
+        if (performance.now() - since_ms < TURN_MS) continue;
+        await messagesHeard();
+        if (asked !== look) return;
+        since_ms = performance.now();
+      }
+      scope.postMessage({ kind: "future", job: look.job, future: next.value }, [next.value.rows.buffer]);
+      await messagesHeard();
+      if (asked !== look) return;
+    }
+    scope.postMessage({ kind: "done", job: look.job });
+  } catch (thrown) {
+    throw asFault(thrown);
+  }
+}
+
+/** The scenario stays open from one look to the next. */
+async function opened(scenario: ScenarioOf): Promise<Futures> {
+  await ready;
+  const key = JSON.stringify([scenario.text, scenario.file, scenario.overrides, scenario.opened]);
+  if (open?.scenario === key) return open.futures;
+  const texts = JSON.stringify(await files.of(scenario));
+  open?.futures.free();
+  open = null;
+  const engine = new Simulation(scenario.text, scenario.file, JSON.stringify(scenario.overrides), texts);
+  const futures = new Futures(engine, (resolved) => new Simulation(resolved, scenario.file, "{}", texts));
+  open = { scenario: key, futures };
+  return futures;
+}
+
+const turns = new MessageChannel();
+
+/** A timer would wait for some ms each time. */
+function messagesHeard(): Promise<void> {
+  return new Promise((resolve) => {
+    turns.port1.onmessage = () => resolve();
+    turns.port2.postMessage(null);
+  });
+}

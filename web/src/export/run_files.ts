@@ -1,0 +1,81 @@
+import { stemOf } from "../app/saved";
+import type { Run, Session } from "../app/session";
+import { eventsAsCsv, rowsAsCsv, written } from "./csv";
+import { parquetOf } from "./parquet";
+import { gathered, keptOf } from "./rows";
+import type { Kept } from "./rows";
+
+/** A file that is ready to be handed over. */
+export interface MadeFile {
+  name: string;
+  content: Blob;
+}
+
+/** As Python's results say it of the same run. */
+const FINISHED = "finished";
+const AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port";
+
+/** The recording of the run in hand as files. */
+export class RunFiles {
+  constructor(private readonly session: Session) {}
+
+  get stem(): string {
+    return stemOf(this.session.source?.file ?? "run");
+  }
+
+  get kept(): Kept {
+    const { run, shown } = this.session;
+    return keptOf(shown.recording!.rows.items, run!.model);
+  }
+
+  get hasEvents(): boolean {
+    return (this.session.shown.recording?.events.length ?? 0) > 0;
+  }
+
+  async csv(): Promise<MadeFile> {
+    const { names } = this.session.run!.columns;
+    const parts = await gathered(rowsAsCsv(names, this.kept.rows.map(({ row }) => row)));
+    return { name: `${this.stem}.csv`, content: new Blob(parts, { type: "text/csv" }) };
+  }
+
+  async events(): Promise<MadeFile> {
+    return { name: `${this.stem}.events.csv`, content: new Blob([eventsAsCsv(this.session.shown.recording!.events)], { type: "text/csv" }) };
+  }
+
+  async parquet(): Promise<MadeFile> {
+    const run = this.session.run!;
+    const { rows } = this.kept;
+    const units = run.channels.flatMap((channel) => channel.units);
+    const columns = run.columns.names.map((name, at) => ({ name, unit: units[at], data: Float64Array.from(rows, ({ row }) => row[at]) }));
+    const file = await parquetOf(columns, await this.about(run));
+    return { name: `${this.stem}.parquet`, content: new Blob([file], { type: "application/vnd.apache.parquet" }) };
+  }
+
+  /** What every data set says of the run that it comes from: the attributes of `kingpost.results`, as far as the page knows them. */
+  private async about({ model }: Run): Promise<Record<string, string>> {
+    const { recorded, rows } = this.kept;
+    const scenario = await this.session.resolved();
+    const bodies = model.bodies.filter(({ floats }) => floats).map(({ name }) => name);
+    const { events, warnings } = this.session.shown.recording!;
+    return {
+      title: model.title,
+      status: this.status(model.duration_s),
+      source: this.session.source?.file ?? "",
+      ...(scenario ? { scenario, seed: String((JSON.parse(scenario) as { simulation: { seed?: number } }).simulation.seed ?? "") } : {}),
+      gravity_m_s2: written(model.gravity_m_s2),
+      water_density_kg_m3: written(model.sea?.density_kg_m3 ?? 0),
+      floating_bodies: JSON.stringify(bodies),
+      model_warnings: JSON.stringify(model.warnings),
+      events: JSON.stringify(events.map(({ time_s, name, text }) => ({ time_s, element: name, what: text }))),
+      warnings: JSON.stringify(warnings),
+      axes: AXES,
+      ...(recorded > rows.length ? { thinned: `${rows.length} of about ${recorded} rows` } : {}),
+    };
+  }
+
+  private status(duration_s: number): string {
+    const { fault, shown, status } = this.session;
+    if (status === "stopped" && fault) return fault.message;
+    return shown.recording!.now.time_s >= duration_s - 1e-9 ? FINISHED : `paused at ${shown.recording!.now.time_s} s`;
+  }
+}

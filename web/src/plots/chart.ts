@@ -1,0 +1,147 @@
+import uPlot from "uplot";
+import { fixed, scientific } from "../app/format";
+import type { DrawnLine } from "./drawn";
+import type { Fan } from "./fan";
+import type { Stretch } from "./stretch";
+
+/** What all charts of a plot draw: lines over the stretch of the recording that is in sight. */
+export interface Content {
+  lines: DrawnLine[];
+  /** The numbers in sight, as shown; its first array has the times. */
+  stretch: Stretch;
+  /** What may come, over time. */
+  fan: Fan;
+  /** In sight, s. */
+  range_s: [number, number];
+  /** The moment that is shown; whether it lies before the newest. */
+  shown_s: number;
+  isBack: boolean;
+  /** A number of a line at the moment that is shown. */
+  now(line: DrawnLine): number;
+}
+
+/** A way to show lines. */
+export interface Chart {
+  /** Draws into its area; needs what is in sight anew only where it is stale. */
+  draw(content: Content): void;
+  resize(width: number, height: number): void;
+  /** For the legend: the number of each line, at the crosshair where there is one. */
+  values(content: Content): string[];
+  /** Where the crosshair is, in words; empty for nowhere. */
+  at(content: Content): string;
+  /** What else it says, under the picture. */
+  notes(content: Content): string[];
+  /** The same in numbers: its first row has the headings. */
+  table(content: Content): string[][];
+  canvas(): HTMLCanvasElement | null;
+  destroy(): void;
+}
+
+/** Colours and font of the page as they are now. */
+export interface Style {
+  colour(name: string): string;
+  axis: Pick<uPlot.Axis, "stroke" | "font" | "labelFont" | "ticks" | "grid">;
+}
+
+export function styleOf(): Style {
+  const style = getComputedStyle(document.documentElement);
+  const colour = (name: string) => style.getPropertyValue(`--${name}`).trim();
+  const font = `12px ${colour("font")}`;
+  const grid = { stroke: colour("plot-grid"), width: 1 };
+  return { colour, axis: { stroke: colour("muted"), font, labelFont: font, ticks: { show: false }, grid } };
+}
+
+/** Room for the half of the last number on the axis that stands out, pixels. */
+const LAST_TICK_PX = 24;
+const AXIS_PX = { across: 28, upright: 48, label: 18 };
+
+/** Numbers on an axis below this have a power of ten. */
+const TINY = 1e-5;
+
+export function tick(value: number): string {
+  return Math.abs(value) >= TINY || value === 0 ? fixed(value, 6).replace(/\.0+$|(\.\d*?)0+$/, "$1") : scientific(value);
+}
+
+/** The axis across the bottom. */
+export function acrossAxis(style: Style, values: (value: number) => string, label?: string): uPlot.Axis {
+  const named = label === undefined ? {} : { label, labelSize: AXIS_PX.label };
+  return { ...style.axis, ...named, size: AXIS_PX.across, values: (_u, splits) => splits.map(values) };
+}
+
+/** An upright axis of a unit; those after the first stand on the right, without a grid. */
+export function uprightAxis(style: Style, scale: string, place: number, label: string): uPlot.Axis {
+  const side = place === 0 ? 3 : 1;
+  const grid = place === 0 ? style.axis.grid : { show: false };
+  const named = label === "" ? {} : { label, labelSize: AXIS_PX.label };
+  return { ...style.axis, ...named, scale, side, grid, size: AXIS_PX.upright, values: (_u, splits) => splits.map(tick) };
+}
+
+export function paddingOf(axes: number): uPlot.Padding {
+  return [8, axes > 1 ? 8 : LAST_TICK_PX, 0, 0];
+}
+
+/** Share of the height that the lines keep where a limit is drawn as well. */
+const LINES_SHARE = 0.15;
+const MARGIN = 0.06;
+/** Of a value that hardly changes: a range that is narrower shows rounding noise as motion. */
+const LEAST_SHARE = 1e-6;
+/** Lines that are this flat against their distance from zero do without it. */
+const FLAT = 0.25;
+
+/** Room around lines, their zero and their limits. */
+export function heightsOf(low: number | null, high: number | null, least: number, bounds: readonly number[]): [number, number] {
+  let [bottom, top] = [low ?? 0, high ?? 0];
+  const size = Math.max(Math.abs(bottom), Math.abs(top));
+  if (top - bottom > FLAT * size) [bottom, top] = [Math.min(bottom, 0), Math.max(top, 0)];
+  const lack = Math.max(least, LEAST_SHARE * size) - (top - bottom) / 2;
+  if (lack > 0) [bottom, top] = [bottom - lack, top + lack];
+  const drawn = top - bottom;
+  for (const bound of bounds) {
+    const [lower, upper] = [Math.min(bottom, bound), Math.max(top, bound)];
+    if (drawn >= LINES_SHARE * (upper - lower)) [bottom, top] = [lower, upper];
+  }
+  const margin = MARGIN * (top - bottom);
+  return [bottom - margin, top + margin];
+}
+
+/** A line from point to point on a chart, in the unit of its axes. */
+export function stroke(u: uPlot, points: Iterable<[number, number]>, scale: string, style: { colour: string; width: number; dash?: number[] }): void {
+  const { ctx, bbox } = u;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.beginPath();
+  for (const [x, y] of points) ctx.lineTo(u.valToPos(x, "x", true), u.valToPos(y, scale, true));
+  ctx.strokeStyle = style.colour;
+  ctx.lineWidth = style.width * devicePixelRatio;
+  ctx.setLineDash((style.dash ?? []).map((one) => one * devicePixelRatio));
+  ctx.stroke();
+  ctx.restore();
+}
+
+/** A ring and a dot at a place on a chart. */
+export function dot(u: uPlot, [x, y]: [number, number], scale: string, colour: string, ring: string): void {
+  const { ctx } = u;
+  ctx.save();
+  ctx.beginPath();
+  ctx.arc(u.valToPos(x, "x", true), u.valToPos(y, scale, true), 5 * devicePixelRatio, 0, 2 * Math.PI);
+  ctx.fillStyle = colour;
+  ctx.strokeStyle = ring;
+  ctx.lineWidth = 2 * devicePixelRatio;
+  ctx.fill();
+  ctx.stroke();
+  ctx.restore();
+}
+
+/** A word beside a place on a chart. */
+export function word(u: uPlot, text: string, [x, y]: [number, number], font: string, colour: string, align: CanvasTextAlign): void {
+  const { ctx } = u;
+  ctx.save();
+  ctx.font = font.replace(/^\d+px/, (size) => `${Number.parseFloat(size) * 0.92 * devicePixelRatio}px`);
+  ctx.fillStyle = colour;
+  ctx.textAlign = align;
+  ctx.textBaseline = "bottom";
+  ctx.fillText(text, x, y);
+  ctx.restore();
+}

@@ -1,0 +1,134 @@
+import type { Channel, ModelInfo } from "../engine/engine";
+import { texts } from "../texts";
+import { inWords, labelOf, linesOf } from "./lines";
+import type { Line } from "./lines";
+
+/** Lines that belong together, to be chosen at once. */
+export interface Figure {
+  title: string;
+  lines: Line[];
+  /** What each is called beside this title. */
+  labels: string[];
+}
+
+/** Lines of one plot: more cannot be told apart. */
+export const MOST_LINES = 8;
+/** Things that bend have many coordinates, of which no few say how they move. */
+const BENDS = "elastic";
+
+/** What can be drawn of a run, what belongs together in it, and what is drawn until a person chooses. */
+export class Figures {
+  readonly lines: Line[];
+  readonly all: Figure[];
+  private readonly byId: Map<string, Line>;
+
+  constructor(
+    private readonly model: ModelInfo,
+    private readonly channels: readonly Channel[],
+  ) {
+    this.lines = linesOf(model, channels);
+    this.byId = new Map(this.lines.map((line) => [line.id, line]));
+    const floating = model.bodies.filter(({ floats }) => floats).map(({ name }) => name);
+    const bodies = floating.length > 0 ? floating : model.bodies.slice(0, 1).map(({ name }) => name);
+    const turning = bodies.flatMap((body) => [this.rates(body), this.angles(body)]);
+    const joints = [this.joints("joint_velocity", texts.plots.joint_rates), this.joints("joint_position", texts.plots.joint_positions)];
+    const limited = this.limited().map((id) => this.line(id)!);
+    const forces: Figure = { title: texts.plots.limited_forces, lines: limited, labels: limited.map(labelOf) };
+    this.all = [...turning, ...model.hulls.map((hull) => this.heave(hull)), ...joints, ...(limited.length > 1 ? [forces] : []), ...this.vectors()].filter(({ lines }) => lines.length > 0);
+  }
+
+  line(id: string): Line | undefined {
+    return this.byId.get(id);
+  }
+
+  /** The figure that has these lines and no others. */
+  ofLines(ids: readonly string[]): Figure | undefined {
+    return this.all.find(({ lines }) => lines.length === ids.length && lines.every(({ id }, i) => id === ids[i]));
+  }
+
+  /** The lines of each plot until a person chooses: what moves, and the forces that the scenario has limits for. */
+  defaults(): string[][] {
+    const { hulls, bodies } = this.model;
+    const moving = [...hulls.map(({ body }) => body), ...bodies.filter(({ floats }) => floats).map(({ name }) => name)].filter((body) => !this.isHeld(body));
+    const [body] = moving;
+    if (body === undefined) return [this.joints("joint_velocity", ""), this.joints("joint_position", "")].map(idsOf).map((ids) => (ids.length > 0 ? ids : idsOf(this.rates(bodies[0].name))));
+    if (bodies.length === 1 && hulls.length === 1) return [idsOf(this.heave(hulls[0])), [`${body}.velocity.z`]];
+    const angles = idsOf(this.angles(body));
+    const limited = this.limited();
+    return [limited.length > 0 ? limited : idsOf(this.rates(body)), angles];
+  }
+
+  /** Whether nothing moves what else would float. */
+  private isHeld(body: string): boolean {
+    const joint = this.model.joints.find((one) => one.body === body);
+    return joint?.kind === "floating" && joint.free_coordinates.length === 0 && joint.prescribed.length === 0;
+  }
+
+  /** Forces with limits. */
+  private limited(): string[] {
+    const columns = [...new Set(this.model.limits.map(({ column }) => column))];
+    return columns.filter((column) => this.line(column)?.unit === "N").slice(0, MOST_LINES);
+  }
+
+  private rates(body: string): Figure {
+    return this.named(texts.plots.rates_of(inWords(body)), ["y", "z", "x"].map((axis) => `${body}.angular_velocity.${axis}`), texts.plots.turns);
+  }
+
+  private angles(body: string): Figure {
+    return this.named(texts.plots.angles_of(inWords(body)), ["pitch", "yaw", "roll"].map((angle) => `${body}.${angle}`), texts.plots.turns);
+  }
+
+  /** Beside the wave. */
+  private heave({ name, body }: ModelInfo["hulls"][number]): Figure {
+    return this.named(texts.plots.heave_of(inWords(body)), [`${body}.heave`, `${name}.wave_elevation`], texts.plots.heave_and_wave);
+  }
+
+  /** Coordinates that move freely or by a prescribed motion. */
+  private joints(variable: string, title: string): Figure {
+    const moving = this.model.joints.filter(({ kind, free_coordinates, prescribed }) => kind !== BENDS && kind !== "floating" && free_coordinates.length + prescribed.length > 0);
+    const names = this.channels.find((channel) => channel.variable === variable)?.labels[0] ?? [];
+    const own = names.filter((name) => moving.some((joint) => name === joint.name || joint.free_coordinates.includes(name)));
+    return this.named(title, own.slice(0, MOST_LINES).map((name) => `${name}.${variable}`), own.map(inWords));
+  }
+
+  private named(title: string, ids: readonly string[], labels: readonly string[]): Figure {
+    const found = ids.map((id, i) => ({ line: this.line(id), label: labels[i] })).filter((one): one is { line: Line; label: string } => one.line !== undefined);
+    return { title, lines: found.map(({ line }) => line), labels: found.map(({ label }) => label) };
+  }
+
+  /** Of each thing that has several numbers of one kind these together; of forces and moments a figure for each unit. */
+  private vectors(): Figure[] {
+    const several = this.channels.filter(({ dims }) => dims.length > 1);
+    return several.flatMap((channel) => {
+      const [things, ...along] = channel.labels;
+      const width = along.reduce((product, { length }) => product * length, 1);
+      return things.flatMap((thing, i) => this.ofThing(channel, thing, channel.columns.slice(i * width, (i + 1) * width)));
+    });
+  }
+
+  private ofThing({ variable }: Channel, thing: string, columns: readonly string[]): Figure[] {
+    const lines = columns.map((column) => this.line(column)!);
+    const units = [...new Set(lines.map(({ unit }) => unit))];
+    const words = inWords(variable);
+    return units.map((unit) => {
+      const own = lines.filter((line) => line.unit === unit).slice(0, MOST_LINES);
+      const title = units.length > 1 ? `${inWords(thing)}: ${words} (${unit})` : `${inWords(thing)}: ${words}`;
+      return { title, lines: own, labels: own.map(({ what }) => what.slice(words.length + 1) || what) };
+    });
+  }
+}
+
+function idsOf({ lines }: Figure): string[] {
+  return lines.map(({ id }) => id);
+}
+
+/** What lines are called that were chosen one by one: whose they are goes without saying where all are of one thing. */
+export function titleAndLabels(lines: readonly Line[], figure: Figure | undefined): { title: string; labels: string[] } {
+  if (figure) return figure;
+  const things = new Set(lines.map(({ thing }) => thing));
+  const [thing] = things;
+  if (lines.length > 1 && things.size === 1 && thing !== "") return { title: inWords(thing), labels: lines.map(({ what }) => what) };
+  const labels = lines.map(labelOf);
+  return { title: labels.join(", ") || texts.plots.empty, labels };
+}
+

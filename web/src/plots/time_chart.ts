@@ -1,0 +1,164 @@
+import uPlot from "uplot";
+import { fixed } from "../app/format";
+import { texts } from "../texts";
+import { acrossAxis, heightsOf, paddingOf, stroke, styleOf, uprightAxis, word } from "./chart";
+import type { Chart, Content, Style } from "./chart";
+import type { DrawnLine } from "./drawn";
+import { rowsOf } from "./table";
+import { wrapPlaces } from "./window";
+
+/** Angles that differ by less look the same: narrower would show rounding noise, rad. */
+const LEAST_ANGLE = 1e-4;
+/** Of what is no angle, in its unit. */
+const LEAST = 1e-9;
+/** Narrower is a click, pixels. */
+const LEAST_DRAG_PX = 6;
+const TIME_DECIMALS = 2;
+
+/** Lines over time, an axis for each unit, with the limits of their columns. */
+export class TimeChart implements Chart {
+  private chart: uPlot | null = null;
+  private content: Content | null = null;
+
+  constructor(
+    private readonly area: HTMLElement,
+    /** A stretch of time was drawn on with the mouse. */
+    private readonly choose: (range_s: [number, number]) => void,
+  ) {}
+
+  draw(content: Content): void {
+    this.content = content;
+    this.chart ??= this.make(content);
+    this.chart.setData(content.stretch.data as unknown as uPlot.AlignedData, false);
+    const [min, max] = content.range_s;
+    this.chart.setScale("x", { min, max });
+  }
+
+  resize(width: number, height: number): void {
+    this.chart?.setSize({ width, height });
+  }
+
+  private get index(): number | null {
+    return this.chart?.cursor.idx ?? null;
+  }
+
+  values(content: Content): string[] {
+    const { index } = this;
+    const [, ...columns] = content.stretch.data;
+    return content.lines.map((line, i) => fixed(this.isInside(content) ? columns[i][index!] : content.now(line), line.decimals));
+  }
+
+  private isInside({ stretch }: Content): boolean {
+    return this.index !== null && this.index < stretch.length;
+  }
+
+  at(content: Content): string {
+    return this.isInside(content) ? texts.plots.at_time(fixed(content.stretch.data[0][this.index!], 2)) : "";
+  }
+
+  notes(): string[] {
+    return [];
+  }
+
+  table({ fan, lines, stretch }: Content): string[][] {
+    const [times, ...columns] = stretch.data;
+    const heads = ["", ...lines.map(({ label, shown }) => (shown.unit ? `${label}, ${shown.unit}` : label))];
+    const limits = lines.flatMap(({ bounds, decimals }, at) =>
+      bounds.map(({ name, value }) => [texts.plots.limit(name), ...lines.map((_, i) => (i === at ? fixed(value, decimals) : ""))]),
+    );
+    const write = (value: number, i: number) => fixed(value, lines[i]?.decimals ?? TIME_DECIMALS);
+    return [heads, ...limits, ...rowsOf(times, columns, write), ...fan.rows(write)];
+  }
+
+  canvas(): HTMLCanvasElement | null {
+    return this.chart?.ctx.canvas ?? null;
+  }
+
+  destroy(): void {
+    this.chart?.destroy();
+    this.chart = null;
+  }
+
+  private make(content: Content): uPlot {
+    const style = styleOf();
+    const { lines, stretch } = content;
+    const units = [...new Set(lines.map(({ shown }) => shown.unit))];
+    const options: uPlot.Options = {
+      width: this.area.clientWidth,
+      height: this.area.clientHeight,
+      legend: { show: false },
+      padding: paddingOf(units.length),
+      cursor: { sync: { key: "time" }, drag: { x: true, y: false, setScale: false }, points: { size: 7 } },
+      scales: { x: { time: false }, ...Object.fromEntries(units.map((unit) => [scaleOf(unit), { range: this.rangeFor(lines, unit) }])) },
+      axes: [acrossAxis(style, (value) => `${Number(value.toPrecision(6))} s`), ...units.map((unit, place) => uprightAxis(style, scaleOf(unit), place, units.length > 1 ? unit : ""))],
+      hooks: { drawAxes: [(u) => this.drawFan(u, style)], draw: [(u) => this.drawBounds(u, style), (u) => this.drawMoment(u, style)], setSelect: [(u) => this.select(u)] },
+      series: [{}, ...lines.map((line) => seriesOf(line, style.colour(line.colour)))],
+    };
+    return new uPlot(options, stretch.data as unknown as uPlot.AlignedData, this.area);
+  }
+
+  /** Room for the lines of a unit, their limits and what may come of them. */
+  private rangeFor(lines: readonly DrawnLine[], unit: string): uPlot.Range.Function {
+    const places = lines.flatMap((line, i) => (line.shown.unit === unit ? [i] : []));
+    const own = places.map((i) => lines[i]);
+    const least = Math.max(...own.map(({ line, shown }) => (line.unit.startsWith("rad") ? LEAST_ANGLE * shown.scale : LEAST)));
+    const bounds = own.flatMap((line) => line.bounds.map(({ value }) => value));
+    return (_u, low, high) => {
+      const [lowest, highest] = this.content?.fan.rangeOf(places) ?? [Infinity, -Infinity];
+      const [bottom, top] = [Math.min(low ?? Infinity, lowest), Math.max(high ?? -Infinity, highest)];
+      return heightsOf(bottom <= top ? bottom : null, bottom <= top ? top : null, least, bounds);
+    };
+  }
+
+  /** What may come, behind the lines. */
+  private drawFan(u: uPlot, style: Style): void {
+    if (!this.content) return;
+    const { fan, lines } = this.content;
+    fan.draw(u, lines.map(({ colour }) => style.colour(colour)), lines.map(({ shown }) => scaleOf(shown.unit)));
+  }
+
+  private select(u: uPlot): void {
+    const { left, width } = u.select;
+    if (width === 0) return;
+    u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
+    if (width >= LEAST_DRAG_PX) this.choose([u.posToVal(left, "x"), u.posToVal(left + width, "x")]);
+  }
+
+  /** A line across at an earlier moment that is shown. */
+  private drawMoment(u: uPlot, style: Style): void {
+    const { content } = this;
+    if (!content?.isBack || content.lines.length === 0) return;
+    const scale = scaleOf(content.lines[0].shown.unit);
+    const { min = 0, max = 0 } = u.scales[scale];
+    stroke(u, [[content.shown_s, min!], [content.shown_s, max!]], scale, { colour: style.colour("accent"), width: 1 });
+  }
+
+  /** The limits of a column, from when on they count, in the colour of its line. */
+  private drawBounds(u: uPlot, style: Style): void {
+    const { content } = this;
+    if (!content) return;
+    const end_s = content.range_s[1];
+    for (const { bounds, colour, shown } of content.lines) {
+      const scale = scaleOf(shown.unit);
+      const { min, max } = u.scales[scale];
+      for (const { name, value, from_s } of bounds.filter((bound) => bound.value >= min! && bound.value <= max!)) {
+        stroke(u, [[Math.max(from_s, content.range_s[0]), value], [end_s, value]], scale, { colour: style.colour(colour), width: 1.5, dash: [6, 4] });
+        const place: [number, number] = [u.bbox.left + u.bbox.width - 4 * devicePixelRatio, u.valToPos(value, scale, true) - 2 * devicePixelRatio];
+        word(u, name, place, String(style.axis.font), style.colour("ink"), "right");
+      }
+    }
+  }
+}
+
+const scaleOf = (unit: string) => `in ${unit}`;
+
+function seriesOf(line: DrawnLine, colour: string): uPlot.Series {
+  const series: uPlot.Series = { label: line.label, stroke: colour, scale: scaleOf(line.shown.unit), width: 2, pxAlign: 0, points: { show: false } };
+  if (!line.line.wraps) return series;
+  series.gaps = (u, seriesIndex, first, last) => {
+    const values = u.data[seriesIndex] as unknown as Float64Array;
+    const pixel = (i: number) => u.valToPos(u.data[0][i], "x", true);
+    return wrapPlaces(values, first, last, line.half).map(([from, to]): [number, number] => [pixel(from), pixel(to)]);
+  };
+  return series;
+}

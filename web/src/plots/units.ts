@@ -1,0 +1,40 @@
+/** Whether angles are shown in degrees or as the engine has them. */
+export type Angle = "deg" | "rad";
+
+/** How numbers of an SI unit are shown. */
+export interface ShownUnit {
+  unit: string;
+  /** Factor from the SI unit to it. */
+  scale: number;
+  /** Decimals of a number that is not small. */
+  decimals: number;
+}
+
+const DEGREES_PER_RADIAN = 180 / Math.PI;
+/** Shown by the thousand, as pictures of `kingpost plot` have them. */
+const BY_THE_THOUSAND = ["N", "N m", "J", "W"];
+const DECIMALS = { deg: 2, rad: 5, thousand: 2, other: 4 };
+/** Digits of the largest number in sight, where these decimals would leave fewer. */
+const DIGITS = 3;
+const MOST_DECIMALS = 9;
+
+export function shownUnit(si: string, angle: Angle): ShownUnit {
+  if (/^rad\b/.test(si)) {
+    if (angle === "rad") return { unit: pretty(si), scale: 1, decimals: DECIMALS.rad };
+    return { unit: pretty(si).replace("rad", "°"), scale: DEGREES_PER_RADIAN, decimals: DECIMALS.deg };
+  }
+  if (BY_THE_THOUSAND.includes(si)) return { unit: `k${si}`, scale: 1e-3, decimals: DECIMALS.thousand };
+  return { unit: si === "1" ? "" : pretty(si), scale: 1, decimals: DECIMALS.other };
+}
+
+/** Powers as the field writes them. */
+function pretty(unit: string): string {
+  return unit.replaceAll("^2", "²").replaceAll("^3", "³");
+}
+
+/** Decimals for numbers up to this size: enough of a small one to be read. */
+export function decimalsFor({ decimals }: ShownUnit, largest: number): number {
+  if (!(largest > 0) || !Number.isFinite(largest)) return decimals;
+  const needed = DIGITS - 1 - Math.floor(Math.log10(largest));
+  return Math.min(MOST_DECIMALS, Math.max(decimals, needed));
+}

@@ -1,0 +1,91 @@
+import type { Figures } from "./figures";
+import { MOST_LINES } from "./figures";
+import type { Angle } from "./units";
+import { FOLLOWING, isWindow } from "./window";
+import type { WindowChoice } from "./window";
+
+export const CHART_KINDS = ["time", "spectrum", "phase", "arms"] as const;
+/** Over time, its spectrum, one line against another, or righting arms over the heel. */
+export type ChartKind = (typeof CHART_KINDS)[number];
+
+/** How many segments a record is cut into for its spectrum, at least: more are smoother, fewer are finer. */
+export const PARTS = [2, 4, 8, 16];
+
+/** What one plot shows. */
+export interface PlotView {
+  kind: ChartKind;
+  /** Their ids. */
+  lines: string[];
+  /** Whether its numbers stand under it. */
+  isTold: boolean;
+  parts: number;
+}
+
+/** What all plots of a scenario show. */
+export interface PlotsView {
+  plots: PlotView[];
+  angle: Angle;
+  window: WindowChoice;
+}
+
+export const MOST_PLOTS = 6;
+const KEY = "kingpost.plots.";
+
+export function plotOf(lines: string[], kind: ChartKind = "time"): PlotView {
+  return { kind, lines, isTold: false, parts: 8 };
+}
+
+export function defaultView(figures: Figures): PlotsView {
+  return { plots: figures.defaults().map((lines) => plotOf(lines)), angle: "deg", window: FOLLOWING };
+}
+
+/** A stretch from one time to another is of this run, and not kept. */
+export function keepView(file: string, view: PlotsView): void {
+  const window = view.window.kind === "between" ? FOLLOWING : view.window;
+  try {
+    localStorage.setItem(KEY + file, JSON.stringify({ ...view, window }));
+  } catch {
+    // It holds for this page only where nothing can be kept.
+  }
+}
+
+export function forgetView(file: string): void {
+  try {
+    localStorage.removeItem(KEY + file);
+  } catch {
+    // There is nothing to forget.
+  }
+}
+
+/** What was kept of a scenario, as far as it still has these lines; null for nothing. */
+export function keptView(file: string, figures: Figures): PlotsView | null {
+  try {
+    const text = localStorage.getItem(KEY + file);
+    return text === null ? null : viewOf(JSON.parse(text), figures);
+  } catch {
+    return null;
+  }
+}
+
+/** Of what another version of the app may have kept. */
+export function viewOf(kept: unknown, figures: Figures): PlotsView | null {
+  if (!isObject(kept) || !Array.isArray(kept.plots)) return null;
+  const plots = kept.plots.map((plot) => plotFrom(plot, figures)).filter((plot) => plot !== null);
+  return {
+    plots: plots.slice(0, MOST_PLOTS),
+    angle: kept.angle === "rad" ? "rad" : "deg",
+    window: isWindow(kept.window) ? kept.window : FOLLOWING,
+  };
+}
+
+function plotFrom(kept: unknown, figures: Figures): PlotView | null {
+  if (!isObject(kept) || !Array.isArray(kept.lines)) return null;
+  const lines = kept.lines.filter((id): id is string => typeof id === "string" && figures.line(id) !== undefined).slice(0, MOST_LINES);
+  const kind = CHART_KINDS.find((one) => one === kept.kind) ?? "time";
+  if (lines.length === 0 && kind !== "arms") return null;
+  return { kind, lines, isTold: kept.isTold === true, parts: PARTS.find((one) => one === kept.parts) ?? 8 };
+}
+
+function isObject(value: unknown): value is Record<string, unknown> {
+  return typeof value === "object" && value !== null;
+}

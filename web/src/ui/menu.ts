@@ -1,0 +1,54 @@
+import { make } from "./dom";
+
+/** A button that opens a small panel beneath it; Escape and a press elsewhere close it. */
+export function menuOf(element: HTMLDetailsElement, title: string, icon: string, ...parts: HTMLElement[]): void {
+  const summary = make("summary", { class: "button button-quiet" });
+  summary.innerHTML = `<svg viewBox="0 0 20 20" width="18" height="18" aria-hidden="true"><path d="${icon}" /></svg>`;
+  summary.append(title);
+  const panel = make("div", { class: "menu-panel" }, ...parts);
+  element.replaceChildren(summary, panel);
+  listenOnce(element, panel);
+}
+
+/** How far the panel stays from the foot of what it lies in, pixels. */
+const FOOT_PX = 8;
+
+/** The panel is no higher than there is room; what the menu hears it hears once, however often it is filled. */
+function listenOnce(element: HTMLDetailsElement, panel: HTMLElement): void {
+  element.ontoggle = () => {
+    const room = element.closest("section")?.getBoundingClientRect();
+    if (element.open && room) panel.style.maxHeight = `${room.bottom - panel.getBoundingClientRect().top - FOOT_PX}px`;
+  };
+  if (element.dataset.hears) return;
+  element.dataset.hears = "true";
+  element.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !element.open) return;
+    element.open = false;
+    element.querySelector("summary")!.focus();
+  });
+  document.addEventListener("pointerdown", ({ target }) => {
+    if (!element.contains(target as Node)) element.open = false;
+  });
+}
+
+export interface Choice {
+  name: string;
+  label: string;
+}
+
+/** One of some, as radio buttons. */
+export function oneOf(group: string, legend: string, choices: readonly Choice[], chosen: string, choose: (name: string) => void): HTMLElement {
+  const items = choices.map(({ name, label }) => {
+    const input = make("input", { type: "radio", name: group, value: name, checked: name === chosen, "data-testid": `${group}-${name}` });
+    input.addEventListener("change", () => choose(name));
+    return make("label", { class: "menu-item" }, input, make("span", {}, label));
+  });
+  return make("fieldset", {}, make("legend", { class: "visually-hidden" }, legend), ...items);
+}
+
+/** A switch. */
+export function tick(testId: string, label: string, isOn: boolean, set: (isOn: boolean) => void): HTMLElement {
+  const input = make("input", { type: "checkbox", checked: isOn, "data-testid": testId });
+  input.addEventListener("change", () => set(input.checked));
+  return make("label", { class: "menu-item" }, input, make("span", {}, label));
+}

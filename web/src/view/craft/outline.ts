@@ -1,0 +1,96 @@
+import type { HullInfo, MeshInfo } from "../../engine/engine";
+import type { Box, Vec3 } from "../fit";
+import type { Plan } from "./pieces";
+
+/** Stations along a hull at which its breadth is taken. */
+const STATIONS = 48;
+/** The bow of a hull that a box stands for begins so far from its end, as parts of its length. */
+const BOW_SHARE = 0.24;
+/** A box with more lengths than this to its beam is taken for a ship's hull. */
+const SHIP_RATIO = 3.5;
+/** A hull is pointed where at this share of its length from an end it has less than this share of its beam. */
+const POINTED = { at: 0.03, below: 0.5 };
+
+/** A hull as what stands on its deck needs it: body axes, bow at the greater x, m. */
+export interface Outline {
+  box: Box;
+  /** Height of the water that it is painted for. */
+  water_m: number;
+  /** Whether it has a bow. */
+  isShip: boolean;
+  /** Whether it has a deck: a sphere has none. */
+  hasDeck: boolean;
+  /** Half of its breadth at deck, by x. */
+  halfAt(x: number): number;
+  /** Both sides, at the x of its stations. */
+  stations: readonly { x: number; half: number }[];
+}
+
+/** Of a hull with a shape. */
+export function outlineOfMesh(mesh: MeshInfo, box: Box, { origin_m }: HullInfo): Outline {
+  const z = box.high[2] - 1e-3 * (box.high[2] - box.low[2]);
+  const sides = crossings(mesh, z);
+  const outline = outlineOf(box, origin_m[2], (x) => halfBreadth(sides, x), null);
+  const areOnTop = (triangle: readonly number[]) => triangle.every((i) => mesh.vertices_m[i][2] >= z);
+  return { ...outline, hasDeck: mesh.triangles.some(areOnTop) };
+}
+
+/** Of a box: pointed where it is as slender as a ship. */
+export function outlineOfBox(box: Box, water_m: number): Outline {
+  const [length, beam] = [box.high[0] - box.low[0], box.high[1] - box.low[1]];
+  const isShip = length >= SHIP_RATIO * beam;
+  const from = box.high[0] - BOW_SHARE * length;
+  const half = (x: number) => (isShip && x > from ? (beam / 2) * bowShare((x - from) / (BOW_SHARE * length)) : beam / 2);
+  return outlineOf(box, water_m, half, isShip);
+}
+
+/** Full at its root, 0 at the stem. */
+function bowShare(t: number): number {
+  return Math.sqrt(Math.max(0, 1 - t ** 2.2));
+}
+
+function outlineOf(box: Box, water_m: number, half: (x: number) => number, known: boolean | null): Outline {
+  const [from, length] = [box.low[0], box.high[0] - box.low[0]];
+  const stations = Array.from({ length: STATIONS + 1 }, (_, i) => {
+    // Closer together towards the bow, where the side turns.
+    const x = from + length * (1 - (1 - i / STATIONS) ** 1.5);
+    return { x, half: half(x) };
+  });
+  const most = Math.max(...stations.map((one) => one.half));
+  const isShip = known ?? half(from + (1 - POINTED.at) * length) < POINTED.below * most;
+  return { box, water_m, isShip, hasDeck: true, halfAt: half, stations };
+}
+
+type Segment = [[number, number], [number, number]];
+
+/** Where a mesh crosses a height, in plan. */
+function crossings({ vertices_m, triangles }: MeshInfo, z: number): Segment[] {
+  return triangles.flatMap((triangle) => {
+    const corners = triangle.map((i): Vec3 => vertices_m[i]);
+    const cut = [0, 1, 2].flatMap((k): [number, number][] => {
+      const [a, b] = [corners[k], corners[(k + 1) % 3]];
+      if (a[2] > z === b[2] > z) return [];
+      const t = (z - a[2]) / (b[2] - a[2]);
+      return [[a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]];
+    });
+    return cut.length === 2 ? [cut as unknown as Segment] : [];
+  });
+}
+
+function halfBreadth(sides: readonly Segment[], x: number): number {
+  let half = 0;
+  for (const [[x1, y1], [x2, y2]] of sides) {
+    if ((x1 - x) * (x2 - x) > 0) continue;
+    const t = x1 === x2 ? 0 : (x - x1) / (x2 - x1);
+    half = Math.max(half, Math.abs(y1 + t * (y2 - y1)), x1 === x2 ? Math.abs(y2) : 0);
+  }
+  return half;
+}
+
+/** The deck between two x, so far inside of its edge, counter-clockwise. */
+export function planBetween({ stations, halfAt }: Outline, from: number, to: number, inset = 0, most = Infinity): Plan {
+  const ends = [from, to].map((x) => ({ x, half: halfAt(x) }));
+  const between = [ends[0], ...stations.filter(({ x }) => x > from + 1e-6 && x < to - 1e-6), ends[1]];
+  const sides = between.map(({ x, half }) => ({ x, y: Math.max(0.02, Math.min(most, half - inset)) }));
+  return [...sides.map(({ x, y }) => [x, -y] as const), ...sides.reverse().map(({ x, y }) => [x, y] as const)];
+}

@@ -1,0 +1,124 @@
+import { BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, ExtrudeGeometry, LatheGeometry, Matrix4, Quaternion, Shape, ShapeUtils, SphereGeometry, Vector2, Vector3 } from "three";
+import type { Color } from "three";
+import { mergeGeometries, toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
+import type { Vec3 } from "../fit";
+
+/** A closed line in plan, counter-clockwise, m. */
+export type Plan = readonly (readonly [number, number])[];
+
+/** Axis along which three's cylinders stand. */
+const ALONG = new Vector3(0, 1, 0);
+/** Faces that meet at less than this look round, rad. */
+const CREASE = 0.5;
+
+/** Painted solids that become one mesh: a picture costs by its draw calls more than by its triangles. */
+export class Pieces {
+  private readonly parts: BufferGeometry[] = [];
+
+  get isEmpty(): boolean {
+    return this.parts.length === 0;
+  }
+
+  /** A solid of one colour. */
+  add(geometry: BufferGeometry, colour: Color): this {
+    const part = geometry.index ? geometry.toNonIndexed() : geometry;
+    for (const name of Object.keys(part.attributes)) if (name !== "position" && name !== "normal") part.deleteAttribute(name);
+    const { count } = part.attributes.position;
+    const colours = new Float32Array(3 * count);
+    for (let i = 0; i < count; i++) colour.toArray(colours, 3 * i);
+    part.setAttribute("color", new BufferAttribute(colours, 3));
+    this.parts.push(part);
+    return this;
+  }
+
+  /** One that has its colours. */
+  addPainted(geometry: BufferGeometry): this {
+    this.parts.push(geometry);
+    return this;
+  }
+
+  box([x, y, z]: Vec3, middle: Vec3, colour: Color): this {
+    return this.add(new BoxGeometry(x, y, z).translate(...middle), colour);
+  }
+
+  /** A round bar from one place to another, thinner at its end where a second radius is given. */
+  rod(from: Vec3, to: Vec3, radius: number, colour: Color, sides = 8, endRadius = radius): this {
+    const [start, way] = [new Vector3(...from), new Vector3(...to).sub(new Vector3(...from))];
+    const length = way.length();
+    if (length < 1e-9) return this;
+    const geometry = new CylinderGeometry(endRadius, radius, length, sides).translate(0, length / 2, 0);
+    const turn = new Quaternion().setFromUnitVectors(ALONG, way.divideScalar(length));
+    return this.add(geometry.applyMatrix4(new Matrix4().compose(start, turn, new Vector3(1, 1, 1))), colour);
+  }
+
+  ball(middle: Vec3, radius: number, colour: Color, sides = 12): this {
+    return this.add(new SphereGeometry(radius, sides, sides / 2 + 2).translate(...middle), colour);
+  }
+
+  /** Upright walls over a plan. */
+  prism(plan: Plan, low: number, high: number, colour: Color): this {
+    const geometry = new ExtrudeGeometry(shapeOf(plan), { depth: high - low, bevelEnabled: false }).translate(0, 0, low);
+    return this.add(toCreasedNormals(geometry, CREASE), colour);
+  }
+
+  /** Walls along the y axis over a closed line of x and z, as wide as is said. */
+  profile(line: Plan, width: number, y: number, colour: Color): this {
+    const geometry = new ExtrudeGeometry(shapeOf(line), { depth: width, bevelEnabled: false });
+    return this.add(geometry.rotateX(Math.PI / 2).translate(0, y + width / 2, 0), colour);
+  }
+
+  /** A body of revolution about an axis through its middle; the line is of radius and height, from below. */
+  turned(line: readonly (readonly [number, number])[], axis: "x" | "y" | "z", middle: Vec3, colour: Color, sides = 28): this {
+    const geometry = new LatheGeometry(line.map(([radius, height]) => new Vector2(radius, height)), sides);
+    if (axis === "x") geometry.rotateZ(-Math.PI / 2);
+    if (axis === "z") geometry.rotateX(Math.PI / 2);
+    return this.add(toCreasedNormals(geometry.toNonIndexed(), CREASE).translate(...middle), colour);
+  }
+
+  /** Moves all that is in it. */
+  move(by: Matrix4): this {
+    for (const part of this.parts) part.applyMatrix4(by);
+    return this;
+  }
+
+  /** Takes over what another has. */
+  take(other: Pieces): this {
+    this.parts.push(...other.parts);
+    return this;
+  }
+
+  /** All of them as one; null where there are none. */
+  geometry(): BufferGeometry | null {
+    return this.isEmpty ? null : mergeGeometries(this.parts);
+  }
+}
+
+function shapeOf(plan: Plan): Shape {
+  return new Shape(plan.map(([x, y]) => new Vector2(x, y)));
+}
+
+/** Half of a closed profile of revolution: a straight round bar of this radius and length about its middle. */
+export function straight(radius: number, from: number, to: number): [number, number][] {
+  return [[0, from], [radius, from], [radius, to], [0, to]];
+}
+
+/** Walls through plans of the same number of places at rising heights, closed below and above. */
+export function lofted(levels: readonly { z: number; plan: Plan }[]): BufferGeometry {
+  const positions: number[] = [];
+  const [first, last] = [levels[0], levels[levels.length - 1]];
+  for (let k = 0; k + 1 < levels.length; k++) {
+    const [low, high] = [levels[k], levels[k + 1]];
+    for (let i = 0; i < low.plan.length; i++) {
+      const j = (i + 1) % low.plan.length;
+      const [a, b] = [[...low.plan[i], low.z], [...low.plan[j], low.z]];
+      const [c, d] = [[...high.plan[j], high.z], [...high.plan[i], high.z]];
+      positions.push(...a, ...b, ...c, ...a, ...c, ...d);
+    }
+  }
+  const triangles = (plan: Plan) => ShapeUtils.triangulateShape(plan.map(([x, y]) => new Vector2(x, y)), []);
+  for (const [a, b, c] of triangles(last.plan)) for (const i of [a, b, c]) positions.push(...last.plan[i], last.z);
+  for (const [a, b, c] of triangles(first.plan)) for (const i of [c, b, a]) positions.push(...first.plan[i], first.z);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(positions), 3));
+  return toCreasedNormals(geometry, CREASE);
+}

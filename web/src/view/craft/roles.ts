@@ -1,0 +1,54 @@
+import type { BodyInfo, ModelInfo } from "../../engine/engine";
+
+/** What a body is taken for, by its shape and by what carries it. */
+export type Role = "hull" | "column" | "boom" | "link" | "drum" | "cargo" | "quay" | "tank" | "other";
+
+/** Lengths over radii, or over depths, from which a body is a boom, or a slim link. */
+const SLIM = { boom: 5, link: 40 };
+/** A drum is no longer than so many radii. */
+const DRUM = 4;
+/** Booms turn or slide on what carries them, or are fixed to another boom. */
+const SWINGS = new Set(["universal", "spherical", "floating"]);
+
+/** The role of each body. */
+export function rolesOf(model: ModelInfo): Role[] {
+  const roles: Role[] = [];
+  model.bodies.forEach((body) => roles.push(roleOf(model, body, roles)));
+  return roles;
+}
+
+function roleOf(model: ModelInfo, body: BodyInfo, known: readonly Role[]): Role {
+  const { shape } = body;
+  const parent = model.bodies.findIndex(({ name }) => name === body.parent);
+  const joint = jointOf(model, body.name);
+  const children = model.bodies.filter((one) => one.parent === body.name);
+  if (isHull(model, body)) return "hull";
+  if (parent < 0) return shape?.kind === "box" && !body.floats ? "quay" : shape?.kind === "box" || shape?.kind === "sphere" ? "cargo" : "other";
+  if (shape?.kind === "box" && joint === "fixed" && known[parent] === "hull") return "tank";
+  if (shape?.kind === "cylinder" && children.length === 0 && joint === "revolute" && shape.length_m <= DRUM * shape.radius_m) return "drum";
+  if (shape?.kind === "cylinder" && known[parent] === "hull" && shape.axis === "z" && children.length > 0) return "column";
+  if (shape?.kind === "cylinder" && shape.length_m >= SLIM.link * shape.radius_m) return "link";
+  const isBorne = ["column", "boom", "hull"].includes(known[parent]) && !SWINGS.has(joint);
+  if (isBorne && slimness(body) >= SLIM.boom) return "boom";
+  return shape?.kind === "box" && known[parent] !== "other" ? "cargo" : "other";
+}
+
+/** What floats and carries something that moves, or has the water's data, or is moved by the waves. */
+function isHull(model: ModelInfo, { name, floats, shape }: BodyInfo): boolean {
+  if (model.hulls.some((hull) => hull.body === name)) return true;
+  if (!floats || shape?.kind !== "box") return false;
+  const carries = model.bodies.some((one) => one.parent === name && jointOf(model, one.name) !== "fixed");
+  return carries || jointOf(model, name) !== "floating";
+}
+
+function jointOf(model: ModelInfo, body: string): string {
+  return model.joints.find((joint) => joint.body === body)?.kind ?? "";
+}
+
+/** The longest extent over the next, of a cylinder over its radius. */
+function slimness({ shape }: BodyInfo): number {
+  if (shape?.kind === "cylinder") return shape.length_m / shape.radius_m;
+  if (shape?.kind !== "box") return 0;
+  const [longest, next] = [shape.length_m, shape.width_m, shape.height_m].sort((a, b) => b - a);
+  return longest / next;
+}

@@ -1,0 +1,52 @@
+import { Group, Mesh, MeshBasicMaterial, MeshStandardMaterial } from "three";
+import type { Matrix4 } from "three";
+import type { Box, Vec3 } from "../fit";
+import type { Palette } from "../palette";
+import { Pieces } from "./pieces";
+
+/** What one body is drawn of: solids, and what shines by itself in the dark. */
+export class Work {
+  /** What has the model's extents. */
+  readonly body = new Pieces();
+  /** What stands on it beyond them. */
+  readonly fittings = new Pieces();
+  /** Windows and lamps. */
+  readonly lit = new Pieces();
+
+  constructor(readonly palette: Palette) {}
+
+  /** Moves all that is in it. */
+  move(by: Matrix4): void {
+    for (const part of [this.body, this.fittings, this.lit]) part.move(by);
+  }
+
+  /** At most two meshes: opaque, and what shines. */
+  object(): Group {
+    const group = new Group();
+    const solid = new Pieces().take(this.body).take(this.fittings);
+    const [geometry, lit] = [solid.geometry(), this.lit.geometry()];
+    if (geometry) group.add(shaded(new Mesh(geometry, new MeshStandardMaterial({ vertexColors: true, roughness: 0.58, metalness: 0.06 }))));
+    if (lit) group.add(new Mesh(lit, this.litMaterial()));
+    return group;
+  }
+
+  private litMaterial() {
+    if (this.palette.isDark) return new MeshBasicMaterial({ vertexColors: true });
+    return new MeshStandardMaterial({ vertexColors: true, roughness: 0.16, metalness: 0.35 });
+  }
+}
+
+function shaded(mesh: Mesh): Mesh {
+  mesh.castShadow = mesh.receiveShadow = true;
+  return mesh;
+}
+
+/** Whether two boxes have something in common. */
+export function overlap(a: Box, b: Box): boolean {
+  return [0, 1, 2].every((k) => a.low[k] < b.high[k] && b.low[k] < a.high[k]);
+}
+
+export function boxAround(points: readonly Vec3[]): Box {
+  const end = (of: (...values: number[]) => number) => [0, 1, 2].map((k) => of(...points.map((point) => point[k]))) as unknown as Vec3;
+  return { low: end(Math.min), high: end(Math.max) };
+}

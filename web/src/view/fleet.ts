@@ -1,0 +1,94 @@
+import { Box3, DoubleSide, FrontSide, Group, Mesh, Sprite } from "three";
+import type { Material, Object3D, Plane } from "three";
+import type { Run } from "../app/session";
+import type { Frame } from "../engine/messages";
+import { craftOf } from "./craft/craft";
+import type { Craft } from "./craft/craft";
+import type { Box } from "./fit";
+import { Linkages } from "./linkages";
+import { DrawnLines } from "./lines";
+import type { Palette } from "./palette";
+import { boxOf, edgesOf, shapedHullOf, solidOf } from "./solids";
+import { Stays } from "./stays";
+
+/** What of a run is drawn. */
+export type Shown = Pick<Run, "model" | "lines">;
+/** What of a moment is drawn. */
+export type Pose = { [part in keyof Pick<Frame, "poses" | "line_points">]: ArrayLike<number> };
+
+/** The bodies of a run with what ties them: as ships and cranes, or as the model's own solids. */
+export class Fleet {
+  readonly world = new Group();
+  bodies: Group[] = [];
+  /** Of the model's solids. */
+  boxes: Box[] = [];
+  /** Of all that is drawn. */
+  drawn: Box[] = [];
+  craft: Craft | null = null;
+  private linkages: Linkages | null = null;
+  private lines: DrawnLines | null = null;
+  private stays: Stays | null = null;
+
+  /** `start` is how everything stood when the run began: what is tied to what is taken from it. */
+  build({ model, lines }: Shown, start: Pose, palette: Palette, isPlain: boolean): void {
+    this.clear();
+    const hulls = model.bodies.map(({ name }) => shapedHullOf(model, name));
+    this.craft = craftOf({ model, lines }, start, palette);
+    this.boxes = model.bodies.map((body, i) => boxOf(body, hulls[i]));
+    this.bodies = model.bodies.map((body, i) => new Group().add(isPlain ? solidOf(body, palette, body.floats, hulls[i]) : this.craft!.works[i].object()));
+    this.drawn = this.bodies.map((body, i) => (isPlain ? this.boxes[i] : boxOfObject(body)));
+    this.world.add(...this.bodies);
+    const thickness = this.boxes.map((box) => Math.min(...edgesOf(box)));
+    this.linkages = new Linkages(model, this.bodies, thickness, this.world, palette);
+    this.lines = new DrawnLines(lines, this.world, palette);
+    this.stays = isPlain || this.craft.stays.length === 0 ? null : new Stays(this.craft.stays, palette);
+    if (this.stays) this.world.add(this.stays);
+  }
+
+  place({ poses, line_points }: Pose): void {
+    this.bodies.forEach((body, i) => {
+      const at = 7 * i;
+      body.position.set(poses[at], poses[at + 1], poses[at + 2]);
+      body.quaternion.set(poses[at + 4], poses[at + 5], poses[at + 6], poses[at + 3]);
+    });
+    this.linkages?.place();
+    this.lines?.place(line_points);
+    this.stays?.place(this.bodies);
+  }
+
+  /** The longest diagonal of a body's solid, m. */
+  get size(): number {
+    return Math.max(0.1, ...this.boxes.map((box) => Math.hypot(...edgesOf(box))));
+  }
+
+  /** Cuts a body along a plane and shows its inside, or makes it whole again. */
+  cut(body: number, plane: Plane | null): void {
+    this.bodies[body]?.traverse((object) => {
+      if (!(object instanceof Mesh)) return;
+      const material = object.material as Material;
+      material.clippingPlanes = plane ? [plane] : null;
+      material.side = plane ? DoubleSide : FrontSide;
+      material.needsUpdate = true;
+    });
+  }
+
+  private clear(): void {
+    this.world.traverse(dispose);
+    this.world.clear();
+  }
+}
+
+function boxOfObject(object: Object3D): Box {
+  const { min, max } = new Box3().setFromObject(object);
+  const none = min.x > max.x;
+  return { low: none ? [0, 0, 0] : (min.toArray() as [number, number, number]), high: none ? [0, 0, 0] : (max.toArray() as [number, number, number]) };
+}
+
+
+export function dispose(object: Object3D): void {
+  if (object instanceof Sprite) object.material.map?.dispose();
+  if (object instanceof Mesh || object instanceof Sprite) {
+    object.geometry.dispose();
+    (object.material as Material).dispose();
+  }
+}

@@ -1,0 +1,115 @@
+import type { Run } from "../../app/session";
+import type { Moment } from "../../app/recording/recording";
+import type { Channel } from "../../engine/engine";
+import { pointsOf } from "../craft/anchors";
+import { Place } from "../craft/place";
+import { rolesOf } from "../craft/roles";
+import type { Vec3 } from "../fit";
+
+/** A force or a moment at a place of the world, N or N m. */
+export interface Load {
+  at: Vec3;
+  vector: Vec3;
+  unit: "N" | "N m";
+}
+
+const AXES = ["x", "y", "z"] as const;
+
+/**
+ * What can be drawn where it acts: weights of what ships carry, tensions along lines, the push of tubes, what the water does to a
+ * hull, and force and moment in the joint under a crane's column.
+ */
+export function loadsAt(run: Run, moment: Moment): Load[] {
+  return [...weights(run, moment), ...tensions(run, moment), ...onHulls(run, moment), ...underColumns(run, moment)].filter(({ vector }) => vector.every(Number.isFinite));
+}
+
+/** A ship's own weight is beside her buoyancy: it would dwarf what hangs on the crane. */
+function weights({ model }: Run, { poses }: Moment): Load[] {
+  const roles = rolesOf(model);
+  return model.bodies.flatMap(({ mass_kg }, i): Load[] => {
+    if (roles[i] === "hull" || roles[i] === "quay" || model.gravity_m_s2 === 0) return [];
+    return [{ at: new Place(poses, i).toWorld([0, 0, 0]), vector: [0, 0, -mass_kg * model.gravity_m_s2], unit: "N" }];
+  });
+}
+
+/** A single number in newtons under the name of a line pulls at both its ends; of a tube it pushes. */
+function tensions({ lines, channels }: Run, { row, line_points }: Moment): Load[] {
+  const places = pointsOf({ lines, line_points });
+  return lines.flatMap((line, i): Load[] => {
+    const at = forceOf(channels, line.name);
+    const own = places[i];
+    if (at < 0 || own.length < 2 || line.style === "rod") return [];
+    const force = row[at];
+    const end = lines.findIndex((one) => one.name === line.name && one.style === "rod");
+    const far = end < 0 ? own : places[end];
+    const sign = line.style === "line" ? 1 : -1;
+    const pull = (from: Vec3, to: Vec3): Load => ({ at: from, vector: along(from, to, sign * force), unit: "N" });
+    return [pull(own[0], own[1]), pull(far[far.length - 1], far[far.length - 2])];
+  });
+}
+
+/** The column with the force of a thing: one that has no components. */
+function forceOf(channels: readonly Channel[], name: string): number {
+  const channel = channels.find(({ unit, labels }) => unit === "N" && labels.length === 1 && labels[0].includes(name));
+  return channel ? channel.offset + channel.labels[0].indexOf(name) : -1;
+}
+
+function along(from: Vec3, to: Vec3, length: number): Vec3 {
+  const way = [0, 1, 2].map((k) => to[k] - from[k]);
+  const distance = Math.hypot(...way) || 1;
+  return way.map((part) => (part * length) / distance) as unknown as Vec3;
+}
+
+/** Forces with components on things that are hulls in the water, at the hull's origin. */
+function onHulls({ model, channels }: Run, { row, poses }: Moment): Load[] {
+  return model.hulls.flatMap((hull) => {
+    const body = model.bodies.findIndex(({ name }) => name === hull.body);
+    const place = new Place(poses, body);
+    return channels.flatMap((channel): Load[] => {
+      const thing = channel.labels[0]?.indexOf(hull.name) ?? -1;
+      if (thing < 0 || !channel.of_elements) return [];
+      const force = vectorIn(channel, thing, "force_", row);
+      return force ? [{ at: place.toWorld(hull.origin_m), vector: inWorld(force, channel.frame, poses, body), unit: "N" }] : [];
+    });
+  });
+}
+
+/** Force and moment of the joint that carries a column, on the column, at its foot; the moment in its axes. */
+function underColumns({ model, channels }: Run, { row, poses }: Moment): Load[] {
+  const channel = channels.find(({ variable }) => variable === "joint_reaction");
+  const roles = rolesOf(model);
+  return roles.flatMap((role, i): Load[] => {
+    const { shape, name } = model.bodies[i];
+    const joint = model.joints.find((one) => one.body === name);
+    if (role !== "column" || !channel || !joint || shape?.kind !== "cylinder") return [];
+    const thing = channel.labels[0].indexOf(joint.name);
+    const at = new Place(poses, i).toWorld([0, 0, -shape.length_m / 2]);
+    const turned = (vector: Vec3) => inWorld(vector, "body", poses, i);
+    const [force, torque] = [vectorIn(channel, thing, "force_", row), vectorIn(channel, thing, "moment_", row)];
+    return [...(force ? [{ at, vector: turned(force), unit: "N" as const }] : []), ...(torque ? [{ at, vector: turned(torque), unit: "N m" as const }] : [])];
+  });
+}
+
+function vectorIn({ labels, offset }: Channel, thing: number, prefix: string, row: ArrayLike<number>): Vec3 | null {
+  const components = labels[1];
+  if (thing < 0 || !components) return null;
+  const places = AXES.map((axis) => components.indexOf(prefix + axis));
+  if (places.some((at) => at < 0)) return null;
+  return places.map((at) => row[offset + thing * components.length + at]) as unknown as Vec3;
+}
+
+/** Of a body's axes all are turned; of a slow frame or a heading the ship's course alone. */
+function inWorld(vector: Vec3, frame: Channel["frame"], poses: ArrayLike<number>, body: number): Vec3 {
+  if (frame === "world") return vector;
+  const place = new Place(poses, body);
+  const middle = place.toWorld([0, 0, 0]);
+  if (frame === "body") return minus(place.toWorld(vector), middle);
+  const ahead = minus(place.toWorld([1, 0, 0]), middle);
+  const course = Math.atan2(ahead[1], ahead[0]);
+  const [c, s] = [Math.cos(course), Math.sin(course)];
+  return [c * vector[0] - s * vector[1], s * vector[0] + c * vector[1], vector[2]];
+}
+
+function minus(a: Vec3, b: Vec3): Vec3 {
+  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+}

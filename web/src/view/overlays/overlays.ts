@@ -1,0 +1,110 @@
+import { Group } from "three";
+import type { Run } from "../../app/session";
+import type { Moment } from "../../app/recording/recording";
+import type { Equations, Hydrostatics } from "../../engine/engine";
+import { Place } from "../craft/place";
+import type { Vec3 } from "../fit";
+import type { Fleet } from "../fleet";
+import type { Palette } from "../palette";
+import { Arrows } from "./arrows";
+import type { Arrow } from "./arrows";
+import { floatingSignsOf } from "./floating_signs";
+import type { FloatingSigns } from "./floating_signs";
+import { loadsAt } from "./forces";
+import type { Load } from "./forces";
+import { Ghost } from "./ghost";
+import { jointAxesOf } from "./joint_axes";
+import type { JointAxis } from "./joint_axes";
+import { ArrowScale } from "./scale";
+import { CentreSigns, Letters, Strokes } from "./signs";
+
+export const OVERLAYS = ["forces", "axes", "masses", "buoyancy", "trace", "ghost"] as const;
+export type Overlay = (typeof OVERLAYS)[number];
+
+/** Half of a joint's axis, and a buoyancy's arrow, as parts of the size of the model. */
+const AXIS = 0.06;
+const UP = 0.16;
+
+/** What is drawn over the bodies on demand. */
+export class Overlays extends Group {
+  readonly on = new Set<Overlay>();
+  /** Metres in the picture to a newton and to a newton metre; 0 where no arrow is drawn. */
+  metresPer = { force: 0, moment: 0 };
+  private readonly parts = { arrows: new Arrows(), axes: new Strokes(), masses: new CentreSigns(), heights: new Strokes(), letters: new Letters(), path: new Strokes(false), ghost: new Ghost() };
+  private readonly scales = { force: new ArrowScale(), moment: new ArrowScale() };
+  private jointAxes: JointAxis[] = [];
+  /** The bodies that the ghost shares its shapes with. */
+  private ghostOf: unknown = null;
+  private floating: { at: Hydrostatics; signs: FloatingSigns[] } | null = null;
+
+  constructor(private readonly fleet: Fleet) {
+    super();
+    this.add(...Object.values(this.parts));
+  }
+
+  /** Another run, or the same one from its start. */
+  begin(): void {
+    this.jointAxes = [];
+    this.floating = null;
+    for (const scale of Object.values(this.scales)) scale.reset();
+  }
+
+  /** What the engine beside says of the run at these poses. */
+  hearEquations(run: Run, equations: Equations, poses: ArrayLike<number>): void {
+    this.jointAxes = jointAxesOf(run.model, equations, poses);
+  }
+
+  hearHydrostatics(found: Hydrostatics): void {
+    this.floating = { at: found, signs: [] };
+  }
+
+  /** At a moment; `path` are the places of the load before it. */
+  show(run: Run, moment: Moment, start: ArrayLike<number>, path: () => readonly Vec3[], palette: Palette): void {
+    const { parts, on, fleet } = this;
+    const { poses } = moment;
+    if (on.has("buoyancy") && this.floating) this.floating.signs = floatingSignsOf(run.model, this.floating.at, poses);
+    const signs = on.has("buoyancy") ? (this.floating?.signs ?? []) : [];
+    const loads = on.has("forces") ? loadsAt(run, moment) : [];
+    parts.arrows.show([...this.arrowsOf(loads, palette), ...signs.map(({ buoyancy }): Arrow => ({ from: buoyancy.at, way: [0, 0, UP * fleet.size], colour: palette.axes.z }))], fleet.size);
+    const axes = on.has("axes") ? this.jointAxes.map((axis) => this.strokeOf(axis, poses)) : [];
+    parts.axes.show(axes, palette.axes.y);
+    parts.masses.show(on.has("masses") ? run.model.bodies.map((_, i) => new Place(poses, i).toWorld([0, 0, 0])) : []);
+    parts.heights.show(signs.map(({ line }) => line), palette.axes.x);
+    parts.letters.show(signs.flatMap(({ letters }) => letters), palette.label, palette.halo);
+    const places = on.has("trace") ? path() : [];
+    parts.path.show(places.slice(1).map((place, i) => [places[i], place] as const), palette.load);
+    parts.arrows.visible = loads.length + signs.length > 0;
+    parts.axes.visible = axes.length > 0;
+    parts.masses.visible = on.has("masses");
+    parts.heights.visible = signs.length > 0;
+    parts.path.visible = places.length > 1;
+    this.showGhost(start, palette);
+  }
+
+  private showGhost(start: ArrayLike<number>, palette: Palette): void {
+    const { ghost } = this.parts;
+    ghost.visible = this.on.has("ghost");
+    if (!ghost.visible) return;
+    ghost.paint(palette);
+    if (this.ghostOf !== this.fleet.bodies) ghost.show(this.fleet.bodies, start);
+    this.ghostOf = this.fleet.bodies;
+    ghost.compare(this.fleet.bodies, this.fleet.size);
+  }
+
+  private arrowsOf(loads: readonly Load[], palette: Palette): Arrow[] {
+    const { size } = this.fleet;
+    const of = (unit: Load["unit"]) => loads.filter((load) => load.unit === unit);
+    this.metresPer = { force: loads.length > 0 ? this.scales.force.of(of("N"), size) : 0, moment: loads.length > 0 ? this.scales.moment.of(of("N m"), size) : 0 };
+    return loads.map(({ at, vector, unit }) => {
+      const isMoment = unit === "N m";
+      const factor = isMoment ? this.metresPer.moment : this.metresPer.force;
+      return { from: at, way: vector.map((part) => part * factor) as unknown as Vec3, colour: isMoment ? palette.axes.z : palette.axes.x, isMoment };
+    });
+  }
+
+  private strokeOf({ body, point, direction }: JointAxis, poses: ArrayLike<number>): [Vec3, Vec3] {
+    const place = new Place(poses, body);
+    const end = (sign: number) => place.toWorld([0, 1, 2].map((k) => point[k] + sign * AXIS * this.fleet.size * direction[k]) as unknown as Vec3);
+    return [end(-1), end(1)];
+  }
+}

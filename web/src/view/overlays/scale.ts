@@ -1,0 +1,39 @@
+import type { Load } from "./forces";
+
+/** The longest arrow, as a part of the size of the model, and how much longer one may grow before the scale is changed. */
+const LONGEST = 0.4;
+const GROWN = 1.5;
+
+/** Length of the arrows: metres in the picture to a newton; it changes only where an arrow would be too long. */
+export class ArrowScale {
+  private m_per_unit = 0;
+
+  reset(): void {
+    this.m_per_unit = 0;
+  }
+
+  /** For these loads in a model of this size, m. */
+  of(loads: readonly Load[], size: number): number {
+    const most = Math.max(0, ...loads.map(({ vector }) => Math.hypot(...vector)));
+    if (most === 0) return this.m_per_unit;
+    if (this.m_per_unit === 0 || most * this.m_per_unit > GROWN * LONGEST * size) this.m_per_unit = (LONGEST * size) / most;
+    return this.m_per_unit;
+  }
+}
+
+/** A round number whose bar is at most so long: 1, 2 or 5 and a power of ten. */
+export function barOf(px_per_unit: number, most_px: number): { value: number; px: number } | null {
+  if (!(px_per_unit > 0) || !Number.isFinite(px_per_unit)) return null;
+  const most = most_px / px_per_unit;
+  const power = 10 ** Math.floor(Math.log10(most));
+  const value = [5, 2, 1].map((part) => part * power).find((one) => one <= most) ?? power;
+  return { value, px: value * px_per_unit };
+}
+
+const PREFIXES = [["G", 1e9], ["M", 1e6], ["k", 1e3], ["", 1]] as const;
+
+/** As `200 kN`. */
+export function written(value: number, unit: string): string {
+  const [prefix, factor] = PREFIXES.find(([, one]) => value >= one) ?? ["", 1];
+  return `${Number((value / factor).toPrecision(3))} ${prefix}${unit}`;
+}

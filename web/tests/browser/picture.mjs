@@ -1,0 +1,102 @@
+// The menus on the picture: from where it is seen, and what is drawn besides.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { look, openApp, PHONE, stepTo } from "./app.mjs";
+
+const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+
+/** Opens a scenario of the gallery and waits until its picture stands. */
+async function openScenario(host, name) {
+  const app = await openApp(host, { query: `?scenario=${name}` });
+  await app.page.waitForTimeout(800);
+  return app;
+}
+
+const offered = (page) => page.$$eval('#cameras input[type="radio"]', (inputs) => inputs.map(({ value }) => value));
+
+export default {
+  async "offers the cameras that a scenario has, and looks from each"(host) {
+    const { page, close } = await openScenario(host, "lift_off_from_barge");
+    assert.deepEqual(await offered(page), ["free", "load", "cab", "bridge", "top", "section"]);
+    const seen = new Set([JSON.stringify(await look(page))]);
+    for (const camera of ["load", "cab", "bridge", "top", "section"]) {
+      await page.getByTestId(`camera-${camera}`).evaluate((input) => input.click());
+      await page.waitForTimeout(900);
+      seen.add(JSON.stringify(await look(page)));
+      assert.equal(await page.getByTestId(`camera-${camera}`).isChecked(), true);
+    }
+    assert.equal(seen.size, 6, "each camera has a picture of its own");
+    await page.getByTestId("gallery").selectOption("tennis_racket");
+    await page.waitForFunction(() => document.querySelectorAll('#cameras input[type="radio"]').length === 2);
+    assert.deepEqual(await offered(page), ["free", "top"]);
+    assert.equal(await page.getByTestId("camera-free").isChecked(), true, "another scenario is seen from all around");
+    await close();
+  },
+
+  async "chooses a camera by the keyboard alone, and closes the menu"(host) {
+    const { page, close } = await openScenario(host, "paper");
+    await page.locator("#cameras > summary").focus();
+    await page.keyboard.press("Enter");
+    await page.locator("#cameras .menu-panel").waitFor();
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("ArrowDown");
+    assert.equal(await page.getByTestId("camera-cab").isChecked(), true);
+    await page.keyboard.press("Escape");
+    assert.equal(await page.locator("#cameras").evaluate((menu) => menu.open), false);
+    assert.equal(await page.evaluate(() => document.activeElement.parentElement.id), "cameras");
+    await close();
+  },
+
+  async "opens menus that stay inside of the picture of a phone, with targets large enough"(host) {
+    const { page, close } = await openApp(host, { viewport: PHONE });
+    for (const menu of ["cameras", "show"]) {
+      await page.locator(`#${menu} > summary`).click();
+      const [panel, scene] = [await page.locator(`#${menu} .menu-panel`).boundingBox(), await page.locator("#scene").boundingBox()];
+      assert.ok(panel.x >= scene.x && panel.x + panel.width <= scene.x + scene.width + 1, `${menu}: ${JSON.stringify(panel)}`);
+      assert.ok(panel.y + panel.height <= scene.y + scene.height + 1, `${menu} ends in the picture`);
+      const heights = await page.$$eval(`#${menu} .menu-item`, (items) => items.map((item) => item.getBoundingClientRect().height));
+      assert.ok(Math.min(...heights) >= 43.9, `${menu}: ${heights}`);
+    }
+    await close();
+  },
+
+  async "draws what is asked for, and says how long an arrow is"(host) {
+    const { page, close } = await openScenario(host, "slew_and_land");
+    await stepTo(page, 1);
+    assert.equal(await page.getByTestId("arrow-scale").isVisible(), false);
+    for (const overlay of ["forces", "masses", "plain"]) {
+      const before = await look(page);
+      await page.getByTestId(`show-${overlay}`).evaluate((input) => input.click());
+      await page.waitForTimeout(900);
+      assert.notDeepEqual(await look(page), before, overlay);
+    }
+    assert.match(await page.getByTestId("arrow-scale").textContent(), /^Force[125]0{0,2} [kM]N.*Moment[125]0{0,2} [kM]N m/);
+    const bar = await page.locator("#arrow-scale i").first().boundingBox();
+    assert.ok(bar.width > 10 && bar.width <= 90, `the bar is ${bar.width} pixels long`);
+    await page.getByTestId("show-forces").evaluate((input) => input.click());
+    await page.waitForFunction(() => document.querySelector("#arrow-scale").hidden);
+    await close();
+  },
+
+  async "draws joint axes and heights over the keel as the engine gives them"(host) {
+    const { page, close } = await openScenario(host, "vessel_knuckle_boom");
+    for (const overlay of ["axes", "buoyancy"]) {
+      const before = await look(page);
+      await page.getByTestId(`show-${overlay}`).evaluate((input) => input.click());
+      await page.waitForTimeout(4000);
+      assert.notDeepEqual(await look(page), before, overlay);
+    }
+    await close();
+  },
+
+  async "has nothing that axe finds with a menu open"(host) {
+    const { page, close } = await openApp(host);
+    await page.addScriptTag({ path: AXE });
+    for (const menu of ["cameras", "show"]) {
+      await page.locator(`#${menu} > summary`).click();
+      const found = await page.evaluate(async () => (await window.axe.run({ rules: { "target-size": { enabled: true } } })).violations);
+      assert.deepEqual(found.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`)), [], menu);
+    }
+    await close();
+  },
+};

@@ -1,0 +1,122 @@
+import { readFileSync } from "node:fs";
+import { describe, expect, it } from "vitest";
+import { evenEnd, linesThatHold, loadTransform, peakOf, segmentLength, welch } from "../src/plots/spectrum";
+import { armAt, heelToSide } from "../src/plots/stability";
+import { statisticsOf } from "../src/plots/statistics";
+
+const STEP_S = 0.1;
+const times = (count: number, step_s = STEP_S) => Float64Array.from({ length: count }, (_, i) => i * step_s);
+const transformOf = await loadTransform();
+
+describe("statistics", () => {
+  it("of a sine over whole periods are those of its amplitude and period", () => {
+    // 25 periods of 8 s, heeled by 2.
+    const t = times(2000);
+    const found = statisticsOf(t, t.map((time) => 2 + 3 * Math.sin((2 * Math.PI * time) / 8 + 0.3)));
+    expect(found.mean).toBeCloseTo(2, 12);
+    expect(found.standard_deviation).toBeCloseTo(3 / Math.SQRT2, 12);
+    expect(found.significant_double_amplitude).toBeCloseTo(12 / Math.SQRT2, 12);
+    expect(found.zero_up_crossing_period).toBeCloseTo(8, 6);
+    expect([found.minimum, found.maximum].map((one) => one.toFixed(3))).toEqual(["-1.000", "5.000"]);
+  });
+
+  it("have no period where the mean is crossed upwards fewer than twice", () => {
+    expect(statisticsOf([0, 1, 2], [1, 2, 3]).zero_up_crossing_period).toBeNaN();
+    expect(statisticsOf([0, 1, 2, 3], [0, 2, 0, 2]).zero_up_crossing_period).toBeCloseTo(2, 12);
+  });
+
+  it("let a record count as long as it stands where the older part was thinned", () => {
+    // The first half has every fourth record left.
+    const all = times(4001);
+    const kept = all.filter((_, i) => i >= 2000 || i % 4 === 0);
+    const wave = (time: number) => Math.sin((2 * Math.PI * time) / 20) + (time < 200 ? 0 : 10);
+    const [dense, thinned] = [statisticsOf(all, all.map(wave)), statisticsOf(kept, kept.map(wave))];
+    expect(thinned.mean).toBeCloseTo(dense.mean, 2);
+    expect(thinned.standard_deviation).toBeCloseTo(dense.standard_deviation, 2);
+    // Without it the mean would be nearer to that of the newer half.
+    expect(kept.reduce((sum, time) => sum + wave(time), 0) / kept.length).toBeGreaterThan(dense.mean + 2);
+  });
+
+  it("of no records are not numbers", () => {
+    expect(Object.values(statisticsOf([], [])).every((one) => Number.isNaN(one))).toBe(true);
+  });
+});
+
+describe("a spectrum", () => {
+  it("of a sine has its variance, its peak at its frequency, and nothing far from it", () => {
+    const [length, line] = [256, 16];
+    const omega = (2 * Math.PI * line) / (length * STEP_S);
+    const found = welch(times(2048).map((t) => 3 * Math.sin(omega * t + 1)), STEP_S, length, transformOf);
+    expect(peakOf(found)).toBe(line);
+    expect(found.omega[line]).toBeCloseTo(omega, 12);
+    expect(found.resolution).toBeCloseTo((2 * Math.PI) / 25.6, 12);
+    expect(found.segments).toBe(15);
+    // Under a Hann window a line is its own height and a quarter of that on either side: A^2 / 2 in all.
+    const variance = found.density.reduce((sum, value) => sum + value, 0) * found.resolution;
+    expect(variance).toBeCloseTo(9 / 2, 10);
+    expect(found.density[line] * found.resolution).toBeCloseTo(9 / 3, 10);
+    expect(found.density[line + 1] / found.density[line]).toBeCloseTo(1 / 4, 10);
+    expect(found.density[line + 4]).toBeLessThan(1e-20);
+    expect(linesThatHold(found, 0.99)).toBe(line + 2);
+  });
+
+  it("of noise has in all what the windowed segments have: Parseval", () => {
+    let seed = 12345;
+    const noise = Float64Array.from({ length: 640 }, () => ((seed = (seed * 1103515245 + 12345) % 2 ** 31) / 2 ** 30 - 1));
+    const length = 128;
+    const found = welch(noise, STEP_S, length, transformOf);
+    const mean = noise.reduce((sum, value) => sum + value, 0) / noise.length;
+    const window = Float64Array.from({ length }, (_, i) => Math.sin((Math.PI * i) / length) ** 2);
+    const square = window.reduce((sum, one) => sum + one ** 2, 0);
+    let expected = 0;
+    for (let start = 0; start + length <= noise.length; start += length / 2) {
+      for (let i = 0; i < length; i++) expected += ((noise[start + i] - mean) * window[i]) ** 2 / square;
+    }
+    const all = found.density.reduce((sum, value) => sum + value, 0) * found.resolution;
+    expect(all).toBeCloseTo(expected / found.segments, 12);
+  });
+
+  it("is of the records that lie evenly, up to the last", () => {
+    expect(evenEnd(times(100))).toEqual([0, 100]);
+    expect(evenEnd([0, 2, 4, 5, 6, 7, 8])).toEqual([2, 7]);
+    // A run that ended off the grid.
+    expect(evenEnd([0, 1, 2, 3, 3.4])).toEqual([0, 4]);
+    expect(evenEnd([])).toEqual([0, 0]);
+  });
+
+  it("has segments of a power of two, and none of too few records", () => {
+    expect(segmentLength(4001, 8)).toBe(256);
+    expect(segmentLength(64, 8)).toBe(8);
+    expect(segmentLength(63, 8)).toBe(0);
+  });
+});
+
+describe("righting arms", () => {
+  const curve = { side: "port" as const, points: [0, 0.1, 0.2].map((heel_rad, i) => ({ heel_rad, trim_rad: 0, arm_m: [0, 0.3, 0.4][i] })) };
+
+  it("are read at the heel to the side of the curve, on the line between two points", () => {
+    expect(heelToSide(curve, -0.05)).toBe(0.05);
+    expect(heelToSide({ side: "starboard" }, -0.05)).toBe(-0.05);
+    expect(armAt(curve, 0.05)).toBeCloseTo(0.15, 12);
+    expect(armAt(curve, 0.1)).toBe(0.3);
+    expect(armAt(curve, 0.15)).toBeCloseTo(0.35, 12);
+  });
+
+  it("are not known on the other side, nor beyond the last point", () => {
+    expect(armAt(curve, -0.01)).toBeNaN();
+    expect(armAt(curve, 0.3)).toBeNaN();
+    expect(armAt(curve, 0)).toBe(0);
+  });
+});
+
+it("gives the numbers that Python gives: python/tests/test_app_files.py holds the file to them", () => {
+  const stored = JSON.parse(readFileSync(new URL("golden/statistics.json", import.meta.url), "utf8"));
+  const t = times(stored.records, stored.step_s);
+  const values = t.map((time) => stored.sines.reduce((sum: number, [a, omega, phase]: number[]) => sum + a * Math.sin(omega * time + phase), stored.mean));
+  const found = statisticsOf(t, values);
+  for (const [name, value] of Object.entries(found)) expect(Math.abs(value - stored.statistics[name]), name).toBeLessThan(1e-12 * Math.max(1, Math.abs(value)));
+  const { density, omega } = welch(values, stored.step_s, stored.segment, transformOf);
+  expect(density.length).toBe(stored.density.length);
+  density.forEach((value, k) => expect(Math.abs(value - stored.density[k])).toBeLessThan(1e-9 * stored.density[k] + 1e-12));
+  omega.forEach((value, k) => expect(value).toBeCloseTo(stored.omega[k], 10));
+});
