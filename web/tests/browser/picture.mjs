@@ -60,6 +60,29 @@ export default {
     await close();
   },
 
+  async "keeps the eye above the sea until it may go under"(host) {
+    const { page, close } = await openScenario(host, "barge");
+    /** Turns the view down as far as it goes. */
+    const sink = async () => {
+      await page.getByTestId("canvas").focus();
+      for (let i = 0; i < 30; i++) await page.keyboard.press("ArrowDown");
+      await page.getByTestId("canvas").blur();
+      await page.waitForTimeout(900);
+      return look(page);
+    };
+    const mayDive = (may) => page.getByTestId("camera-dive").evaluate((input, wanted) => input.checked === wanted || input.click(), may);
+    await sink();
+    const above = await sink();
+    assert.deepEqual(await sink(), above, "it goes no deeper");
+    await mayDive(true);
+    const under = await sink();
+    assert.notDeepEqual(under, above, "it dives where it may");
+    await mayDive(false);
+    await page.waitForTimeout(900);
+    assert.notDeepEqual(await look(page), under, "it comes up again");
+    await close();
+  },
+
   async "draws what is asked for, and says how long an arrow is"(host) {
     const { page, close } = await openScenario(host, "slew_and_land");
     await stepTo(page, 1);
