@@ -1,9 +1,7 @@
 // The menus on the picture: from where it is seen, and what is drawn besides.
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
+import { assertAccessible } from "./axe.mjs";
 import { look, openApp, PHONE, stepTo } from "./app.mjs";
-
-const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 
 /** Opens a scenario of the gallery and waits until its picture stands. */
 async function openScenario(host, name) {
@@ -114,11 +112,9 @@ export default {
 
   async "has nothing that axe finds with a menu open"(host) {
     const { page, close } = await openApp(host);
-    await page.addScriptTag({ path: AXE });
     for (const menu of ["cameras", "show"]) {
       await page.locator(`#${menu} > summary`).click();
-      const found = await page.evaluate(async () => (await window.axe.run({ rules: { "target-size": { enabled: true } } })).violations);
-      assert.deepEqual(found.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`)), [], menu);
+      await assertAccessible(page, menu);
     }
     await close();
   },
