@@ -4,6 +4,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { findBrowser, launch } from "./browser.mjs";
 import { serve } from "./serve.mjs";
+import { ALONE, openPage, runTo, turn } from "./shots.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const CARD = { width: 720, height: 450 };
@@ -43,17 +44,9 @@ const SHOTS = {
   tennis_racket: { time_s: 3.3 },
   hero: { scenario: "offshore_vessel", time_s: 65, values: "waves=true", size: { ...HERO, width: 2 * HERO_CENTRE * HERO.width }, clip: { x: 0, y: 0, ...HERO }, quality: 0.8, left: 2, up: -5, nearer: 1 },
 };
-/** The picture alone fills the page. */
-const ALONE = `.scene { position: fixed !important; inset: 0; z-index: 99; border: 0 !important; border-radius: 0 !important }
-  .scene > :not(canvas), .alert { display: none !important } canvas { outline: 0 !important }`;
-
 async function shoot(browser, address, name) {
   const { scenario = name, time_s, values = "", size = CARD, clip, quality = 0.74, left = 0, up = -4, nearer = 0 } = SHOTS[name];
-  const context = await browser.newContext({ viewport: size, deviceScaleFactor: 1, colorScheme: "light", reducedMotion: "reduce", serviceWorkers: "block" });
-  const page = await context.newPage();
-  page.setDefaultTimeout(300_000);
-  await page.goto(`${address}?scenario=${scenario}&${values}#quality=best`);
-  await page.waitForFunction(() => window.kingpost?.sample());
+  const page = await openPage(browser, address, `?scenario=${scenario}&${values}`, size);
   await runTo(page, time_s);
   await page.addStyleTag({ content: ALONE });
   await page.waitForTimeout(1000);
@@ -63,30 +56,7 @@ async function shoot(browser, address, name) {
   const webp = await page.evaluate(toWebp, { png, quality });
   writeFileSync(here(`../public/cards/${name}.webp`), Buffer.from(webp, "base64"));
   console.log(`public/cards/${name}.webp: ${Math.round((0.75 * webp.length) / 1000)} kB`);
-  await context.close();
-}
-
-/** As fast as it goes, then back to the very moment. */
-async function runTo(page, time_s) {
-  await page.getByTestId("speed").selectOption("Infinity");
-  await page.getByTestId("start").click();
-  await page.waitForFunction((until) => window.kingpost.sample().newest_s >= until || window.kingpost.sample().status === "stopped", time_s);
-  await page.evaluate((time) => {
-    const cursor = document.getElementById("cursor");
-    cursor.value = String(time);
-    cursor.dispatchEvent(new Event("input", { bubbles: true }));
-  }, time_s);
-}
-
-async function turn(page, { left, up, nearer }) {
-  // The whole of the page is the picture's now.
-  await page.getByTestId("canvas").press("Home");
-  const press = async (key, times) => {
-    for (let k = 0; k < times; k += 1) await page.getByTestId("canvas").press(key);
-  };
-  await press(left < 0 ? "ArrowRight" : "ArrowLeft", Math.abs(left));
-  await press(up < 0 ? "ArrowDown" : "ArrowUp", Math.abs(up));
-  await press("+", nearer);
+  await page.context().close();
 }
 
 async function toWebp({ png, quality }) {

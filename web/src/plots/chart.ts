@@ -93,7 +93,8 @@ export function heightsOf(low: number | null, high: number | null, least: number
   let [bottom, top] = [low ?? 0, high ?? 0];
   const size = Math.max(Math.abs(bottom), Math.abs(top));
   if (top - bottom > FLAT * size) [bottom, top] = [Math.min(bottom, 0), Math.max(top, 0)];
-  const lack = Math.max(least, LEAST_SHARE * size) - (top - bottom) / 2;
+  // Nothing but zeros: one unit to either side.
+  const lack = (size === 0 ? 1 : Math.max(least, LEAST_SHARE * size)) - (top - bottom) / 2;
   if (lack > 0) [bottom, top] = [bottom - lack, top + lack];
   const drawn = top - bottom;
   for (const bound of bounds) {

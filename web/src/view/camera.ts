@@ -9,6 +9,8 @@ import { Outlook } from "./outlook";
 const FIRST_VIEW: Vec3 = [-0.62, -1, 0.62];
 const UP: Vec3 = [0, 0, 1];
 const FIELD_DEG = 32;
+/** The eye's lowest place around what it looks at, rad from above. */
+const LOWEST = 0.94 * Math.PI;
 /** How far a body that is followed is away, in its own sizes, and at least in those of the model. */
 const FOLLOWED = { own: 9, model: 0.25 };
 /** The eye stays so far above the water, in sizes of the model. */
@@ -53,7 +55,7 @@ export class Eye {
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableDamping = !this.isCalm.matches;
     this.orbit.dampingFactor = 0.12;
-    this.orbit.maxPolarAngle = 0.94 * Math.PI;
+    this.orbit.maxPolarAngle = LOWEST;
     this.orbit.addEventListener("change", moved);
     this.orbit.addEventListener("start", () => (this.isTaken = true));
     this.outlook = new Outlook(this.camera, canvas, moved);
@@ -116,12 +118,17 @@ export class Eye {
     this.useLens();
   }
 
-  /** Lifts the eye where it would be under water. */
-  stayAbove(water_m: (x: number, y: number) => number | null): void {
+  /** Keeps the eye above the water; null where it may go under, or where there is none. */
+  stayAbove(water_m: ((x: number, y: number) => number | null) | null): void {
     const { position } = this.camera;
-    const water = water_m(position.x, position.y);
-    if (water === null || this.outlook.isTaken) return;
-    position.z = Math.max(position.z, water + ABOVE_WATER * this.size());
+    const water = this.outlook.isTaken ? null : (water_m?.(position.x, position.y) ?? null);
+    this.orbit.maxPolarAngle = LOWEST;
+    if (water === null) return;
+    const least = water + ABOVE_WATER * this.size();
+    const distance = position.distanceTo(this.orbit.target);
+    this.orbit.maxPolarAngle = Math.min(LOWEST, Math.acos(Math.min(1, Math.max(-1, (least - this.orbit.target.z) / distance))));
+    if (position.z >= least) return;
+    position.z = least;
     this.camera.lookAt(this.orbit.target);
   }
 
@@ -249,7 +256,7 @@ export class Eye {
     const offset = this.camera.position.clone().sub(this.orbit.target);
     const distance = offset.length();
     const azimuth = Math.atan2(offset.y, offset.x) + around;
-    const polar = Math.min(0.94 * Math.PI, Math.max(0.02, Math.acos(offset.z / distance) + down));
+    const polar = Math.min(this.orbit.maxPolarAngle, Math.max(0.02, Math.acos(offset.z / distance) + down));
     offset.set(Math.sin(polar) * Math.cos(azimuth), Math.sin(polar) * Math.sin(azimuth), Math.cos(polar));
     this.camera.position.copy(this.orbit.target).addScaledVector(offset, distance);
     this.orbit.update();

@@ -8,9 +8,10 @@ import { airOf } from "./air";
 import { Cloud } from "./cloud";
 import type { Swarm } from "./cloud";
 import { Eye } from "./camera";
+import { coversOf } from "./covers";
 import { Daylight } from "./daylight";
 import type { Highlight } from "../equations/highlight";
-import type { Area, Vec3 } from "./fit";
+import type { Vec3 } from "./fit";
 import { Fleet } from "./fleet";
 import type { Pose, Shown } from "./fleet";
 import { Ground } from "./ground";
@@ -219,7 +220,7 @@ export class View {
 
   draw(): void {
     this.eye.update(performance.now());
-    if (!this.mayDive && this.sea.visible) this.eye.stayAbove((x, y) => this.sea.heightAt(x, y));
+    this.eye.stayAbove(this.mayDive || !this.sea.visible ? null : (x, y) => this.sea.heightAt(x, y));
     if (!this.stale) return this.drawing.rest();
     this.stale = false;
     this.lookFrom(this.eye.camera.position);
@@ -304,16 +305,6 @@ export class View {
     this.stale = true;
     this.draw();
   }
-}
-
-/** What of the page stands on the picture, in its pixels. */
-function coversOf(canvas: HTMLCanvasElement): Area[] {
-  const picture = canvas.getBoundingClientRect();
-  const parts = [...document.querySelectorAll(".floating, .stick, .scene-tools, .scene-note, .frames-legend, .readouts")];
-  return parts
-    .map((part) => part.getBoundingClientRect())
-    .map(({ left, top, right, bottom }) => ({ left: left - picture.left, top: top - picture.top, right: right - picture.left, bottom: bottom - picture.top }))
-    .filter(({ left, top, right, bottom }) => right > left && left < picture.width && right > 0 && top < picture.height && bottom > 0);
 }
 
 /** As the depths are painted at the height of the eye. */

@@ -1,9 +1,7 @@
 // The menus on the picture: from where it is seen, and what is drawn besides.
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
+import { assertAccessible } from "./axe.mjs";
 import { look, openApp, PHONE, stepTo } from "./app.mjs";
-
-const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 
 /** Opens a scenario of the gallery and waits until its picture stands. */
 async function openScenario(host, name) {
@@ -60,6 +58,29 @@ export default {
     await close();
   },
 
+  async "keeps the eye above the sea until it may go under"(host) {
+    const { page, close } = await openScenario(host, "barge");
+    /** Turns the view down as far as it goes. */
+    const sink = async () => {
+      await page.getByTestId("canvas").focus();
+      for (let i = 0; i < 30; i++) await page.keyboard.press("ArrowDown");
+      await page.getByTestId("canvas").blur();
+      await page.waitForTimeout(900);
+      return look(page);
+    };
+    const mayDive = (may) => page.getByTestId("camera-dive").evaluate((input, wanted) => input.checked === wanted || input.click(), may);
+    await sink();
+    const above = await sink();
+    assert.deepEqual(await sink(), above, "it goes no deeper");
+    await mayDive(true);
+    const under = await sink();
+    assert.notDeepEqual(under, above, "it dives where it may");
+    await mayDive(false);
+    await page.waitForTimeout(900);
+    assert.notDeepEqual(await look(page), under, "it comes up again");
+    await close();
+  },
+
   async "draws what is asked for, and says how long an arrow is"(host) {
     const { page, close } = await openScenario(host, "slew_and_land");
     await stepTo(page, 1);
@@ -91,11 +112,9 @@ export default {
 
   async "has nothing that axe finds with a menu open"(host) {
     const { page, close } = await openApp(host);
-    await page.addScriptTag({ path: AXE });
     for (const menu of ["cameras", "show"]) {
       await page.locator(`#${menu} > summary`).click();
-      const found = await page.evaluate(async () => (await window.axe.run({ rules: { "target-size": { enabled: true } } })).violations);
-      assert.deepEqual(found.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`)), [], menu);
+      await assertAccessible(page, menu);
     }
     await close();
   },

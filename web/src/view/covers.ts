@@ -1,0 +1,11 @@
+import type { Area } from "./fit";
+
+/** What of the page stands on the picture, in its pixels. */
+export function coversOf(canvas: HTMLCanvasElement): Area[] {
+  const picture = canvas.getBoundingClientRect();
+  const parts = [...document.querySelectorAll(".floating, .stick, .scene-tools, .scene-note, .frames-legend, .readouts")];
+  return parts
+    .map((part) => part.getBoundingClientRect())
+    .map(({ left, top, right, bottom }) => ({ left: left - picture.left, top: top - picture.top, right: right - picture.left, bottom: bottom - picture.top }))
+    .filter(({ left, top, right, bottom }) => right > left && left < picture.width && right > 0 && top < picture.height && bottom > 0);
+}
