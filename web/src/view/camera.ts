@@ -50,6 +50,8 @@ export class Eye {
     private readonly moved: () => void,
     /** What stands on the picture. */
     private readonly covers: () => Area[],
+    /** Back to how it was first looked at. */
+    private readonly home: () => void,
   ) {
     this.camera.up.set(...UP);
     this.orbit = new OrbitControls(this.camera, canvas);
@@ -245,7 +247,7 @@ export class Eye {
     if (event.key in turns) this.turn(...turns[event.key]);
     else if (event.key === "+" || event.key === "=") this.zoom(KEY_ZOOM);
     else if (event.key === "-") this.zoom(1 / KEY_ZOOM);
-    else if (event.key === "Home") this.lookFrom(this.back);
+    else if (event.key === "Home") this.home();
     else return;
     event.preventDefault();
   }

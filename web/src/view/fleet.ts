@@ -4,6 +4,7 @@ import type { Run } from "../app/session";
 import type { Frame } from "../engine/messages";
 import { craftOf } from "./craft/craft";
 import type { Craft } from "./craft/craft";
+import { rolesOf } from "./craft/roles";
 import type { Box } from "./fit";
 import { Linkages } from "./linkages";
 import { DrawnLines } from "./lines";
@@ -35,7 +36,8 @@ export class Fleet {
     const hulls = model.bodies.map(({ name }) => shapedHullOf(model, name));
     this.craft = craftOf({ model, lines }, start, palette);
     this.boxes = model.bodies.map((body, i) => boxOf(body, hulls[i]));
-    this.bodies = model.bodies.map((body, i) => new Group().add(isPlain ? solidOf(body, palette, body.floats, hulls[i]) : this.craft!.works[i].object()));
+    const roles = rolesOf(model);
+    this.bodies = model.bodies.map((body, i) => new Group().add(isPlain ? solidOf(body, palette, roles[i] === "hull", hulls[i]) : this.craft!.works[i].object()));
     this.drawn = this.bodies.map((body, i) => (isPlain ? this.boxes[i] : boxOfObject(body)));
     this.world.add(...this.bodies);
     const thickness = this.boxes.map((box) => Math.min(...edgesOf(box)));

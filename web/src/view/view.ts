@@ -78,7 +78,7 @@ export class View {
     this.renderer.shadowMap.autoUpdate = false;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.localClippingEnabled = true;
-    this.eye = new Eye(canvas, () => (this.stale = true), () => coversOf(canvas));
+    this.eye = new Eye(canvas, () => (this.stale = true), () => coversOf(canvas), () => this.fit());
     this.daylight = new Daylight(this.renderer, this.air);
     this.drawing = Drawing.of(this.renderer);
     this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.section, this.marks.group, this.overlays, this.cloud);

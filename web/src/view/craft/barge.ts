@@ -32,7 +32,7 @@ export function addBarge(work: Work, outline: Outline, obstacles: readonly Box[]
     }
     addFenders(work, box, side, size);
     fittings.box([0.9 * length, 0.006 * beam, 0.012], [cx, cy + side * 0.43 * beam, deck + 0.01], palette.marking);
-    const lamp = [box.high[0] - 2 * size, cy + side * (beam / 2 - 2 * size)] as const;
+    const lamp = [box.high[0] - 2.5 * size, cy + side * (beam / 2 - 2 * size)] as const;
     if (!free(...lamp, size)) continue;
     fittings.rod([...lamp, deck], [...lamp, deck + 3 * size], 0.12 * size, palette.fitting, 6);
     work.lit.ball([...lamp, deck + 3.2 * size], 0.4 * size, side > 0 ? LAMPS.port : LAMPS.starboard);

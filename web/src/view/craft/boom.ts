@@ -34,10 +34,12 @@ export function isLattice(length: number, width: number, height: number): boolea
 function addTube(pieces: Pieces, { length, width, isFirst, isLast }: BoomShape, colour: Color, dark: Color): void {
   const [radius, half] = [width / 2, length / 2];
   const flange = Math.min(0.24 * radius, 0.06 * length);
-  pieces.turned(straight(0.88 * radius, -half + flange, half - flange), "x", [0, 0, 0], colour, 28);
-  for (const [from, isEnd] of [[-half, isFirst], [half - flange, isLast]] as const) pieces.turned(straight(radius, from, from + flange), "x", [0, 0, 0], isEnd ? dark : colour, 28);
+  pieces.turned(straight(0.975 * radius, -half + flange, half - flange), "x", [0, 0, 0], colour, 28);
+  for (const from of [-half, half - flange]) pieces.turned(straight(radius, from, from + flange), "x", [0, 0, 0], colour, 28);
+  // Bolts' rings at the ends of the whole boom.
+  for (const [from, isEnd] of [[-half + flange, isFirst], [half - 1.4 * flange, isLast]] as const) if (isEnd) pieces.turned(straight(0.995 * radius, from, from + 0.2 * flange), "x", [0, 0, 0], dark, 28);
   const count = Math.floor(length / (5 * radius));
-  for (let k = 1; k < count; k++) pieces.turned(straight(0.94 * radius, -0.2 * flange, 0.2 * flange), "x", [-half + (k / count) * length, 0, 0], colour, 28);
+  for (let k = 1; k < count; k++) pieces.turned(straight(0.995 * radius, -0.2 * flange, 0.2 * flange), "x", [-half + (k / count) * length, 0, 0], colour, 28);
 }
 
 /** A welded box: plates that taper to the foot and the head, stiffeners, and edges of the full depth between. */

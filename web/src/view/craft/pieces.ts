@@ -57,6 +57,7 @@ export class Pieces {
 
   /** Upright walls over a plan. */
   prism(plan: Plan, low: number, high: number, colour: Color): this {
+    if (plan.length === 4) return this.add(blockOf(plan, low, high), colour);
     const geometry = new ExtrudeGeometry(shapeOf(plan), { depth: high - low, bevelEnabled: false }).translate(0, 0, low);
     return this.add(toCreasedNormals(geometry, CREASE), colour);
   }
@@ -91,6 +92,20 @@ export class Pieces {
   geometry(): BufferGeometry | null {
     return this.isEmpty ? null : mergeGeometries(this.parts);
   }
+}
+
+/** Over four corners, the short way: windows are many. */
+function blockOf(plan: Plan, low: number, high: number): BufferGeometry {
+  const area = plan.reduce((sum, [x, y], i) => sum + x * plan[(i + 1) % 4][1] - plan[(i + 1) % 4][0] * y, 0);
+  const [a, b, c, d] = area > 0 ? plan : [...plan].reverse();
+  const at = (place: readonly [number, number], z: number) => [place[0], place[1], z];
+  const quad = (p: number[], q: number[], r: number[], s: number[]) => [...p, ...q, ...r, ...p, ...r, ...s];
+  const walls = [[a, b], [b, c], [c, d], [d, a]].flatMap(([from, to]) => quad(at(from, low), at(to, low), at(to, high), at(from, high)));
+  const ends = [...quad(at(a, high), at(b, high), at(c, high), at(d, high)), ...quad(at(d, low), at(c, low), at(b, low), at(a, low))];
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from([...walls, ...ends]), 3));
+  geometry.computeVertexNormals();
+  return geometry;
 }
 
 function shapeOf(plan: Plan): Shape {

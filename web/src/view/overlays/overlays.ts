@@ -32,6 +32,7 @@ export class Overlays extends Group {
   metresPer = { force: 0, moment: 0 };
   private readonly parts = { arrows: new Arrows(), axes: new Strokes(), masses: new CentreSigns(), heights: new Strokes(), letters: new Letters(), path: new Strokes(false), ghost: new Ghost() };
   private readonly scales = { force: new ArrowScale(), moment: new ArrowScale() };
+  private isBlank = false;
   private jointAxes: JointAxis[] = [];
   /** The bodies that the ghost shares its shapes with. */
   private ghostOf: unknown = null;
@@ -62,6 +63,9 @@ export class Overlays extends Group {
   show(run: Run, moment: Moment, start: ArrayLike<number>, path: () => readonly Vec3[], palette: Palette): void {
     const { parts, on, fleet } = this;
     const { poses } = moment;
+    // Sixty times a second nothing is made for nothing.
+    if (on.size === 0 && this.isBlank) return;
+    this.isBlank = on.size === 0;
     if (on.has("buoyancy") && this.floating) this.floating.signs = floatingSignsOf(run.model, this.floating.at, poses);
     const signs = on.has("buoyancy") ? (this.floating?.signs ?? []) : [];
     const loads = on.has("forces") ? loadsAt(run, moment) : [];

@@ -16,6 +16,7 @@ export class CentreSigns extends Points<BufferGeometry, PointsMaterial> {
   }
 
   show(places: readonly Vec3[]): void {
+    if (places.length === 0) return;
     this.geometry.dispose();
     this.geometry = geometryOf(places);
   }
@@ -30,6 +31,7 @@ export class Strokes extends LineSegments<BufferGeometry, LineBasicMaterial> {
   }
 
   show(strokes: readonly (readonly [Vec3, Vec3])[], colour: Color): void {
+    if (strokes.length === 0) return;
     this.material.color.copy(colour);
     this.geometry.dispose();
     this.geometry = geometryOf(strokes.flat());
