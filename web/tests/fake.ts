@@ -101,6 +101,7 @@ export class FakeEngine implements Engine {
       sea: null,
       hulls: [],
       limits: [],
+      live_settings: [],
       parameters: [
         { name: "load", label: "Load", unit: "", kind: "boolean", value: this.overrides.load ?? false, range: null, choices: null, live: false },
         { name: "wind", label: "Wind", unit: "m/s", kind: "number", value: this.overrides.wind ?? 8, range: [0, 20], choices: null, live: true },

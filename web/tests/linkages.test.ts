@@ -33,6 +33,7 @@ const MODEL: ModelInfo = {
   sea: null,
   hulls: [],
   limits: [],
+  live_settings: [],
   gravity_m_s2: 0,
   parameters: [],
   warnings: [],

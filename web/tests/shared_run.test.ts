@@ -65,6 +65,23 @@ const expectSame = (again: Session, first: Session) => expect(differences(again,
 const hashOfRun = async (session: Session) => hashOf((await sharedRun(session))!);
 
 describe("a run that is opened by its link", () => {
+  it("has the same bits where the integrator was another from a moment on, which acts at once", async () => {
+    const first = await sessionOf(fromGallery("paper"), { motor_1: true, load: true });
+    await run(first, 0.5);
+    await set(first, "simulation.integrator", "semi_implicit_euler");
+    expect(first.status).toBe("paused");
+    const before_s = first.shown.recording!.now.time_s;
+    await run(first, 0.5);
+    const { session } = await openedBy(await hashOfRun(first));
+    await runTo(session, first.shown.recording!.now.time_s);
+    expectSame(session, first);
+    // Without the change the second half is another.
+    const without = await sessionOf(fromGallery("paper"), { motor_1: true, load: true });
+    await runTo(without, first.shown.recording!.now.time_s);
+    expect(differences(without, first).every((time_s) => time_s > before_s)).toBe(true);
+    expect(differences(without, first).length).toBeGreaterThan(20);
+  });
+
   it("has the same bits where levers were moved", async () => {
     const first = await sessionOf(fromGallery("lowering_by_winch"), { load_t: 13.7, waves: true });
     await first.setInput("hoist", 1);

@@ -11,7 +11,7 @@ import type { Run, Source } from "./run";
 import { faultOfSaving, savedFile, type SavedFile } from "./saved";
 import { Told } from "./told";
 import { Latest, Turns } from "./turns";
-import { SetValues } from "./values";
+import { isLive, SetValues } from "./values";
 
 export type { Listener, Run, Status } from "./run";
 
@@ -109,7 +109,7 @@ export class Session extends Told {
     this.values.want(name, value);
     this.emit((listener) => listener.valuesChanged?.());
     if (this.status === "idle") void this.reopen();
-    else if (this.run?.model.parameters.some((one) => one.name === name && one.live)) void this.live.set(name, value);
+    else if (this.run && isLive(this.run.model, name)) void this.live.set(name, value);
   }
 
   /** A live value that is refused waits for the reset. */

@@ -1,4 +1,4 @@
-import type { Value, Values } from "../engine/engine";
+import type { ModelInfo, Value, Values } from "../engine/engine";
 import type { Opened } from "../engine/messages";
 
 /** The values of a scenario: what the controls say, and what the run in hand has. */
@@ -75,6 +75,11 @@ export class SetValues {
   shown(name: string): Value | undefined {
     return this.wanted[name] ?? this.applied[name];
   }
+}
+
+/** Whether a parameter, or a setting by its path, can be set while a run goes on. */
+export function isLive({ parameters, live_settings }: Pick<ModelInfo, "parameters" | "live_settings">, name: string): boolean {
+  return live_settings.includes(name) || parameters.some((one) => one.name === name && one.live);
 }
 
 /** Every value that a control shows, by parameter name or path. */

@@ -104,6 +104,10 @@ export interface Description {
    */
   parameters: ParameterDescription[];
   /**
+   * Settings that can be set during a run, by their paths in the scenario.
+   */
+  live_settings: string[];
+  /**
    * What a person should know of the model before it runs.
    */
   warnings: string[];

@@ -18,19 +18,26 @@ export class Readouts {
   constructor(session: Session) {
     session.listen({
       opened: (run, frame) => {
-        const name = integratorName(run.model.integrator);
-        setText(byTestId("step-size"), duration(run.model.step_s));
-        setText(byTestId("integrator"), name.replace(/ \(.*/, ""));
-        byTestId("integrator").title = name;
-        this.how = `${name.replace(/ \(.*/, "")}, ${duration(run.model.step_s)}`;
+        this.showScheme(run, run.model.integrator);
         setText(byTestId("title"), run.model.title);
         see(run, frame);
         this.show(run, frame.row);
       },
       advanced: see,
+      valuesChanged: () => session.run && this.showScheme(session.run, String(session.values.inForce["simulation.integrator"])),
       moved: (run, { row }) => this.show(run, row),
       branched: (run) => session.shown.recording && seeAnew(run, session.shown.recording),
     });
+  }
+
+  /** The integrator can be another while the run goes on. */
+  private showScheme({ model }: Run, integrator: string): void {
+    const name = integratorName(integrator);
+    const short = name.replace(/ \(.*/, "");
+    setText(byTestId("step-size"), duration(model.step_s));
+    setText(byTestId("integrator"), short);
+    byTestId("integrator").title = name;
+    this.how = `${short}, ${duration(model.step_s)}`;
   }
 
   private show(run: Run, row: Float64Array): void {
