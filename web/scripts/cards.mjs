@@ -45,7 +45,7 @@ const SHOTS = {
   hero: { scenario: "offshore_vessel", time_s: 65, values: "waves=true", size: { ...HERO, width: 2 * HERO_CENTRE * HERO.width }, clip: { x: 0, y: 0, ...HERO }, quality: 0.8, left: 2, up: -5, nearer: 1 },
 };
 async function shoot(browser, address, name) {
-  const { scenario = name, time_s, values = "", size = CARD, clip, quality = 0.74, left = 0, up = -4, nearer = 0 } = SHOTS[name];
+  const { scenario = name, time_s, values = "", size = CARD, clip, quality = 0.74, left = 0, up = -4, nearer = 2 } = SHOTS[name];
   const page = await openPage(browser, address, `?scenario=${scenario}&${values}`, size);
   await runTo(page, time_s);
   await page.addStyleTag({ content: ALONE });
