@@ -20,7 +20,7 @@ const PICTURES = {
   "app-cab.png": { query: "?scenario=lift_off_from_barge", time_s: 45, viewport: DESKTOP, camera: "cab" },
   "app-equations.png": { query: "?scenario=paper&motor_1=true&load=true", time_s: 1.2, viewport: DESKTOP, press: ["show-equations"] },
   "app-phone.png": { query: "?scenario=paper&motor_1=true&load=true", time_s: 1.2, viewport: PHONE, press: ["show-plots"] },
-  "app-levers.png": { query: "?scenario=quayside_lift", viewport: PHONE, press: ["levers-button"] },
+  "app-levers.png": { query: "?scenario=quayside_lift", viewport: PHONE },
 };
 /** Frames of the moving picture: from when to when, how many a second of it and of the run. */
 const MOVING = { query: "?scenario=slew_and_land", from_s: 20, until_s: 80, frames: 60, frames_a_second: 10, size: { width: 800, height: 450 } };
