@@ -15,7 +15,6 @@ const PHONE = { width: 390, height: 844 };
 /** What stands in a picture: the address, the moment, what is opened or pressed first. */
 const PICTURES = {
   "app-start.png": { query: "", viewport: DESKTOP },
-  "app.png": { query: "?scenario=offshore_vessel&waves=true", time_s: 65, viewport: DESKTOP },
   "app-lift.png": { query: "?scenario=lift_off_from_barge", time_s: 72, viewport: DESKTOP, press: ["show-instruments"] },
   "app-cab.png": { query: "?scenario=lift_off_from_barge", time_s: 45, viewport: DESKTOP, camera: "cab" },
   "app-equations.png": { query: "?scenario=paper&motor_1=true&load=true", time_s: 1.2, viewport: DESKTOP, press: ["show-equations"] },
