@@ -49,6 +49,8 @@ export default {
     const { page, close } = await openApp(host, { viewport: PHONE });
     for (const menu of ["cameras", "show"]) {
       await page.locator(`#${menu} > summary`).click();
+      // The browser tells of an opened menu a little later; then it gets its height.
+      await page.waitForFunction((id) => document.querySelector(`#${id} .menu-panel`).style.maxHeight !== "", menu);
       const [panel, scene] = [await page.locator(`#${menu} .menu-panel`).boundingBox(), await page.locator("#scene").boundingBox()];
       assert.ok(panel.x >= scene.x && panel.x + panel.width <= scene.x + scene.width + 1, `${menu}: ${JSON.stringify(panel)}`);
       assert.ok(panel.y + panel.height <= scene.y + scene.height + 1, `${menu} ends in the picture`);

@@ -54,7 +54,7 @@ const dialogs = [DESKTOP, PHONE, { width: 320, height: 640 }].map((viewport) => 
     // Tab stays in it, Escape leads back to the button.
     for (let i = 0; i < 8; i++) {
       await page.keyboard.press("Tab");
-      assert.ok(await page.evaluate(() => document.activeElement === document.body || document.querySelector("dialog").contains(document.activeElement)));
+      assert.ok(await page.evaluate(() => document.activeElement === document.body || document.querySelector("[data-testid=share-dialog]").contains(document.activeElement)));
     }
     await page.keyboard.press("Escape");
     assert.equal(await page.getByTestId("share-dialog").isVisible(), false);
