@@ -164,7 +164,9 @@ def test_a_parameter_that_is_not_live_is_refused_during_a_run():
     """Source: the contract; crates/kingpost/tests/schemes/live_parameters.rs has what live ones do."""
     simulation = Simulation("paper")
     simulation.step(5)
-    with pytest.raises(kingpost.KingpostError, match=r"crane_x_m: takes effect where a run begins.*none"):
+    with pytest.raises(
+        kingpost.KingpostError, match=r"crane_x_m: takes effect where a run begins.*: simulation.integrator"
+    ):
         simulation.set_parameter("crane_x_m", 0)
     assert simulation.time_s == pytest.approx(0.005)
     assert simulation.scenario.model["parameters"][6]["value"] == -10
