@@ -22,7 +22,7 @@ from . import __version__
 from .errors import KingpostError, RunError
 from .hydro import command as hydro_command
 from .output import check as check_output
-from .output import whole
+from .output import write_csv
 from .roll_damping import command as roll_damping_command
 from .scenario import Scenario, load
 from .simulate import Simulation
@@ -227,9 +227,10 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
 
     if options.output is None:
         raise KingpostError("--seeds: found no -o, allowed: -o with * for the seed, as run_*.nc")
-    older = sum(path.exists() for path in seeds.files(options.output, options.seeds))
+    paths = seeds.files(options.output, options.seeds)
+    older = sum(path.exists() for path in paths)
     with progress.bar(options.seeds, "runs") as update:
-        runs = list(seeds.run(scenario, options.seeds, options.output, update))
+        runs = list(seeds.run(scenario, paths, update))
     failed = [(path, found) for path, found in runs if found["status"] != FINISHED]
     print(scenario.title, f"{len(runs)} runs, seeds 1 to {len(runs)}", sep="\n")
     if failed:
@@ -299,8 +300,7 @@ def _statistics(options: argparse.Namespace) -> int:
     found = statistics_report.frame(runs, options.after_s, options.channels)
     print(statistics_report.text(runs, found, options.after_s))
     if output:
-        with whole(output) as beside:
-            found.to_csv(beside, index=False)
+        write_csv(found, output)
         print(f"\nwritten  {output}")
     return DONE
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from .errors import KingpostError, OutputError
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
 
@@ -54,6 +55,13 @@ def write_text(path: str | Path, text: str) -> Path:
     """Write a text in UTF-8, with the line ends that it has."""
     with whole(path) as beside:
         beside.write_text(text, encoding="utf-8", newline="")
+    return Path(path)
+
+
+def write_csv(table: pandas.DataFrame, path: str | Path) -> Path:
+    """Write a table with its headings and without its index."""
+    with whole(path) as beside:
+        table.to_csv(beside, index=False)
     return Path(path)
 
 

@@ -233,11 +233,10 @@ def write(found: xarray.Dataset, path: str | Path) -> Path:
     ending = path.suffix.lower()
     if ending == ".nc":
         return output.write_netcdf(found, path)
+    if ending == ".csv":
+        return output.write_csv(frame(found), path)
     with output.whole(path) as beside:
-        if ending == ".csv":
-            frame(found).to_csv(beside, index=False)
-        else:
-            _plot(found, beside)
+        _plot(found, beside)
     return path
 
 

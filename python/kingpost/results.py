@@ -186,20 +186,15 @@ def write(results: xarray.Dataset, path: str | Path) -> Path:
     ending = path.suffix.lower()
     if ending == ".nc":
         return output.write_netcdf(results, path)
-    with output.whole(path) as beside:
-        if ending == ".csv":
-            frame(results).to_csv(beside, index=False)
-        else:
-            _write_parquet(results, beside)
     if ending == ".csv":
-        _write_events(events(results), path.with_suffix(".events.csv"))
-    return path
-
-
-def _write_events(happened: xarray.Dataset, path: Path) -> None:
-    if happened.sizes["event"] or path.exists():
+        output.write_csv(frame(results), path)
+        happened, beside = events(results), path.with_suffix(".events.csv")
+        if happened.sizes["event"] or beside.exists():
+            output.write_csv(happened.to_dataframe(), beside)
+    else:
         with output.whole(path) as beside:
-            happened.to_dataframe().to_csv(beside, index=False)
+            _write_parquet(results, beside)
+    return path
 
 
 def _write_parquet(results: xarray.Dataset, path: Path) -> None:

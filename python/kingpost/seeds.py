@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -46,13 +46,13 @@ def files(pattern: str | Path, count: int) -> list[Path]:
 
 
 def run(
-    scenario: Scenario, count: int, pattern: str | Path, progress: Progress | None = None
+    scenario: Scenario, paths: Sequence[Path], progress: Progress | None = None
 ) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Run a scenario with the seeds 1 to `count` and write each run; yields files and the runs' attributes.
+    """Run a scenario with a seed from 1 on for each of the `files`; yields them and the runs' attributes.
 
     Each has the bits that it has alone. `progress` is called with the number of runs that are done.
     """
-    paths = files(pattern, count)
+    count = len(paths)
     for first in range(1, count + 1, TOGETHER):
         seeds = list(range(first, min(first + TOGETHER, count + 1)))
         together = Batch(scenario, {SEED: seeds}).run(progress=_from(first - 1, progress))

@@ -281,6 +281,4 @@ def write(found: xarray.Dataset, path: str | Path) -> Path:
     path = output.check(path, ENDINGS)
     if path.suffix.lower() == ".nc":
         return output.write_netcdf(found, path)
-    with output.whole(path) as beside:
-        frame(found).to_csv(beside, index=False)
-    return path
+    return output.write_csv(frame(found), path)

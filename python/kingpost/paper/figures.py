@@ -93,8 +93,7 @@ def run(progress: Callable[[], None]) -> list[Figure]:
 def write(folder: Path, figures: list[Figure]) -> None:
     """Write each figure as PNG, SVG and CSV."""
     for figure in figures:
-        with output.whole(folder / f"{figure.name}.csv") as beside:
-            figure.table().to_csv(beside, index=False)
+        output.write_csv(figure.table(), folder / f"{figure.name}.csv")
         draw(folder, figure)
 
 
