@@ -3,7 +3,7 @@
 use super::super::schema::{self, Force as ForceSchema, PositioningGains, Scenario, ThrustPriority};
 use super::FieldError;
 use super::damping::{from_centre, rigid};
-use super::positioning_loop::Loop;
+use super::positioning_loop::{Growth, Loop};
 use crate::elements::dynamic_positioning::{
     Allocation, DynamicPositioning, Gains, Planar, Target, Thruster, ThrusterKind, WaveFilter,
 };
@@ -167,15 +167,26 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
             filter: given.wave_filter.as_ref(),
             time_constant_s: slowest,
         };
-        if let Some(root) = of.growing() {
-            let found = format!(
-                "{} s, with which the delays of wave filter and thrusters make an oscillation of {:.1} s grow",
-                tuning.period_s,
-                TAU / root.im.abs()
-            );
-            let allowed = "a longer natural period, or filter periods and thrusters' time constants that are shorter";
-            return Err(FieldError::new(format!("{field}.gains.natural_periods.{name}.period_s"), found, allowed));
-        }
+        let delays = "the delays of wave filter and thrusters";
+        let (found, allowed) = match of.growth() {
+            Growth::None => continue,
+            Growth::Of(root) => (
+                format!(
+                    "{} s, with which {delays} make an oscillation of {:.1} s grow",
+                    tuning.period_s,
+                    TAU / root.im.abs()
+                ),
+                "a longer natural period, or filter periods and thrusters' time constants that are shorter",
+            ),
+            Growth::Unknown => (
+                format!(
+                    "{} s, with which {delays} differ so much in size that their stability cannot be found",
+                    tuning.period_s
+                ),
+                "filter periods and thrusters' time constants whose sizes compare with it",
+            ),
+        };
+        return Err(FieldError::new(format!("{field}.gains.natural_periods.{name}.period_s"), found, allowed));
     }
     Ok(())
 }
