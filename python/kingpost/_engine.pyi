@@ -27,6 +27,7 @@ def batch(
     files: dict[str, str],
     variants_json: str,
     threads: int,
+    most_bytes: int,
     progress: Callable[[float], None] | None = None,
 ) -> tuple[list[NDArray[np.float64]], list[RunError | None], str]: ...
 

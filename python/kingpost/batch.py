@@ -20,6 +20,11 @@ if TYPE_CHECKING:
 
 FINISHED = "finished"
 
+MOST_MEMORY_GB = 2.0
+"""What the rows of all runs may take; their data set takes as much again while it is put together."""
+LARGEST_MEMORY_GB = 1e6
+"""No machine has so much; above it lies nothing but infinity."""
+
 
 class Batch:
     """Variants of one scenario, run together.
@@ -60,7 +65,9 @@ class Batch:
     def __len__(self) -> int:
         return len(next(iter(self.parameters.values())))
 
-    def run(self, threads: int = 0, progress: Progress | None = None) -> xarray.Dataset:
+    def run(
+        self, threads: int = 0, progress: Progress | None = None, memory_gb: float = MOST_MEMORY_GB
+    ) -> xarray.Dataset:
         """Run every variant from start to end.
 
         Parameters
@@ -69,6 +76,9 @@ class Batch:
             How many to take; 0 takes as many as the machine has.
         progress
             Called now and then with the number of runs that are done.
+        memory_gb
+            What the rows of all runs may take; their data set takes as much again while it is put
+            together.
 
         Returns
         -------
@@ -83,10 +93,17 @@ class Batch:
         ScenarioError
             When a variant is wrong; nothing ran.
         KingpostError
-            When the variants differ in their bodies, or in the times at which rows are recorded.
+            When the variants differ in their bodies, or in the times at which rows are recorded;
+            when they would record more than `memory_gb`.
+        KeyboardInterrupt
+            On Ctrl-C, within a second; nothing is kept.
         """
         if threads < 0:
             raise KingpostError(f"threads: found {threads}, allowed: 0 or more")
+        if not 0 < memory_gb < LARGEST_MEMORY_GB:
+            raise KingpostError(
+                f"memory_gb: found {memory_gb}, allowed: more than 0, and less than {LARGEST_MEMORY_GB:g}"
+            )
         variants = [self.scenario.overrides + variant for variant in self._variants()]
         rows, errors, published = engine.batch(
             self.scenario.text,
@@ -94,6 +111,7 @@ class Batch:
             self.scenario.files,
             json.dumps(variants),
             threads,
+            int(1e9 * memory_gb),
             progress,
         )
         status = [FINISHED if error is None else str(error) for error in errors]

@@ -128,7 +128,7 @@ def modes(
     Raises
     ------
     KingpostError
-        When there is no equilibrium near.
+        When there is no equilibrium near, or nothing that is free to move.
 
     >>> found = modes("chain", hold_rotation=True)
     >>> float(found.frequency[0].round(4))
@@ -200,6 +200,8 @@ def _point(scenario: Scenario, state: State | None) -> _Point:
         status = "about a given state"
     linear, mass = simulation.linearize(), simulation.mass_matrix()
     free = len(linear.coordinates)
+    if not linear.states:
+        raise KingpostError("modes: found nothing that is free to move, allowed: a coordinate whose mode is free")
     of_shape = [*range(free), *range(2 * free, len(linear.states))]
     names, units = ([of[i] for i in of_shape] for of in (linear.states, linear.units))
     found = eigenmodes(linear, mass, simulation.constraint_matrix())

@@ -183,8 +183,8 @@ fn check_recording(setup: &Setup) -> Result<(), FieldError> {
     let Settings { duration_s, record_every_s, .. } = setup.settings;
     let columns = Channels::new(&setup.model, &Layout::new(&setup.elements, 0)).columns();
     if setup.settings.rows() * columns as f64 > MOST_NUMBERS {
-        let least = duration_s * columns as f64 / MOST_NUMBERS;
-        let allowed = format!("at least {least:.3e} s, for {MOST_NUMBERS:e} numbers in all");
+        let least = libm::ceil(duration_s * columns as f64 / MOST_NUMBERS * 1e3) / 1e3;
+        let allowed = format!("at least {least} s, for {MOST_NUMBERS:e} numbers in all");
         return Err(FieldError::new("simulation.record_every_s", record_every_s, allowed));
     }
     Ok(())
