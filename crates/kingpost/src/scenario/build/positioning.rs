@@ -155,7 +155,20 @@ pub fn check_stability(scenario: &Scenario) -> Result<(), FieldError> {
     })
 }
 
+/// Periods of waves, s: a filter of waves has no use for others.
+const WAVE_PERIODS_S: core::ops::RangeInclusive<f64> = 0.1..=1e3;
+
+fn check_filter(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
+    let Some(filter) = &given.wave_filter else { return Ok(()) };
+    let notches = (0..).zip(&filter.notch_periods_s).map(|(k, period)| (format!("notch_periods_s.{k}"), period));
+    let cutoff = filter.cutoff_period_s.iter().map(|period| ("cutoff_period_s".to_owned(), period));
+    let wrong = notches.chain(cutoff).find(|(_, period)| !WAVE_PERIODS_S.contains(&period.get()));
+    let Some((name, period)) = wrong else { return Ok(()) };
+    Err(FieldError::new(format!("{field}.wave_filter.{name}"), period.get(), "a number from 0.1 to 1000"))
+}
+
 fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
+    check_filter(given, field)?;
     let PositioningGains::NaturalPeriods(periods) = &given.gains else { return Ok(()) };
     let gains = numbers(&given.gains);
     let running = given.thrusters.values().filter(|thruster| thruster.enabled());
