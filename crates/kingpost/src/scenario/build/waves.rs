@@ -154,8 +154,8 @@ fn of_spectrum<S: Quantity>(
         }
         Waves::Torsethaugen(sea) => {
             let height = sea.significant_height_m.get().same(&height_field)?;
-            unbroken("", height, &sea.peak_period_s)?;
             let spectrum = Torsethaugen::new(height, sea.peak_period_s.get(), water.gravity_m_s2).map_err(in_place)?;
+            unbroken("", height, &sea.peak_period_s)?;
             (Spectrum::Torsethaugen(spectrum), sea.direction_rad, &sea.realisation, S::ONE)
         }
         Waves::Spectrum(sea) => {
