@@ -16,7 +16,7 @@ export const plots = {
   whole_model: "Whole model",
   kind: "Kind of plot",
   kinds: { time: "Over time", spectrum: "Spectrum", phase: "One against another", arms: "Righting arms (GZ)" },
-  with_kind: (title: string, kind: string) => `${title}: ${kind.toLowerCase()}`,
+  with_kind: (title: string, kind: string) => `${title}: ${kind}`,
   over_time: (title: string) => `${title} over time`,
   against: (y: string, x: string) => `${y} against ${x}`,
   limit: (name: string) => `Limit: ${name}`,

@@ -18,7 +18,7 @@ export const plots: Texts["plots"] = {
   whole_model: "Hele modellen",
   kind: "Type graf",
   kinds: { time: "Over tid", spectrum: "Spekter", phase: "En mot en annen", arms: "Rettende armer (GZ)" },
-  with_kind: (title, kind) => `${title}: ${kind.toLowerCase()}`,
+  with_kind: (title, kind) => `${title}: ${kind}`,
   over_time: (title) => `${title} over tid`,
   against: (y, x) => `${y} mot ${x}`,
   limit: (name) => `Grense: ${name}`,
