@@ -124,6 +124,17 @@ export default {
     await close();
   },
 
+  async "marks the engine's words as English, and says its own beside them in Norwegian"(host) {
+    const { page, close } = await openApp(host, { locale: "nb-NO", query: "?scenario=quayside_lift&box_t=9999" });
+    const message = page.getByTestId("alert-message");
+    await message.waitFor();
+    assert.equal(await message.textContent(), "box_t: found 9999, allowed: a number from 1 to 8. Scenarioet ble åpnet med sine egne verdier.");
+    assert.equal(await message.locator("[lang=en]").textContent(), "box_t: found 9999, allowed: a number from 1 to 8.");
+    assert.equal(await page.locator(".alert-heading").first().textContent(), "Adressen har en verdi som ikke er tillatt");
+    assert.equal(await page.locator(".alert-close").first().getAttribute("aria-label"), "Lukk");
+    await close();
+  },
+
   async "speaks the browser's language where nothing can be kept"(host) {
     const denied = (context) => context.addInitScript(() => Object.defineProperty(window, "localStorage", { get() { throw new DOMException("denied", "SecurityError"); } }));
     const { page, context } = await openStart(host, { prepare: denied });

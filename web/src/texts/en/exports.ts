@@ -2,7 +2,7 @@ export const exports = {
   open: "Export",
   title: "Export",
   recording: "The recording",
-  rows: (kept: number, until_s: string) => `${kept} rows, 0 to ${until_s} s`,
+  rows: (kept: number, until_s: string) => `${kept} ${kept === 1 ? "row" : "rows"}, 0 to ${until_s} s`,
   thinned: (kept: number, of: number, until_s: string) =>
     `The recording is long: ${kept} of about ${of} rows are kept. Rows before ${until_s} s were thinned and are missing from these files; the others are complete.`,
   csv: "Table (CSV)",

@@ -26,6 +26,6 @@ export const about: Texts["about"] = {
   errors:
     "Energifeil: tilført energi minus utført arbeid, over den største energien som har vært i omløp så langt, i bevegelse og arbeid; i J " +
     "så lenge den er mindre enn tusen avrundinger av den potensielle energien, som for et skip i ro. Spinnfeil: spinnet minus " +
-    "impulsmomentet, over det største så langt. Begge skal være ørsmå, og den ene alene beviser lite: utelat metodens D-matrise (under " +
+    "impulsen av momentene, over det største så langt. Begge skal være ørsmå, og den ene alene beviser lite: utelat metodens D-matrise (under " +
     "Avansert), og energien stemmer fortsatt, mens spinnet straks blir galt.",
 };

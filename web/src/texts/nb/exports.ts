@@ -4,7 +4,7 @@ export const exports: Texts["exports"] = {
   open: "Eksport",
   title: "Eksport",
   recording: "Opptaket",
-  rows: (kept, until_s) => `${kept} rader, 0 til ${until_s} s`,
+  rows: (kept, until_s) => `${kept} ${kept === 1 ? "rad" : "rader"}, 0 til ${until_s} s`,
   thinned: (kept, of, until_s) =>
     `Opptaket er langt: ${kept} av om lag ${of} rader er beholdt. Rader før ${until_s} s er tynnet ut og mangler i disse filene; de andre er fullstendige.`,
   csv: "Tabell (CSV)",

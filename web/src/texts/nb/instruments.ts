@@ -3,7 +3,7 @@ import type { Texts } from "../index";
 export const instruments: Texts["instruments"] = {
   title: "Instrumenter",
   ship: "Hvordan skipet ligger",
-  minute: (range) => `siste minutt ${range}`,
+  minute: (range) => `siste min. ${range}`,
   dial: (name, angle, low, high) => `${name} ${angle}, fra ${low} til ${high}`,
   limits: "Grenser",
   readings: "Avlesninger",
