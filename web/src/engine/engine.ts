@@ -101,6 +101,8 @@ function isVector(given: unknown): given is [number, number, number] {
 export interface Fault {
   kind: string;
   message: string;
+  /** What the page adds to it, in its own language. */
+  note?: string;
   file?: string;
   line?: number;
   column?: number;
