@@ -6,18 +6,19 @@
 3.0
 """
 
-from . import lift_rules, verify
-from .batch import Batch
+from . import results, verify
+from .analysis import lift_rules, statistics
+from .analysis.gradients import gradient
+from .analysis.response import rao
+from .analysis.stable_step import stable_step
+from .analysis.vibration import equilibrium, modes
 from .engine import engine
 from .errors import KingpostError, RunError, ScenarioError
-from .gradients import gradient
-from .linear import Equilibrium, Linearization
-from .records import Input, State
-from .response import rao
 from .scenario import Scenario, load
-from .simulate import Simulation, run
-from .stable_step import stable_step
-from .vibration import equilibrium, modes
+from .simulation.batch import Batch
+from .simulation.linear import Equilibrium, Linearization
+from .simulation.records import Input, State
+from .simulation.simulate import Simulation, run
 
 __version__: str = engine.__version__
 
@@ -39,7 +40,9 @@ __all__ = [
     "load",
     "modes",
     "rao",
+    "results",
     "run",
     "stable_step",
+    "statistics",
     "verify",
 ]

@@ -1,4 +1,4 @@
-"""The compiled engine. Its labelled face is `kingpost.simulate`."""
+"""The compiled engine. Its labelled face is `kingpost.simulation`."""
 
 from collections.abc import Callable
 

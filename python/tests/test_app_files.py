@@ -11,7 +11,8 @@ import pandas
 import pyarrow.parquet
 import pytest
 import xarray
-from kingpost import results, statistics
+from kingpost import results
+from kingpost.analysis import statistics
 
 GOLDEN = Path(__file__).resolve().parents[2] / "web" / "tests" / "golden"
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import kingpost
 import numpy as np
 import pytest
-from kingpost import displacement_raos
+from kingpost.analysis import displacement_raos
 from kingpost.cli import main
 
 SEA = {"significant_height_m": 0.01, "peak_period_s": 9, "gamma": 1, "direction_rad": 2.4,

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from kingpost import cli
 from kingpost.errors import HydrodynamicsError
-from kingpost.hydro import attitude_command, build, database_file, inclined, solve
+from kingpost.hydro import attitude_command, build, database_file, inclined, solve, to_dataset
 from kingpost.hydro.attitude import Inclination, from_degrees, placed, rotation
 from kingpost.hydro.command import parse_shape, summary
 from kingpost.hydro.database import Attitude, Water
@@ -209,9 +209,9 @@ def test_a_database_keeps_the_upright_hull_and_how_it_stands(tmp_path):
         "heel 5 deg to starboard, no trim, its origin on the water, at the upright hull's displacement"
         in found.provenance.notes
     )
-    attributes = found.to_dataset().attrs
+    attributes = to_dataset(found).attrs
     assert attributes["roll_rad"] == pytest.approx(np.radians(5))
-    assert found.to_dataset().added_mass.attrs["frame"].startswith("level")
+    assert to_dataset(found).added_mass.attrs["frame"].startswith("level")
 
 
 @pytest.mark.parametrize("name", ["barge", "sphere", "offshore_vessel"])

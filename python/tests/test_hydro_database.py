@@ -6,7 +6,7 @@ import os
 import numpy as np
 import pytest
 from kingpost.errors import HydrodynamicsError
-from kingpost.hydro import database_file
+from kingpost.hydro import database_file, to_dataset
 from kingpost.hydro.database import (
     Database,
     DriftLoading,
@@ -87,7 +87,7 @@ def test_writing_again_what_was_read_gives_the_same_bytes(tmp_path):
 
 
 def test_the_data_set_carries_units_and_names():
-    labelled = sample().to_dataset()
+    labelled = to_dataset(sample())
     for name, variable in labelled.variables.items():
         if variable.dtype.kind in "fc":
             assert {"units", "long_name"} <= set(variable.attrs), name

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from kingpost.matrices import Formula
 from kingpost.paper.equations import Equation
+from kingpost.simulation.matrices import Formula
 
 LESSONS = sorted((Path(__file__).parents[2] / "lessons").glob("*.ipynb"))
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import kingpost
 import numpy as np
 import pytest
-from kingpost import modes_report
 from kingpost.cli import main
-from kingpost.results import unit_of
+from kingpost.reports import modes as modes_report
+from kingpost.results.columns import unit_of
 from samples import rod
 
 G = 9.80665

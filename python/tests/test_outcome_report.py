@@ -9,9 +9,10 @@ import kingpost
 import numpy as np
 import pytest
 import xarray
-from kingpost import outcome_report, report
 from kingpost.cli import main
-from kingpost.outcome_report import Outcome
+from kingpost.reports import outcomes as outcome_report
+from kingpost.reports import run as report
+from kingpost.reports.outcomes import Outcome
 
 # The barge lies at -0.265 deg; the first two seas leave her within this limit.
 LIMITS = {"trim": {"column": "ship.pitch", "at_least": -0.28, "unit": "deg"}}

@@ -5,9 +5,9 @@ from __future__ import annotations
 import kingpost
 import numpy as np
 import pytest
-from kingpost import plot
 from kingpost.cli import main
-from kingpost.results import columns
+from kingpost.reports import plot
+from kingpost.results.columns import columns
 
 SHORT = {"simulation.duration_s": 12.0}
 

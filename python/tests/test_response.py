@@ -8,7 +8,7 @@ import kingpost
 import numpy as np
 import pytest
 import xarray
-from kingpost import response
+from kingpost.analysis import response
 from kingpost.cli import main
 
 GRAVITY = 9.80665

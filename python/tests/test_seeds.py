@@ -5,8 +5,8 @@ from __future__ import annotations
 import kingpost
 import pytest
 import xarray
-from kingpost import seeds
 from kingpost.cli import main
+from kingpost.simulation import seeds
 
 SETTINGS = {"waves": True, "simulation.duration_s": 2.0}
 

@@ -6,8 +6,8 @@ import kingpost
 import numpy as np
 import pytest
 from kingpost import gallery
+from kingpost.analysis.stable_step import stable_step, warning
 from kingpost.cli import main
-from kingpost.stable_step import stable_step, warning
 
 STEP = "simulation.step_s"
 

@@ -7,8 +7,10 @@ import numpy as np
 import pandas
 import pytest
 import xarray
-from kingpost import KingpostError, statistics, statistics_report
+from kingpost import KingpostError
+from kingpost.analysis import statistics
 from kingpost.cli import main
+from kingpost.reports import statistics as statistics_report
 
 # A spectrum as broad as that of a sea, m0 = 1, about 0.8 rad/s.
 PEAK, WIDTH = 0.8, 0.2

@@ -10,10 +10,11 @@ import pint
 import pyarrow.parquet
 import pytest
 import xarray
-from kingpost import gallery, report, results
+from kingpost import gallery, results
+from kingpost.analysis.displacement_raos import SENSES
+from kingpost.analysis.statistics import summary
 from kingpost.cli import main
-from kingpost.displacement_raos import SENSES
-from kingpost.statistics import summary
+from kingpost.reports import run as report
 
 BODY = {"mass_kg": 9, "inertia": {"tensor": {"moments_kg_m2": [1, 1, 1]}}}
 JOINTS = {

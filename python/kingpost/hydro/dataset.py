@@ -17,7 +17,7 @@ LEVEL = "level: x forward, y to port, z up, origin on the water plane, above or 
 """The frame of the coefficients of a hull that lists or trims; x is along its heading."""
 
 
-def dataset(database: Database) -> xarray.Dataset:
+def to_dataset(database: Database) -> xarray.Dataset:
     """Label a database.
 
     Returns

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from .. import output, response
+from .. import output
+from ..analysis import response
 from ..paper.style import plotting
 from . import pictures
 from .hydrodynamics import HULME, SOLVED, heave

@@ -1,0 +1,17 @@
+"""`kingpost hydro`: the hydrodynamic database of a hull."""
+
+from __future__ import annotations
+
+import argparse
+
+from ..hydro import command
+from ..hydro.command import add_options as add_options
+from .common import DONE
+
+HELP = "compute the hydrodynamic database of a hull"
+
+
+def run(options: argparse.Namespace) -> int:
+    """Compute or read the database and write it."""
+    command.run(options)
+    return DONE

@@ -1,0 +1,22 @@
+"""Results: recorded rows as a labelled data set, its flat columns, and the files it is written to."""
+
+from .columns import column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
+from .dataset import attributes, dataset
+from .events import events
+from .files import ENDINGS, check_output, read, write
+
+__all__ = [
+    "ENDINGS",
+    "attributes",
+    "check_output",
+    "column_name",
+    "columns",
+    "dataset",
+    "events",
+    "floating_bodies",
+    "frame",
+    "read",
+    "unit_coordinate",
+    "unit_of",
+    "write",
+]

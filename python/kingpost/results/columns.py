@@ -1,0 +1,80 @@
+"""Flat columns of a data set: their names, their units, and a table of all."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Hashable, Iterator, Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+
+def unit_coordinate(variable: Hashable | None) -> str:
+    """Name of the coordinate that has the units of a variable's numbers, where they differ.
+
+    >>> unit_coordinate("joint_position")
+    'joint_position_unit'
+    """
+    return "unit" if variable is None else f"{variable}_unit"
+
+
+def unit_of(column: xarray.DataArray) -> str:
+    """The unit of a variable, or of one of its columns where they differ in their units.
+
+    >>> from kingpost import run
+    >>> found = run("paper", {"simulation.duration_s": 0.001})
+    >>> unit_of(found["velocity"]), unit_of(found["joint_reaction"].sel(joint="slew", component="moment_x"))
+    ('m/s', 'N m')
+    """
+    name = unit_coordinate(column.name)
+    return str(column.coords[name].item()) if name in column.coords else str(column.attrs.get("units", ""))
+
+
+def frame(results: xarray.Dataset) -> pandas.DataFrame:
+    """Results as a flat table, one column per number.
+
+    Columns are ``time`` and then such as ``ship.angular_velocity.x``, ``slew.joint_position``,
+    ``arm.tip.point_position.z`` or ``kinetic_energy``.
+    """
+    import pandas
+
+    flat = {name: series.values for name, series in columns(results)}
+    return pandas.DataFrame({"time": results["time"].values, **flat})
+
+
+def columns(
+    results: xarray.Dataset, along: Sequence[str] = ("time",)
+) -> Iterator[tuple[str, xarray.DataArray]]:
+    """The flat columns with their names: each goes along time, and along what else is asked for."""
+    for variable in results.data_vars.values():
+        dims = [dim for dim in variable.dims if dim not in along]
+        for labels in product(*(results[dim].values for dim in dims)):
+            at = dict(zip(dims, labels, strict=True))
+            yield column_name(variable, at), variable.sel(at)
+
+
+def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
+    """Name of a flat column, by the variable's attribute ``column``; labels that it leaves out are last.
+
+    >>> import xarray
+    >>> rate = xarray.DataArray(0.0, name="angular_velocity")
+    >>> rate.attrs["column"] = "{body}.angular_velocity.{axis}"
+    >>> column_name(rate, {"body": "ship", "axis": "x", "run": 3})
+    'ship.angular_velocity.x.3'
+    """
+    pattern = str(variable.attrs.get("column", variable.name))
+    left_out = [str(label) for dim, label in labels.items() if f"{{{dim}}}" not in pattern]
+    return ".".join([pattern.format_map(labels), *left_out])
+
+
+def floating_bodies(results: xarray.Dataset) -> list[str]:
+    """Names of the ships and of whatever floats as they do.
+
+    >>> from kingpost import run
+    >>> floating_bodies(run("paper", {"simulation.duration_s": 0.001}))
+    ['ship']
+    """
+    return json.loads(results.attrs.get("floating_bodies", "[]"))

@@ -1,0 +1,359 @@
+"""Simulations: a thin, labelled face on the engine.
+
+Units are SI, angles in radians. The world's z points up; a ship's x points forward, y to
+port, z up. Roll, pitch and yaw are the intrinsic z-y-x angles about x, y and z.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import asdict
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import KingpostError
+from ..scenario import Overrides, Scenario, as_scenario, load
+from .linear import Equilibrium, Linearization, labelled
+from .matrices import MovingFrame
+from .records import DrawnLine, Event, Input, LeverMove, Limit, State, Warning
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import ArrayLike, NDArray
+
+Progress = Callable[[float], None]
+
+
+class Simulation:
+    """One run of a scenario, stepped by hand.
+
+    >>> simulation = Simulation(load("paper", motor_1=True))
+    >>> simulation.step(500)
+    >>> round(simulation.time_s, 9)
+    0.5
+    >>> simulation.coordinates
+    ['ship.roll', 'ship.pitch', 'ship.yaw', 'slew', 'luff']
+    """
+
+    def __init__(self, scenario: Scenario | str | Path) -> None:
+        self.scenario = scenario if isinstance(scenario, Scenario) else load(scenario)
+        self._engine = self.scenario._engine()
+
+    def reset(self, seed: int | None = None) -> None:
+        """Go back to the scenario's start, with another seed if one is given."""
+        if seed is None:
+            self._engine.reset()
+            return
+        self.scenario = self.scenario.with_overrides({"simulation.seed": seed})
+        self._engine = self.scenario._engine()
+
+    def step(self, n: int = 1) -> None:
+        """Advance `n` steps of the scenario's step size.
+
+        Raises
+        ------
+        RunError
+            When the motion diverges; the state stays at the last good step.
+        KingpostError
+            When `n` is no whole number from 0 on.
+        """
+        if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 0:
+            raise KingpostError(f"n: found {n!r}, allowed: a whole number not less than 0")
+        self._engine.step(int(n))
+
+    def run(self, progress: Progress | None = None) -> xarray.Dataset:
+        """Run from here to the scenario's duration and return what was recorded.
+
+        The attributes ``events``, ``warnings`` and ``limits`` say what happened, what one should know of it,
+        and how the scenario's limits held, as JSON.
+
+        `progress` is called now and then with the time in seconds.
+
+        Raises
+        ------
+        RunError
+            When the motion diverges; `.results` holds what was computed.
+        KeyboardInterrupt
+            On Ctrl-C; `.results` holds what was computed. So it is with whatever `progress` raises.
+        """
+        from ..results.dataset import dataset
+
+        rows, error = self._engine.run(progress)
+        status = "finished" if error is None else str(error) or "interrupted"
+        results = dataset(self.scenario, self.channels, rows, status)
+        results.attrs["events"] = json.dumps([asdict(event) for event in self.events])
+        results.attrs["warnings"] = json.dumps([asdict(warning) for warning in self.warnings])
+        results.attrs["limits"] = json.dumps([asdict(limit) for limit in self.limits])
+        if error is not None:
+            error.results = results
+            raise error
+        return results
+
+    @property
+    def events(self) -> list[Event]:
+        """What has happened so far, in order of time; a data set holds it as JSON in ``attrs["events"]``.
+
+        >>> Simulation("paper").events
+        []
+        """
+        return [Event(*event) for event in self._engine.events()]
+
+    @property
+    def warnings(self) -> list[Warning]:
+        """What one should know of the rows so far, in order of time; a data set holds it as JSON in
+        ``attrs["warnings"]``.
+
+        >>> Simulation("paper").warnings
+        []
+        """
+        return [Warning(**warning) for warning in json.loads(self._engine.warnings_json())]
+
+    @property
+    def limits(self) -> list[Limit]:
+        """How the scenario's limits held in the rows so far; a data set holds it as JSON in
+        ``attrs["limits"]``.
+
+        >>> limits = {"limits": {"roll": {"column": "ship.roll", "within": 10, "unit": "deg"}}}
+        >>> simulation = Simulation(load("paper").with_overrides({**limits, "simulation.duration_s": 1}))
+        >>> _ = simulation.run()
+        >>> simulation.limits[0].held
+        True
+        """
+        return [Limit(**limit) for limit in json.loads(self._engine.limits_json())]
+
+    @property
+    def lever_moves(self) -> list[LeverMove]:
+        """What `set_input` has set so far, in order of time."""
+        return [LeverMove(*move) for move in self._engine.lever_moves()]
+
+    def operation(self) -> dict[str, Any]:
+        """What was set by hand as the ``operation`` of a scenario: a run with it gives the same bits.
+
+        It has what `set_input` has set in this simulation since its start or its last `reset`; what came
+        before a `restore` of another's snapshot is not in it, and no parameter that was set under way.
+
+        Raises
+        ------
+        KingpostError
+            When the scenario has an operation that is enabled: the two would be one beside the other.
+
+        >>> by_hand = Simulation("lowering_by_winch")
+        >>> by_hand.step(20)
+        >>> by_hand.set_input("hoist", -10.0)
+        >>> by_hand.step(20)
+        >>> replayed = Simulation(by_hand.scenario.with_overrides({"operation": by_hand.operation()}))
+        >>> replayed.step(40)
+        >>> bool((replayed.state.q == by_hand.state.q).all())
+        True
+        """
+        return json.loads(self._engine.operation_json())
+
+    @property
+    def time_s(self) -> float:
+        """Time, s."""
+        return self._engine.time_s()
+
+    @property
+    def step_s(self) -> float:
+        """Step size, s."""
+        return self._engine.step_s()
+
+    @property
+    def evaluations(self) -> int:
+        """Evaluations of the right-hand side by the integrator so far: what its steps cost."""
+        return self._engine.evaluations()
+
+    @property
+    def state(self) -> State:
+        """A copy of the motion now."""
+        return State(self._engine.time_s(), *self._engine.motion())
+
+    def set_state(self, q: ArrayLike, v: ArrayLike, s: ArrayLike | None = None) -> None:
+        """Replace the motion; arrays as in `State`, with unit quaternions.
+
+        Without `s` the energy and momentum ledger begins anew here.
+
+        Raises
+        ------
+        KingpostError
+            When a length is wrong or a value is not finite.
+        """
+        self._engine.set_state(_vector(q), _vector(v), None if s is None else _vector(s))
+
+    def snapshot(self) -> bytes:
+        """The complete state. A run resumed from it gives the same bits."""
+        return self._engine.snapshot()
+
+    def restore(self, snapshot: bytes) -> None:
+        """Go back to a `snapshot` of the same scenario."""
+        self._engine.restore(snapshot)
+
+    @property
+    def inputs(self) -> dict[str, Input]:
+        """The inputs by name, with unit, limits and present value."""
+        return {row[0]: Input(*row) for row in self._engine.inputs()}
+
+    def set_input(self, name: str, value: float) -> None:
+        """Set an input; it holds until it is set again."""
+        self._engine.set_input(name, value)
+
+    def set_parameter(self, name: str, value: bool | float | str) -> None:
+        """Set a parameter that is `live` in the scenario while the run goes on, from the next step on.
+
+        Time, motion and inputs stay; what the change does to energy is booked in the ledger. `reset` leads to
+        the start of the scenario with the new value.
+
+        Raises
+        ------
+        KingpostError
+            When there is no such live parameter, when it may not have the value, and when the value changes
+            what the run is made of; the error names the parameter.
+        """
+        scenario = self.scenario.with_overrides({name: value})
+        self._engine.set_parameter(name, json.dumps(scenario.overrides[-1][1]))
+        self.scenario = scenario
+
+    @property
+    def coordinates(self) -> list[str]:
+        """Names of the free coordinates, in the order of the mass matrix."""
+        return [name for name, _ in self._engine.coordinates()]
+
+    @property
+    def coordinate_units(self) -> list[str]:
+        """SI unit of each of `coordinates`: m, or rad of what turns.
+
+        >>> Simulation("paper").coordinate_units
+        ['rad', 'rad', 'rad', 'rad', 'rad']
+        """
+        return [unit for _, unit in self._engine.coordinates()]
+
+    @cached_property
+    def channels(self) -> list[dict[str, Any]]:
+        """What is recorded: name, unit, frame, dimensions, labels and place in a row."""
+        return json.loads(self._engine.channels_json())
+
+    def row(self) -> NDArray[np.float64]:
+        """The values of all channels now."""
+        return self._engine.row()
+
+    def poses(self) -> NDArray[np.float64]:
+        """Pose of each body: x, y, z (m, world) and quaternion w, x, y, z. Shape (bodies, 7)."""
+        return self._engine.poses()
+
+    def lines(self) -> list[DrawnLine]:
+        """The lines to draw beside the bodies, where they are now.
+
+        >>> [(line.name, line.style, line.points_m.shape) for line in Simulation(load("chain")).lines()]
+        []
+        """
+        lines = json.loads(self._engine.lines_json())
+        points = self._engine.line_points().reshape(-1, 3)
+        ends = np.cumsum([line["points"] for line in lines], dtype=int)
+        return [
+            DrawnLine(line["name"], line["style"], line["radius_m"], points[end - line["points"] : end])
+            for line, end in zip(lines, ends, strict=True)
+        ]
+
+    def acceleration(self, tau: ArrayLike | None = None) -> NDArray[np.float64]:
+        """Accelerations of the free coordinates now (m/s2 or rad/s2).
+
+        `tau` adds a generalized force per free coordinate (N or N m) to the loads that act.
+        """
+        return self._engine.acceleration(None if tau is None else _vector(tau))
+
+    def mass_matrix(self) -> NDArray[np.float64]:
+        """Reduced mass matrix M* = B^T M B of the free coordinates (kg, kg m, kg m2)."""
+        return self._engine.mass_matrix()
+
+    def constraint_matrix(self) -> NDArray[np.float64]:
+        """J of the closed loops over the free coordinates: J v = 0. Shape (constraints, coordinates)."""
+        return self._engine.constraint_matrix()
+
+    def bias_force(self) -> NDArray[np.float64]:
+        """Bias force N* v of the free coordinates (N or N m)."""
+        return self._engine.bias_force()
+
+    def moving_frame(self) -> MovingFrame:
+        """The matrices of the moving frame method now, by name.
+
+        Frame connection matrices ``E_ship`` and ``E_tower/ship``, their rates ``Omega_..``,
+        rotations ``R_..``, then ``B``, ``B_dot``, ``X_dot``, ``M``, ``D``, ``F``, ``q_dot``,
+        ``M_star``, ``N_star`` and ``F_star``, and where there are any ``q_ddot_given`` of prescribed
+        motions and ``J`` of closed loops, with labels and units by row and column; their LaTeX,
+        their formulas and their CSV files (`MovingFrame`).
+
+        >>> matrices = Simulation(load("paper")).moving_frame()
+        >>> matrices["M_star"].sel(row="slew", column="slew")["unit"].item()
+        'kg m^2'
+        """
+        return MovingFrame(self._engine.moving_frame(), self._engine.symbols_json)
+
+    def linearize(self) -> Linearization:
+        """A and B of the linearised system here, exact to rounding.
+
+        >>> linear = Simulation(load("paper")).linearize()
+        >>> linear.states[:2], linear.inputs
+        (['ship.roll', 'ship.pitch'], [])
+        """
+        return labelled(*self._engine.linearize())
+
+    def settle(self) -> Equilibrium:
+        """Move to an equilibrium near here, all rates zero, and begin the ledger anew there.
+
+        Raises
+        ------
+        KingpostError
+            When there is none; the state stays as it was.
+        """
+        return Equilibrium(*self._engine.settle())
+
+    def wave_response(self, directions_rad: ArrayLike, frequencies_rad_s: ArrayLike) -> dict[str, Any]:
+        """What `kingpost.rao` labels: complex amplitudes of all motions by direction and frequency, with
+        the crane as it stands now; no frequencies ask for those of the hull's database, refined.
+
+        >>> found = Simulation(load("barge")).wave_response([0.0], [1.0])
+        >>> found["places"]
+        ['ship', 'tower', 'arm', 'load', 'tower.top', 'arm.tip']
+        """
+        waves = {
+            "directions_rad": np.asarray(directions_rad, float).tolist(),
+            "frequencies_rad_s": np.asarray(frequencies_rad_s, float).tolist(),
+        }
+        return json.loads(self._engine.wave_response_json(json.dumps(waves)))
+
+    def hydrostatics(self) -> dict[str, Any]:
+        """As the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed
+        coordinates stay, the rest comes to rest in still water. The simulation itself does not move.
+
+        >>> simulation = Simulation(load("barge"))
+        >>> simulation.hydrostatics()["hulls"][0]["body"]
+        'ship'
+        """
+        return json.loads(self._engine.hydrostatics_json())
+
+
+def run(
+    scenario_or_path: Scenario | str | Path, overrides: Overrides | None = None, **parameters: Any
+) -> xarray.Dataset:
+    """Run a scenario from start to end.
+
+    Raises
+    ------
+    ScenarioError
+        When the scenario or an override is wrong.
+    RunError
+        When the motion diverges; `.results` holds what was computed.
+
+    >>> results = run("paper", {"simulation.duration_s": 0.5}, crane_x_m=0, crane_y_m=0)
+    >>> round(float(results.angular_velocity.sel(body="ship", axis="y")[-1]), 5)
+    0.19709
+    """
+    return Simulation(as_scenario(scenario_or_path, overrides, parameters)).run()
+
+
+def _vector(values: ArrayLike) -> NDArray[np.float64]:
+    return np.ascontiguousarray(values, dtype=np.float64).ravel()
