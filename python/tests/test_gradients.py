@@ -11,8 +11,7 @@ import pandas
 import pytest
 import xarray
 from kingpost import gallery
-from kingpost.results.columns import frame
-from kingpost.results.files import write
+from kingpost.results import frame, write
 from samples import SMALL
 
 SHORT = {"simulation.duration_s": 0.2, "simulation.record_every_s": 0.1}

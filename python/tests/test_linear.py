@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from kingpost.cli import main
 from kingpost.reports import modes as modes_report
-from kingpost.results.columns import unit_of
+from kingpost.results import unit_of
 from samples import rod
 
 G = 9.80665

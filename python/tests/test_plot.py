@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from kingpost.cli import main
 from kingpost.reports import plot
-from kingpost.results.columns import columns
+from kingpost.results import columns
 
 SHORT = {"simulation.duration_s": 12.0}
 

@@ -9,9 +9,7 @@ import pyarrow.parquet
 import pytest
 import xarray
 from kingpost.cli import main
-from kingpost.results.columns import frame
-from kingpost.results.dataset import events
-from kingpost.results.files import write
+from kingpost.results import events, frame, write
 from samples import read_csv
 
 DRAG = "{name: drag, default: 1.0e+6, live: true, writes: [forces.damping.viscous_damping.angular_N_m_s.0]}"
