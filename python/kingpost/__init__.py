@@ -13,7 +13,7 @@ from .analysis.response import rao
 from .analysis.stable_step import stable_step
 from .analysis.vibration import equilibrium, modes
 from .engine import engine
-from .errors import KingpostError, RunError, ScenarioError
+from .errors import KingpostError, KingpostWarning, RunError, ScenarioError
 from .scenario import Scenario, load
 from .simulation.batch import Batch
 from .simulation.linear import Equilibrium, Linearization
@@ -27,6 +27,7 @@ __all__ = [
     "Equilibrium",
     "Input",
     "KingpostError",
+    "KingpostWarning",
     "Linearization",
     "RunError",
     "Scenario",

@@ -11,6 +11,7 @@ import os
 import signal
 import sys
 import threading
+import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -32,7 +33,7 @@ from .commands import (
     verify,
 )
 from .commands.common import DONE, FAILED, INTERRUPTED, WRONG_INPUT, fail
-from .errors import KingpostError, RunError
+from .errors import KingpostError, KingpostWarning, RunError
 
 COMMANDS = {
     "run": run,
@@ -70,7 +71,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     options = parser().parse_args(arguments)
     try:
-        with _ended_as_interrupted():
+        with _ended_as_interrupted(), warnings.catch_warnings():
+            # The commands say what there is to say of a run, in lines of their own.
+            warnings.simplefilter("ignore", KingpostWarning)
             return options.command(options)
     except RunError as error:
         return fail(error, FAILED)

@@ -1,4 +1,4 @@
-"""The exceptions of the package. All derive from `KingpostError`."""
+"""The exceptions of the package, all of which derive from `KingpostError`, and its warning."""
 
 from __future__ import annotations
 
@@ -8,6 +8,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     import xarray
+
+
+class KingpostWarning(UserWarning):
+    """What one should know of a run that goes on: `warnings.filterwarnings` finds it by this category."""
 
 
 class KingpostError(Exception):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import KingpostError
-from ..simulation.seeds import SEED
+from ..simulation.batch import SEED
 
 if TYPE_CHECKING:
     import xarray

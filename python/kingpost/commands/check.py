@@ -17,12 +17,11 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Build the model and print what it is."""
-    from ..analysis.stable_step import warning
     from ..reports import model
 
     scenario = scenario_of(options)
     simulation = Simulation(scenario)
     print(model.text(scenario, simulation.coordinates))
-    if words := warning(simulation):
+    for words in simulation.model_warnings[len(scenario.model["warnings"]) :]:
         print(f"\nwarning: {words}")
     return DONE

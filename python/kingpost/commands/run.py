@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from ..errors import KingpostError, RunError
 from ..output import check as check_output
 from ..scenario import Scenario
+from ..simulation.outcomes import Outcome
 from ..simulation.simulate import Simulation
 from .common import DONE, FAILED, INTERRUPTED, add_scenario, fail, scenario_of
 
@@ -31,13 +33,12 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Run, print what came of it, write what was asked for."""
     from .. import progress, results
-    from ..analysis.stable_step import warning
     from ..reports import afloat, events, outcomes, plot
     from ..reports.run import summary
 
     scenario = scenario_of(options)
     simulation = Simulation(scenario)
-    if words := warning(simulation):
+    for words in simulation.model_warnings:
         print(f"warning: {words}", file=sys.stderr)
     if options.seeds is not None:
         return _run_seeds(scenario, options)
@@ -53,10 +54,11 @@ def run(options: argparse.Namespace) -> int:
                 raise
             failure, recorded = error, error.results
     print(summary(recorded, scenario))
-    came_of = outcomes.blocks(outcomes.of_runs([recorded]))
-    for block in [events.events(recorded), *came_of]:
+    came_of = outcomes.of_runs([recorded])
+    for block in (events.events(recorded), outcomes.limits(came_of)):
         if block:
             print("", *block, sep="\n")
+    _warn(came_of)
     if words := afloat.text(recorded, scenario):
         print(f"\n{words}\n")
     if output:
@@ -66,6 +68,16 @@ def run(options: argparse.Namespace) -> int:
     if isinstance(failure, KeyboardInterrupt):
         return fail(f"interrupted at {recorded['time'].values[-1]:g} s", INTERRUPTED)
     return fail(failure, FAILED) if failure else DONE
+
+
+def _warn(came_of: Sequence[Outcome]) -> None:
+    """Say on stderr what the engine warned of."""
+    from ..reports.outcomes import warnings
+
+    sys.stdout.flush()
+    for lines in warnings(came_of):
+        for line in lines:
+            print(line, file=sys.stderr)
 
 
 def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
@@ -85,8 +97,10 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
     if failed:
         of = ", ".join(str(found["seed"]) for _, found in failed)
         print(f"{len(failed)} of {len(runs)} runs failed, of the seeds {of}: they count until then")
-    for block in outcomes.blocks([outcomes.of_run(found, found["seed"]) for _, found in runs]):
-        print("", *block, sep="\n")
+    came_of = [outcomes.of_run(found, found["seed"]) for _, found in runs]
+    if limits := outcomes.limits(came_of):
+        print("", *limits, sep="\n")
+    _warn(came_of)
     over = f", {older} in the place of an older file" if older else ""
     print(f"\nwritten         {runs[0][0]} to {runs[-1][0]}{over}")
     print(f"to go on        kingpost statistics {options.output}")

@@ -7,43 +7,15 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from ..analysis import pooling
-from ..simulation.records import PARTS
+from ..simulation.outcomes import Outcome, in_words, of_run, with_partings
 from .tables import table
 
 if TYPE_CHECKING:
     import xarray
-
-# Not the digits of a name, as in leg_2.
-NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
-PARTED = "parted at"
-ENERGY, OFF_BALANCE = "energy", "is off its balance by"
-"""The name of a warning and how its text begins."""
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What came of a run: its seed, and its limits and warnings as dictionaries, as data sets have them."""
-
-    seed: int
-    limits: list[dict[str, Any]]
-    warnings: list[dict[str, Any]]
-
-    @property
-    def is_off_balance(self) -> bool:
-        """Whether the energy of the run does not balance, so that its numbers are not to be trusted."""
-        return any(one["name"] == ENERGY and one["text"].startswith(OFF_BALANCE) for one in self.warnings)
-
-
-def of_run(attributes: Mapping[str, Any], seed: int) -> Outcome:
-    """What came of a run, by the attributes of its data set."""
-    names = ("limits", "warnings", "events")
-    return _outcome(seed, *(json.loads(attributes.get(name, "[]")) for name in names))
 
 
 def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
@@ -57,33 +29,8 @@ def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
         # Each is a list for each run.
         limits, warnings = (json.loads(run.attrs.get(name, "[]")) for name in ("limits", "warnings"))
         each = zip(seeds, limits or [[]] * len(seeds), warnings or [[]] * len(seeds), strict=True)
-        found += [_outcome(*one) for one in each]
+        found += [with_partings(*one) for one in each]
     return found
-
-
-def _outcome(
-    seed: int,
-    limits: list[dict[str, Any]],
-    warnings: list[dict[str, Any]],
-    events: Sequence[dict[str, Any]] = (),
-) -> Outcome:
-    """What came of a run; among its warnings each rope that parted, with the time."""
-    told = {warning["name"] for warning in warnings if warning["text"].startswith(PARTS)}
-    untold = [{"time_s": event["time_s"], "name": event["element"], "text": PARTS}
-              for event in events if event["what"] == PARTS and event["element"] not in told]  # fmt: skip
-    return Outcome(seed, limits, [_with_time_of_parting(warning) for warning in warnings + untold])
-
-
-def _with_time_of_parting(warning: dict[str, Any]) -> dict[str, Any]:
-    """A warning; of a rope that parts with the time in its text.
-
-    >>> _with_time_of_parting({"time_s": 67.2913, "name": "whip", "text": "parts: its load"})["text"]
-    'parted at 67.29 s: its load'
-    """
-    text = warning["text"]
-    if not text.startswith(PARTS):
-        return warning
-    return warning | {"text": f"{PARTED} {warning['time_s']:.2f} s{text.removeprefix(PARTS)}"}
 
 
 def blocks(outcomes: Sequence[Outcome]) -> list[list[str]]:
@@ -155,33 +102,7 @@ def _allowed(limit: Mapping[str, Any]) -> str:
 
 
 def warnings(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
-    """What the engine warned of, a line each, of ropes that parted and of the rest; what it said of several
-    runs, but for its numbers, once."""
-    alike: dict[tuple[str, str], dict[int, list[str]]] = {}
-    for run, outcome in enumerate(outcomes):
-        for warning in outcome.warnings:
-            pattern = NUMBER.sub("#", warning["text"]) if len(outcomes) > 1 else warning["text"]
-            alike.setdefault((warning["name"], pattern), {}).setdefault(run, []).append(warning["text"])
-    of_parting: list[str] = []
-    others: list[str] = []
-    for (name, _), texts in alike.items():
-        first = next(iter(texts.values()))[0]
-        named = f"{name} {first}" if first.startswith(PARTED) else f"{name}: {first}"
-        said = f"warning: {named}"
-        if len(outcomes) > 1:
-            said = (
-                f"warning, in {len(texts)} of {len(outcomes)} runs{_range(outcomes, texts)}, first: {named}"
-            )
-        (of_parting if first.startswith(PARTED) else others).append(said)
-    return of_parting, others
-
-
-def _range(outcomes: Sequence[Outcome], texts: Mapping[int, Sequence[str]]) -> str:
-    """The smallest and the largest first number of texts that differ in it, with the seeds of their runs."""
-    numbers = [(found.group(), outcomes[run].seed) for run, told in texts.items()
-               for text in told if (found := NUMBER.search(text))]  # fmt: skip
-    ends = [end(numbers, key=lambda one: float(one[0])) for end in (min, max)] if numbers else []
-    if not ends or ends[0][0] == ends[1][0]:
-        return ""
-    smallest, largest = (f"{number} (seed {seed})" for number, seed in ends)
-    return f", from {smallest} to {largest}"
+    """What the engine warned of, a line each, of ropes that parted and of the rest."""
+    begin = "warning, " if len(outcomes) > 1 else "warning: "
+    of_parting, others = in_words(outcomes)
+    return [begin + words for words in of_parting], [begin + words for words in others]

@@ -2,7 +2,7 @@
 
 from .columns import column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
 from .dataset import attributes, dataset
-from .events import events
+from .events import events, warnings
 from .files import ENDINGS, check_output, read, write
 
 __all__ = [
@@ -18,5 +18,6 @@ __all__ = [
     "read",
     "unit_coordinate",
     "unit_of",
+    "warnings",
     "write",
 ]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from .. import output
 from ..errors import KingpostError
 from .columns import columns, frame, unit_of
-from .events import events
+from .events import events, warnings
 
 if TYPE_CHECKING:
     import xarray
@@ -26,7 +26,8 @@ def write(results: xarray.Dataset, path: str | Path) -> Path:
 
     A CSV holds the numbers alone; units and attributes are in the other two: in Parquet the unit of a
     column is in the metadata of its field. Where anything happened, its table (`events`) stands beside a
-    CSV, as ``<name>.events.csv``; one of an earlier run that is there is written anew in any case.
+    CSV, as ``<name>.events.csv``, and so does that of the warnings (`warnings`), ``<name>.warnings.csv``; one
+    of an earlier run that is there is written anew in any case.
     """
     path = check_output(path)
     ending = path.suffix.lower()
@@ -34,9 +35,10 @@ def write(results: xarray.Dataset, path: str | Path) -> Path:
         return output.write_netcdf(results, path)
     if ending == ".csv":
         output.write_csv(frame(results), path)
-        happened, beside = events(results), path.with_suffix(".events.csv")
-        if happened.sizes["event"] or beside.exists():
-            output.write_csv(happened.to_dataframe(), beside)
+        for of, table in (("event", events(results)), ("warning", warnings(results))):
+            beside = path.with_suffix(f".{of}s.csv")
+            if table.sizes[of] or beside.exists():
+                output.write_csv(table.to_dataframe(), beside)
     else:
         with output.whole(path) as beside:
             _write_parquet(results, beside)

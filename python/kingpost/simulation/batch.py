@@ -13,12 +13,15 @@ from .. import results
 from ..engine import engine
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario, as_scenario
-from .simulate import Progress
+from .outcomes import in_words, with_partings
+from .simulate import Progress, Simulation
+from .telling import tell
 
 if TYPE_CHECKING:
     import xarray
 
 FINISHED = "finished"
+SEED = "simulation.seed"
 
 
 class Batch:
@@ -76,7 +79,8 @@ class Batch:
             The variables of `kingpost.run` with a first dimension ``run``; along it the values of
             the parameters and ``status``, which is ``finished`` or why the run ended. A run that
             ended early has NaN from there on. The attributes ``warnings`` and
-            ``limits`` are a list for each run, as JSON.
+            ``limits`` are a list for each run, as JSON. What is known before, ``model_warnings``, is that
+            of the first run. Each warning, of many runs once, is a `KingpostWarning` too.
 
         Raises
         ------
@@ -88,6 +92,7 @@ class Batch:
         if threads < 0:
             raise KingpostError(f"threads: found {threads}, allowed: 0 or more")
         variants = [self.scenario.overrides + variant for variant in self._variants()]
+        known = self._known()
         rows, errors, published = engine.batch(
             self.scenario.text,
             self.scenario.file,
@@ -102,11 +107,31 @@ class Batch:
         found = results.dataset(self.scenario, channels, _stacked(rows), about)
         found.attrs["warnings"] = json.dumps(warnings)
         found.attrs["limits"] = json.dumps(limits)
+        found.attrs["model_warnings"] = json.dumps(known)
+        tell([*known, *self._came_of(limits, warnings)])
         return found.assign_coords(
             run=np.arange(len(status)),
             status=("run", np.array(status, str)),
             **{name: ("run", np.array(values)) for name, values in self.parameters.items()},
         )
+
+    def _known(self) -> list[str]:
+        """What one should know before the first run."""
+        for variant in self._variants()[:1]:
+            try:
+                return Simulation(self.scenario.with_overrides(dict(variant))).model_warnings
+            except KingpostError:
+                # The engine says better which variant is wrong.
+                break
+        return []
+
+    def _came_of(self, limits: list[list[dict[str, Any]]], warnings: list[list[dict[str, Any]]]) -> list[str]:
+        """What the engine warned of, of runs that differ in their seeds alone by their seeds."""
+        seeds = self.parameters.get(SEED) if len(self.parameters) == 1 else None
+        counted_by = "run" if seeds is None else "seed"
+        runs = zip(seeds or range(len(warnings)), limits, warnings, strict=True)
+        of_parting, others = in_words([with_partings(*run, counted_by=counted_by) for run in runs])
+        return [*of_parting, *others]
 
     def _variants(self) -> list[tuple[tuple[str, Any], ...]]:
         by_run = zip(*self.parameters.values(), strict=True)

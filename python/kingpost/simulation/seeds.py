@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import results
 from ..errors import KingpostError
-from .batch import FINISHED, Batch
+from .batch import FINISHED, SEED, Batch
 from .simulate import Progress
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
     from ..scenario import Scenario
 
-SEED = "simulation.seed"
 TOGETHER = 16
 """Runs that are in memory at a time."""
 
@@ -74,4 +73,5 @@ def _alone(scenario: Scenario, batch: xarray.Dataset, run: int) -> xarray.Datase
         of_batch = of_batch.isel(time=np.arange(recorded.sum()))
     alone = of_batch.drop_vars(["run", "status", SEED])
     own = {name: json.dumps(json.loads(batch.attrs[name])[run]) for name in ("warnings", "limits")}
-    return alone.assign_attrs(results.attributes(scenario, status), **own)
+    own["model_warnings"] = batch.attrs["model_warnings"]
+    return alone.assign_attrs(results.attributes(scenario, status) | own)

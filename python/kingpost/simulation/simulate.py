@@ -17,9 +17,12 @@ import numpy as np
 
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario, as_scenario, load
+from . import step_limit
 from .linear import Equilibrium, Linearization, labelled
 from .matrices import MovingFrame
+from .outcomes import every_warning
 from .records import DrawnLine, Event, Input, LeverMove, Limit, State, Warning
+from .telling import tell
 
 if TYPE_CHECKING:
     import xarray
@@ -69,7 +72,8 @@ class Simulation:
         """Run from here to the scenario's duration and return what was recorded.
 
         The attributes ``events``, ``warnings`` and ``limits`` say what happened, what one should know of it,
-        and how the scenario's limits held, as JSON.
+        and how the scenario's limits held, as JSON; ``model_warnings`` has what was known before. Each
+        warning is a `KingpostWarning` too.
 
         `progress` is called now and then with the time in seconds.
 
@@ -82,12 +86,15 @@ class Simulation:
         """
         from ..results.dataset import dataset
 
+        known = self.model_warnings
         rows, error = self._engine.run(progress)
         status = "finished" if error is None else str(error) or "interrupted"
         results = dataset(self.scenario, self.channels, rows, status)
         results.attrs["events"] = json.dumps([asdict(event) for event in self.events])
         results.attrs["warnings"] = json.dumps([asdict(warning) for warning in self.warnings])
         results.attrs["limits"] = json.dumps([asdict(limit) for limit in self.limits])
+        results.attrs["model_warnings"] = json.dumps(known)
+        tell(every_warning(results.attrs))
         if error is not None:
             error.results = results
             raise error
@@ -101,6 +108,22 @@ class Simulation:
         []
         """
         return [Event(*event) for event in self._engine.events()]
+
+    @property
+    def model_warnings(self) -> list[str]:
+        """What one should know before a run from here: of the model, and of a step that is too long for its
+        scheme (`kingpost.stable_step`).
+
+        >>> Simulation(load("paper", {"simulation.step_s": 0.001})).model_warnings
+        []
+        """
+        settings, known = self.scenario.resolved["simulation"], list(self.scenario.model["warnings"])
+        try:
+            too_long = step_limit.warning(settings, lambda: self._engine.linearize()[0])
+        except KingpostError:
+            # What cannot be linearised where it begins, the run itself says better.
+            return known
+        return known if too_long is None else [*known, too_long]
 
     @property
     def warnings(self) -> list[Warning]:
