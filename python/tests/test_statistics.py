@@ -1,6 +1,7 @@
 """Statistics of records: Gaussian processes of a known spectrum, Gumbel samples, the engine's own sea."""
 
 import json
+from pathlib import Path
 
 import kingpost
 import numpy as np
@@ -11,6 +12,8 @@ from kingpost import KingpostError
 from kingpost.analysis import statistics
 from kingpost.cli import main
 from kingpost.reports import statistics as statistics_report
+from kingpost.results import files
+from xarray.backends.h5netcdf_ import H5NetCDFArrayWrapper
 
 # A spectrum as broad as that of a sea, m0 = 1, about 0.8 rad/s.
 PEAK, WIDTH = 0.8, 0.2
@@ -226,8 +229,8 @@ def test_the_command_reads_what_run_writes(tmp_path, capsys) -> None:
     shown = capsys.readouterr().out
     rows = {line.split()[0]: line.split()[1:] for line in shown.splitlines() if "." in line.split(" ")[0]}
     assert (rows["luff.joint_position"][0], rows["luff.joint_position"][2]) == ("deg", "0.0000")
-    assert rows["pendant.joint_reaction.force_z"][0] == "N"
-    assert rows["pendant.joint_reaction.moment_z"][:2] == ["N", "m"]
+    assert rows["pendant.joint_reaction.force_z"][0] == "kN"
+    assert rows["pendant.joint_reaction.moment_z"][:2] == ["kN", "m"]
     assert main(["statistics", file, "--after_s", "1", "--channels", "arm.ro*"]) == 0
     shown = capsys.readouterr().out
     assert "arm.roll" in shown
@@ -241,12 +244,12 @@ def test_only_runs_that_differ_in_their_seeds_are_pooled(tmp_path, capsys) -> No
     short = recorded(tmp_path, 2, duration_s=600.0, significant_height_m=1)
     again = recorded(tmp_path, 0, significant_height_m=1)
     height = "sea.waves.wind_sea.jonswap.significant_height_m"
-    for files, message in [
+    for of_seeds, message in [
         ([first, higher], f"{higher}: found {height} 3.0, allowed: 1.0, as in {first}"),
         ([first, short], f"{short}: found 2400 records to 599.75 s, allowed: 7200 records to 1799.75 s"),
         ([first, again], f"{again}: found simulation.seed 0, which is that of {first}"),
     ]:
-        assert main(["statistics", *files]) == 2
+        assert main(["statistics", *of_seeds]) == 2
         assert message in capsys.readouterr().err
     assert main(["statistics", first, recorded(tmp_path, 3, significant_height_m=1)]) == 0
 
@@ -354,3 +357,78 @@ def test_so_are_those_of_a_batch() -> None:
 
 def _text(runs: list[xarray.Dataset]) -> str:
     return statistics_report.text(runs, pandas.DataFrame(), 0.0)
+
+
+def test_a_damaged_file_is_refused_in_one_line_and_none_keeps_the_program(tmp_path, capsys) -> None:
+    """Source: a file cut short, bytes of its headers overwritten by others, and a text."""
+    whole = Path(recorded(tmp_path, 0, duration_s=60.0)).read_bytes()
+    rng = np.random.default_rng(0)
+    damaged = {f"cut_{size}": whole[:size] for size in (8, len(whole) // 2)}
+    for _ in range(2):
+        at = int(rng.integers(8, min(6000, len(whole))))
+        damaged[f"at_{at}"] = whole[:at] + rng.bytes(24) + whole[at + 24 :]
+    for name, content in damaged.items():
+        file = tmp_path / f"{name}.nc"
+        file.write_bytes(content)
+        code = main(["statistics", str(file), "--after_s", "0"])
+        said = capsys.readouterr().err
+        assert code in (0, 2), name
+        assert (said == "") == (code == 0), "an error is one line"
+        assert said.count("\n") == (0 if code == 0 else 1)
+        if name.startswith("cut"):
+            assert code == 2
+            assert "allowed: results in NetCDF" in said
+
+
+def test_a_file_on_which_the_library_does_not_end_is_refused(tmp_path, monkeypatch) -> None:
+    file = recorded(tmp_path, 0, duration_s=60.0)
+    endless = tmp_path / "results" / "probe.py"
+    endless.parent.mkdir()
+    endless.write_text("while True: pass", encoding="utf-8")
+    monkeypatch.setattr(files, "__file__", str(endless.with_name("files.py")))
+    with pytest.raises(KingpostError, match="found a damaged file"):
+        files.open_all([file], time_limit_s=0.5)
+
+
+def test_all_columns_take_the_time_of_reading_them_once(tmp_path, monkeypatch) -> None:
+    """Each variable is read from a file once for all of its columns, and what is not asked for not at all."""
+    file = str(tmp_path / "run.nc")
+    kingpost.results.write(kingpost.run("paper", {"simulation.duration_s": 0.1}), file)
+    read: list[str] = []
+    numbers = H5NetCDFArrayWrapper._getitem
+    monkeypatch.setattr(
+        H5NetCDFArrayWrapper,
+        "_getitem",
+        lambda self, key: (read.append(self.variable_name), numbers(self, key))[1],
+    )
+    (run,) = kingpost.results.open_all([file])
+    read.clear()
+    found = statistics_report.frame([run], 0.0, ["*"])
+    assert len(found) > 100
+    assert len(read) == len(set(read)) == len(run.data_vars)
+    read.clear()
+    statistics_report.frame([run], 0.0, ["ship.roll"])
+    assert read == ["roll"]
+
+
+def test_runs_with_other_files_behind_them_are_not_pooled(tmp_path, capsys) -> None:
+    """Two databases of one name are two."""
+    names = []
+    for seed, digest in ((1, "a" * 64), (2, "b" * 64)):
+        path = recorded(tmp_path, seed)
+        found = xarray.load_dataset(path, engine="h5netcdf")
+        found.attrs["files"] = json.dumps({"hydro/ship.hydro.json": digest})
+        names.append(str(tmp_path / f"other_{seed}.nc"))
+        found.to_netcdf(names[-1], engine="h5netcdf")
+    assert main(["statistics", *names]) == 2
+    assert "found the file hydro/ship.hydro.json with SHA-256 bbbbbbbbbbbb" in capsys.readouterr().err
+
+
+def test_tables_are_in_the_units_of_engineers_with_heights_of_points_and_forces_of_lines() -> None:
+    run = kingpost.run("lowering_by_winch", {"simulation.duration_s": 2})
+    found = statistics_report.frame([run], 0.0).set_index("channel")
+    rope = next(name for name in found.index if name.endswith(".rope_tension"))
+    assert found.loc[rope, "unit"] == "kN"
+    largest = float(run["rope_tension"].sel(rope=rope.removesuffix(".rope_tension")).max())
+    assert found.loc[rope, "maximum"] == pytest.approx(largest / 1e3)
+    assert any(name.endswith(".point_position.z") for name in found.index)

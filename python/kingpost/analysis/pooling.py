@@ -29,10 +29,10 @@ def check(runs: Sequence[xarray.Dataset]) -> None:
     first, files = runs[0], dict[Any, str]()
     expected = _settings(first)
     for run in runs:
-        file = _file(run)
+        file = file_of(run)
         for name, (found, allowed) in _differences(_settings(run), expected):
             raise KingpostError(
-                f"{file}: found {name} {found}, allowed: {allowed}, as in {_file(first)}: "
+                f"{file}: found {name} {found}, allowed: {allowed}, as in {file_of(first)}: "
                 f"runs of one scenario that differ in {SEED} only"
             )
         if not np.array_equal(run["time"].values, first["time"].values):
@@ -40,7 +40,7 @@ def check(runs: Sequence[xarray.Dataset]) -> None:
                 f"{len(t)} records to {t[-1]:g} s" for t in (run["time"].values, first["time"].values)
             )
             raise KingpostError(
-                f"{file}: found {found}, allowed: {allowed}, as in {_file(first)}: "
+                f"{file}: found {found}, allowed: {allowed}, as in {file_of(first)}: "
                 "runs recorded at the same times"
             )
         for seed in seeds(run):
@@ -52,14 +52,18 @@ def check(runs: Sequence[xarray.Dataset]) -> None:
             files[seed] = file
 
 
-def _file(run: xarray.Dataset) -> str:
+def file_of(run: xarray.Dataset) -> str:
+    """The file that a run was read from, else its scenario's."""
     return str(run.encoding.get("source") or run.attrs.get("source", "results"))
 
 
 def _settings(run: xarray.Dataset) -> dict[str, Any]:
-    """The resolved scenario by dotted names, without the seed and words."""
+    """The resolved scenario by dotted names, without the seed and words, and the digests of the files that
+    it names: two databases of one name are not one."""
     found = _flat(json.loads(run.attrs.get("scenario", "{}")))
-    return {name: value for name, value in found if name != SEED and name.partition(".")[0] not in WORDS}
+    kept = {name: value for name, value in found if name != SEED and name.partition(".")[0] not in WORDS}
+    digests = json.loads(run.attrs.get("files", "{}"))
+    return kept | {f"the file {name} with SHA-256": digest[:12] for name, digest in digests.items()}
 
 
 def _flat(tree: Any, name: str = "") -> Iterator[tuple[str, Any]]:
@@ -98,7 +102,7 @@ def seeds(run: xarray.Dataset) -> list[Any]:
             found_seeds = values.values.tolist()
         elif len(found := np.unique(values.values)) > 1:
             raise KingpostError(
-                f"{_file(run)}: found runs with {name} {found[0]} and {found[1]}, allowed: "
+                f"{file_of(run)}: found runs with {name} {found[0]} and {found[1]}, allowed: "
                 f"runs of one scenario that differ in {SEED} only"
             )
     return found_seeds

@@ -24,8 +24,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read the runs and draw them."""
     from ..reports import plot
-    from ..results import read
+    from ..results import open_all
 
-    runs = [read(path) for path in options.files]
+    runs = open_all(options.files)
     print(f"written  {plot.write(runs, options.output, options.channels)}")
     return DONE

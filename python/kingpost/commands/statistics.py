@@ -24,10 +24,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read the runs and print their statistics."""
     from ..reports.statistics import frame, text
-    from ..results import read
+    from ..results import open_all
 
     output = check_output(options.output, (".csv",)) if options.output is not None else None
-    runs = [read(path) for path in options.files]
+    runs = open_all(options.files)
     found = frame(runs, options.after_s, options.channels)
     print(text(runs, found, options.after_s))
     if output:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import json
-import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .. import output
+from ..analysis import pooling
 from ..errors import KingpostError
 from ..results.columns import unit_of
-from .statistics import chosen, series_of
+from ..results.units import engineering
+from .selection import chosen, of_time
 
 if TYPE_CHECKING:
     import xarray
@@ -19,15 +20,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 ENDINGS = (".png", ".svg", ".pdf")
-SHOWN = {
-    "rad": ("deg", math.pi / 180),
-    "rad/s": ("deg/s", math.pi / 180),
-    "N": ("kN", 1e3),
-    "N m": ("kN m", 1e3),
-    "J": ("kJ", 1e3),
-    "W": ("kW", 1e3),
-}
-"""Units as a picture shows them, and how many of the SI unit they are."""
 WIDTH_IN, PANEL_HEIGHT_IN = 11.0, 2.3
 MOST_LINES = 8
 """Lines of one panel: more cannot be told apart."""
@@ -114,7 +106,7 @@ def _panels(
     names = limited | chosen(run, patterns)
     panels: dict[str, list[str]] = {}
     for name, unit in names.items():
-        panels.setdefault(_shown(unit)[0], []).append(name)
+        panels.setdefault(engineering(unit)[0], []).append(name)
     if not panels:
         raise KingpostError("--channels: found no column to show, allowed: columns as ship.roll, or ship.*")
     for unit, found in panels.items():
@@ -124,23 +116,28 @@ def _panels(
     return {unit: found[:MOST_LINES] for unit, found in panels.items()}
 
 
-def _shown(unit: str) -> tuple[str, float]:
-    return SHOWN.get(unit, (unit, 1.0))
-
-
 def _draw(axes: Axes, runs: Sequence[xarray.Dataset], name: str, colour: str) -> None:
     for run in runs:
-        for series in series_of(run, name):
-            factor = _shown(unit_of(series))[1]
+        for series in _series(run, name):
+            factor = engineering(unit_of(series))[1]
             label = name if run is runs[0] else None
             axes.plot(run["time"], series.values / factor, colour, lw=1, alpha=0.7, label=label)
+
+
+def _series(run: xarray.Dataset, name: str) -> Iterator[xarray.DataArray]:
+    """A column of each run of a data set; none where it has none."""
+    place = of_time(run).get(name)
+    if place is None:
+        raise KingpostError(f"{pooling.file_of(run)}: found no column {name}, allowed: runs of one scenario")
+    series = place.of(run)
+    yield from [series] if "run" not in series.dims else (series.isel(run=k) for k in range(run.sizes["run"]))
 
 
 def _draw_limit(axes: Axes, limit: dict[str, Any] | None, unit: str, colour: str) -> None:
     """The bounds of a column, where they are in the panel's unit or in the SI unit of it."""
     if limit is None:
         return
-    shown, factor = (unit, 1.0) if limit["unit"] == unit else _shown(limit["unit"])
+    shown, factor = (unit, 1.0) if limit["unit"] == unit else engineering(limit["unit"])
     for bound in (limit["at_least"], limit["at_most"]):
         if bound is not None and shown == unit:
             axes.axhline(bound / factor, color=colour, ls="--", lw=0.8)

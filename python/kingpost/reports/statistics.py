@@ -4,29 +4,27 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
-from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..analysis import pooling, statistics
 from ..errors import KingpostError
-from ..results.columns import columns, floating_bodies, unit_of
+from ..results.units import engineering
 from ..simulation.batch import FINISHED
 from . import outcomes
+from .selection import chosen, of_time
 from .tables import fixed, table
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-# Of these where no channels are named; a floating body's place and angles, and all of the others.
-OF_SHIPS = ("position.z", "roll", "pitch", "yaw")
-ALL_OF = ("wave_elevation", "joint_position", "line_tension")
 FEWEST_RUNS, ENOUGH_RUNS = 5, 10
 """Runs that an extreme is fitted to, and those that give an error worth having."""
 SMALLEST_MOTION = 1e-12
 """What varies by less than this share of its size stands still but for rounding."""
+DEVIATIONS = ("standard_deviation", "significant_amplitude", "significant_double_amplitude")
 HEADINGS = {
     "mean": "mean",
     "standard_deviation": "deviation",
@@ -57,7 +55,7 @@ def exposure_s(results: xarray.Dataset, after_s: float | None) -> float:
 def frame(
     runs: Sequence[xarray.Dataset], after_s: float | None, patterns: Sequence[str] = ()
 ) -> pandas.DataFrame:
-    """A row for each channel: its unit (angles in deg), its statistics and, from five runs on, the expected
+    """A row for each channel: its unit (deg, kN, t), its statistics and, from five runs on, the expected
     largest and smallest value of three hours, or of one operation, with their standard errors.
 
     Of several runs mean, deviation, double amplitude and period are the means over them, the largest and the
@@ -74,15 +72,59 @@ def frame(
     first = start_s(runs[0], after_s)
     exposure = exposure_s(runs[0], after_s)
     names = chosen(runs[0], patterns)
+    pooled = _pooled(runs, list(names), first)
+    record_s = float(runs[0]["time"].values[-1]) - first
     rows = []
     for name, unit in names.items():
-        series = [part for run in runs for part in series_of(run, name)]
-        if not patterns and all(_stands_still(statistics.after(part, first).values) for part in series):
+        of_runs = pooled[name]
+        if not patterns and of_runs["still"].all():
             continue
-        scale = 180 / np.pi if unit == "rad" else 1.0
-        row = _row(series, first, exposure, scale)
-        rows.append({"channel": name, "unit": "deg" if unit == "rad" else unit, **row})
+        shown, size = engineering(unit)
+        rows.append({"channel": name, "unit": shown, **_row(of_runs, record_s, exposure, 1 / size)})
     return pandas.DataFrame(rows)
+
+
+def _pooled(
+    runs: Sequence[xarray.Dataset], names: Sequence[str], after_s: float
+) -> dict[str, dict[str, np.ndarray]]:
+    """By column and statistic the values of all runs; one run's numbers are in memory at a time."""
+    found: dict[str, list[dict[str, float]]] = {name: [] for name in names}
+    for run in runs:
+        for side_by_side in _tables(run, names):
+            for name, one in zip(names, _summaries(side_by_side, after_s), strict=True):
+                found[name].append(one)
+    return {
+        name: {key: np.array([one[key] for one in of_runs]) for key in of_runs[0]}
+        for name, of_runs in found.items()
+    }
+
+
+def _tables(run: xarray.Dataset, names: Sequence[str]) -> Iterator[xarray.DataArray]:
+    """The columns side by side, over time: one table for each run of a data set."""
+    import xarray
+
+    every = of_time(run)
+    for name in names:
+        if name not in every:
+            file = pooling.file_of(run)
+            raise KingpostError(f"{file}: found no channel {name}, allowed: runs of one scenario")
+    loaded = run[list({every[name].variable: None for name in names})].compute()
+    series = [every[name].of(loaded) for name in names]
+    for k in range(run.sizes.get("run", 1)):
+        alone = [one.isel(run=k) if "run" in one.dims else one for one in series]
+        values = np.stack([one.values for one in alone], axis=-1)
+        yield xarray.DataArray(values, {"time": run["time"].values}, ("time", "column"))
+
+
+def _summaries(table: xarray.DataArray, after_s: float) -> Iterator[dict[str, float]]:
+    kept = statistics.after(table, after_s)
+    found = statistics.summary(kept).transpose("column", "statistic").values
+    for values, row in zip(kept.values.T, found, strict=True):
+        one = dict(zip(statistics.STATISTICS, map(float, row), strict=True))
+        still = _stands_still(values)
+        if still:
+            one |= dict.fromkeys(DEVIATIONS, 0.0)
+        yield {**one, "still": still}
 
 
 def text(runs: Sequence[xarray.Dataset], found: pandas.DataFrame, after_s: float | None) -> str:
@@ -138,68 +180,19 @@ def _stands_still(values: np.ndarray) -> bool:
     return bool(np.ptp(values) <= SMALLEST_MOTION * np.abs(values).max())
 
 
-def chosen(results: xarray.Dataset, patterns: Sequence[str]) -> dict[str, str]:
-    """Names of flat columns with their units."""
-    found = {name: unit_of(series) for name, series in _columns(results)}
-    if not patterns:
-        return {name: unit for name, unit in found.items() if _is_default(results, name)}
-    chosen = {name: unit for name, unit in found.items() if any(fnmatchcase(name, p) for p in patterns)}
-    for pattern in patterns:
-        if not any(fnmatchcase(name, pattern) for name in found):
-            raise KingpostError(
-                f"--channels: found {pattern!r}, allowed: columns as ship.roll, or patterns as ship.*"
-            )
-    return chosen
-
-
-def _is_default(results: xarray.Dataset, name: str) -> bool:
-    return name in [
-        f"{body}.{quantity}" for body in floating_bodies(results) for quantity in OF_SHIPS
-    ] or any(variable in name.split(".") for variable in ALL_OF)
-
-
-def _columns(results: xarray.Dataset) -> Iterator[tuple[str, xarray.DataArray]]:
-    """Flat columns as `kingpost run -o FILE.csv` names them, over time and, of many runs, ``run``."""
-    over_time = results[[name for name, values in results.data_vars.items() if "time" in values.dims]]
-    return columns(over_time, along=("time", "run"))
-
-
-def series_of(results: xarray.Dataset, name: str) -> list[xarray.DataArray]:
-    """One channel of each run of a data set."""
-    for found, series in _columns(results):
-        if found == name:
-            return (
-                [series]
-                if "run" not in series.dims
-                else [series.isel(run=i) for i in range(series.sizes["run"])]
-            )
-    raise KingpostError(
-        f"{results.attrs.get('source', '')}: found no channel {name}, allowed: runs of one scenario"
-    )
-
-
-def _row(
-    series: Sequence[xarray.DataArray], after_s: float, exposure: float, scale: float
-) -> dict[str, float]:
-    summaries = [statistics.summary(part, after_s) for part in series]
-    by_name = {
-        name: np.array([float(s.sel(statistic=name)) for s in summaries]) for name in statistics.STATISTICS
-    }
-    still = [_stands_still(statistics.after(part, after_s).values) for part in series]
-    for name in ("standard_deviation", "significant_amplitude", "significant_double_amplitude"):
-        by_name[name][still] = 0.0
+def _row(of_runs: dict[str, np.ndarray], record_s: float, exposure: float, scale: float) -> dict[str, float]:
     row = {
-        name: float(values.mean()) * (1.0 if name == "zero_up_crossing_period" else scale)
-        for name, values in by_name.items()
+        name: float(of_runs[name].mean()) * (1.0 if name == "zero_up_crossing_period" else scale)
+        for name in statistics.STATISTICS
     }
     # The largest is that of all runs.
-    row["maximum"], row["minimum"] = (
-        scale * float(by_name["maximum"].max()),
-        scale * float(by_name["minimum"].min()),
-    )
-    if len(series) >= FEWEST_RUNS:
-        record_s = float(series[0]["time"].values[-1]) - after_s
-        for side, sign, values in (("largest", 1, by_name["maximum"]), ("smallest", -1, by_name["minimum"])):
+    row["maximum"] = scale * float(of_runs["maximum"].max())
+    row["minimum"] = scale * float(of_runs["minimum"].min())
+    if len(of_runs["maximum"]) >= FEWEST_RUNS:
+        for side, sign, values in (
+            ("largest", 1, of_runs["maximum"]),
+            ("smallest", -1, of_runs["minimum"]),
+        ):
             row |= _extreme(side, scale, sign, values, record_s, exposure)
     return row
 

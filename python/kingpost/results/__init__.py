@@ -3,7 +3,7 @@
 from .columns import column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
 from .dataset import attributes, dataset
 from .events import events, warnings
-from .files import ENDINGS, check_output, read, write
+from .files import ENDINGS, check_output, open_all, read, write
 
 __all__ = [
     "ENDINGS",
@@ -15,6 +15,7 @@ __all__ = [
     "events",
     "floating_bodies",
     "frame",
+    "open_all",
     "read",
     "unit_coordinate",
     "unit_of",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Hashable, Iterator, Sequence
+from dataclasses import dataclass
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -49,11 +50,33 @@ def columns(
     results: xarray.Dataset, along: Sequence[str] = ("time",)
 ) -> Iterator[tuple[str, xarray.DataArray]]:
     """The flat columns with their names: each goes along time, and along what else is asked for."""
+    for name, place in places(results, along).items():
+        yield name, place.of(results)
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a flat column is in a data set: its variable, and its index in each dimension but time."""
+
+    variable: Hashable
+    at: dict[Hashable, int]
+
+    def of(self, results: xarray.Dataset) -> xarray.DataArray:
+        """The column."""
+        return results[self.variable].isel(self.at)
+
+
+def places(results: xarray.Dataset, along: Sequence[str] = ("time",)) -> dict[str, Place]:
+    """Where each flat column is, by name; no number is read for it."""
+    found: dict[str, Place] = {}
     for variable in results.data_vars.values():
         dims = [dim for dim in variable.dims if dim not in along]
-        for labels in product(*(results[dim].values for dim in dims)):
-            at = dict(zip(dims, labels, strict=True))
-            yield column_name(variable, at), variable.sel(at)
+        labels = [list(enumerate(results[dim].values)) for dim in dims]
+        for entry in product(*labels):
+            at = dict(zip(dims, entry, strict=True))
+            name = column_name(variable, {dim: label for dim, (_, label) in at.items()})
+            found[name] = Place(variable.name, {dim: index for dim, (index, _) in at.items()})
+    return found
 
 
 def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:

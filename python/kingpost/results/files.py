@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
+import json
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from .. import output
 from ..errors import KingpostError
@@ -14,6 +21,23 @@ if TYPE_CHECKING:
     import xarray
 
 ENDINGS = (".nc", ".csv", ".parquet")
+ALLOWED = "allowed: results in NetCDF, as kingpost run -o FILE.nc writes them"
+DAMAGED = "found a damaged file"
+HDF5 = b"\x89HDF\r\n\x1a\n"
+"""How a file of NetCDF begins."""
+TIME_LIMIT_S = 60.0
+"""Time in which a file is read."""
+JSON_ATTRIBUTES = {
+    "scenario": dict,
+    "files": dict,
+    "versions": dict,
+    "events": list,
+    "warnings": list,
+    "limits": list,
+    "model_warnings": list,
+    "floating_bodies": list,
+}
+"""Attributes that are JSON, and what they hold."""
 
 
 def check_output(path: str | Path) -> Path:
@@ -58,18 +82,92 @@ def _write_parquet(results: xarray.Dataset, path: Path) -> None:
 
 
 def read(path: str | Path) -> xarray.Dataset:
-    """A data set that `kingpost run -o FILE.nc` wrote, or `Batch`."""
+    """A data set that `kingpost run -o FILE.nc` wrote, or `Batch`.
+
+    Raises
+    ------
+    KingpostError
+        When there is no such file, or it is damaged, or something else.
+    """
     import xarray
 
-    allowed = "allowed: results in NetCDF, as kingpost run -o FILE.nc writes them"
-    if not Path(path).is_file():
-        raise KingpostError(f"{path}: {'is a folder' if Path(path).is_dir() else 'no such file'}, {allowed}")
+    with _told(path):
+        return _checked(xarray.load_dataset(path, engine="h5netcdf"), path)
+
+
+def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) -> list[xarray.Dataset]:
+    """Data sets of files, of which numbers are read only when they are asked for.
+
+    The files are first read to the end in a process of its own, since the HDF5 library does not end, or
+    crashes, on some that are damaged: `time_limit_s` is what one file may take, s.
+
+    Raises
+    ------
+    KingpostError
+        As `read`, and when a file cannot be read to its end.
+    """
+    import xarray
+
+    for path in paths:
+        with _told(path):
+            Path(path).open("rb").close()
+    _probe([str(path) for path in paths], time_limit_s)
+    found = []
+    for path in paths:
+        with _told(path):
+            found.append(_checked(xarray.open_dataset(path, engine="h5netcdf", cache=False), path))
+    return found
+
+
+def _probe(paths: Sequence[str], time_limit_s: float) -> None:
+    command = [sys.executable, "-P", str(Path(__file__).with_name("probe.py")), *paths]
     try:
-        found = xarray.load_dataset(path, engine="h5netcdf")
+        # What the HDF5 library says of damage is for its authors.
+        done = subprocess.run(
+            command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=time_limit_s * len(paths)
+        )
+        through = done.stdout
+    except subprocess.TimeoutExpired as late:
+        through = late.stdout or b""
+    said = [*through.decode().split(), "stopped"]
+    for path, of_path in zip(paths, said, strict=False):
+        if of_path != "read":
+            raise _unreadable(path)
+
+
+@contextmanager
+def _told(path: str | Path) -> Iterator[None]:
+    """Where a file cannot be read, say so in one line."""
+    try:
+        if not Path(path).is_file():
+            what = "is a folder" if Path(path).is_dir() else "no such file"
+            raise KingpostError(f"{path}: {what}, {ALLOWED}")
+        yield
+    except KingpostError:
+        raise
     except PermissionError as error:
-        raise KingpostError(f"{path}: {error.strerror}, {allowed}") from None
-    except (OSError, ValueError):
-        raise KingpostError(f"{path}: found a file that is not NetCDF, {allowed}") from None
-    if "time" not in found.dims:
-        raise KingpostError(f"{path}: found no dimension time, {allowed}")
+        raise KingpostError(f"{path}: {error.strerror}, {ALLOWED}") from None
+    except Exception as error:
+        # Of a damaged file the libraries that read it raise whatever they stumble over.
+        raise _unreadable(path) from error
+
+
+def _unreadable(path: str | Path) -> KingpostError:
+    with Path(path).open("rb") as file:
+        is_hdf5 = file.read(len(HDF5)) == HDF5
+    return KingpostError(f"{path}: {DAMAGED if is_hdf5 else 'found a file that is not NetCDF'}, {ALLOWED}")
+
+
+def _checked(found: xarray.Dataset, path: str | Path) -> xarray.Dataset:
+    """A data set with a time, and attributes that can be read."""
+    if "time" not in found.dims or "time" not in found.coords:
+        raise KingpostError(f"{path}: found no dimension time, {ALLOWED}")
+    time = found["time"].values
+    if not (time.dtype.kind == "f" and time.size and np.isfinite(time).all()):
+        raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
+    for name, kind in JSON_ATTRIBUTES.items():
+        if name in found.attrs and not isinstance(json.loads(found.attrs[name]), kind):
+            raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
+    for name, variable in found.variables.items():
+        str(variable.attrs.get("column", name)).format_map(dict.fromkeys(variable.dims, ""))
     return found
