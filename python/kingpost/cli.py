@@ -53,7 +53,8 @@ COMMANDS = {
 
 
 class Parser(argparse.ArgumentParser):
-    """Reports a wrong command line in one line. An option has one spelling: `--seed` is not `--seeds`."""
+    """Reports a wrong command line in one line. An option has one spelling: `--seed` is not `--seeds`; but
+    underscores, as in the names of fields, count as hyphens."""
 
     def __init__(self, **settings: Any) -> None:
         super().__init__(**{"allow_abbrev": False} | settings)
@@ -69,7 +70,8 @@ class Parser(argparse.ArgumentParser):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
-    options = parser().parse_args(arguments)
+    given = sys.argv[1:] if arguments is None else arguments
+    options = parser().parse_args([hyphened(argument) for argument in given])
     try:
         with _ended_as_interrupted(), warnings.catch_warnings():
             # The commands say what there is to say of a run, in lines of their own.
@@ -85,6 +87,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # The reader of a pipe left; keep Python from complaining about it at its end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return DONE
+
+
+def hyphened(argument: str) -> str:
+    """An argument of the command line, in the name of an option with hyphens for underscores.
+
+    >>> hyphened("--after_s=3"), hyphened("--set=crane_x_m=0"), hyphened("crane_x_m=0")
+    ('--after-s=3', '--set=crane_x_m=0', 'crane_x_m=0')
+    """
+    if not argument.startswith("--"):
+        return argument
+    name, is_given, value = argument.partition("=")
+    return f"{name.replace('_', '-')}{is_given}{value}"
 
 
 @contextmanager

@@ -14,6 +14,15 @@ class KingpostWarning(UserWarning):
     """What one should know of a run that goes on: `warnings.filterwarnings` finds it by this category."""
 
 
+def flag(name: str) -> str:
+    """An option of the command line, as messages name it.
+
+    >>> flag("water_depth_m")
+    '--water-depth-m'
+    """
+    return f"--{name.replace('_', '-')}"
+
+
 class KingpostError(Exception):
     """Base of every error that Kingpost raises on purpose."""
 

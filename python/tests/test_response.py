@@ -106,10 +106,10 @@ def test_the_crane_is_taken_as_it_stands() -> None:
 
 def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) -> None:
     grid = [
-        "--directions_deg",
+        "--directions-deg",
         "180",
         "90",
-        "--frequencies_rad_s",
+        "--frequencies-rad-s",
         "0.5:1.5:5",
         "--points",
         "ship",
@@ -143,8 +143,8 @@ def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) ->
     [
         (["paper"], "found no hull that waves act on"),
         (["barge", "--points", "mast.top"], "points: found 'mast.top', allowed: ship, "),
-        (["barge", "--frequencies_rad_s", "1:90:3"], "which the database covers"),
-        (["barge", "--frequencies_rad_s", "1:2"], "--frequencies_rad_s: found '1:2', allowed: from:to:n"),
+        (["barge", "--frequencies-rad-s", "1:90:3"], "which the database covers"),
+        (["barge", "--frequencies-rad-s", "1:2"], "--frequencies-rad-s: found '1:2', allowed: from:to:n"),
         (["barge", "-o", "rao.txt"], "rao.txt: unknown ending, allowed: .nc, .csv, .png"),
     ],
 )
@@ -172,6 +172,6 @@ def test_directions_beyond_one_turn_are_refused(capsys) -> None:
     """Source: degrees where radians are meant are the likeliest mistake."""
     with pytest.raises(kingpost.KingpostError, match=r"directions: found 180 rad .* allowed: one turn"):
         kingpost.rao("barge", directions_rad=[180])
-    assert main(["rao", "barge", "--directions_deg", "180", "999"]) == 2
+    assert main(["rao", "barge", "--directions-deg", "180", "999"]) == 2
     assert re.search(r"directions: found \S+ rad \(999 deg\), allowed: one turn", capsys.readouterr().err)
-    assert main(["rao", "barge", "--directions_deg", "nan"]) == 2
+    assert main(["rao", "barge", "--directions-deg", "nan"]) == 2

@@ -219,19 +219,19 @@ def test_the_command_reads_what_run_writes(tmp_path, capsys) -> None:
     settings = ["--set", "waves=on", "--set", "simulation.duration_s=3"]
     assert main(["run", "barge", "-o", file, *settings]) == 0
     capsys.readouterr()
-    assert main(["statistics", file, "--after_s", "1"]) == 0
+    assert main(["statistics", file, "--after-s", "1"]) == 0
     shown = capsys.readouterr().out
     assert all(name in shown for name in ("ship.position.z", "ship.roll", "wave_elevation", "pendant.first"))
     assert "arm.roll" not in shown
     assert "expected extremes of three hours need 10 runs or more" in shown
     assert "luff" not in shown, "it is held"
-    assert main(["statistics", file, "--after_s", "1", "--channels", "luff.*", "*force_z", "*moment_z"]) == 0
+    assert main(["statistics", file, "--after-s", "1", "--channels", "luff.*", "*force_z", "*moment_z"]) == 0
     shown = capsys.readouterr().out
     rows = {line.split()[0]: line.split()[1:] for line in shown.splitlines() if "." in line.split(" ")[0]}
     assert (rows["luff.joint_position"][0], rows["luff.joint_position"][2]) == ("deg", "0.0000")
     assert rows["pendant.joint_reaction.force_z"][0] == "kN"
     assert rows["pendant.joint_reaction.moment_z"][:2] == ["kN", "m"]
-    assert main(["statistics", file, "--after_s", "1", "--channels", "arm.ro*"]) == 0
+    assert main(["statistics", file, "--after-s", "1", "--channels", "arm.ro*"]) == 0
     shown = capsys.readouterr().out
     assert "arm.roll" in shown
     assert "ship.roll" not in shown
@@ -271,7 +271,7 @@ def test_only_runs_of_a_batch_that_differ_in_their_seeds_are_pooled(
     file = tmp_path / "batch.nc"
     found = kingpost.Batch("barge", parameters, {"simulation.duration_s": 1, "waves": True}).run()
     found.to_netcdf(file, engine="h5netcdf")
-    assert main(["statistics", str(file), "--after_s", "0"]) == (2 if message else 0)
+    assert main(["statistics", str(file), "--after-s", "0"]) == (2 if message else 0)
     assert message in capsys.readouterr().err
 
 
@@ -281,7 +281,7 @@ def test_the_command_names_what_is_wrong(tmp_path, capsys) -> None:
     text.write_text("time,roll")
     for arguments, message in [
         ([file, "--channels", "boat.roll"], "--channels: found 'boat.roll'"),
-        ([file, "--after_s", "5000"], "after_s: found 5000 s"),
+        ([file, "--after-s", "5000"], "after_s: found 5000 s"),
         ([str(tmp_path / "none.nc")], "none.nc: no such file, allowed: results in NetCDF"),
         (
             [str(text)],
@@ -302,7 +302,7 @@ def test_a_run_that_ended_early_is_told_of(tmp_path, capsys) -> None:
     results = kingpost.run("barge", {"simulation.duration_s": 3.0})
     results.attrs["status"] = "interrupted"
     results.to_netcdf(tmp_path / "part.nc", engine="h5netcdf")
-    assert main(["statistics", str(tmp_path / "part.nc"), "--after_s", "1"]) == 0
+    assert main(["statistics", str(tmp_path / "part.nc"), "--after-s", "1"]) == 0
     assert "warning: a run ended early, at 3 s: interrupted" in capsys.readouterr().out
 
 
@@ -370,7 +370,7 @@ def test_a_damaged_file_is_refused_in_one_line_and_none_keeps_the_program(tmp_pa
     for name, content in damaged.items():
         file = tmp_path / f"{name}.nc"
         file.write_bytes(content)
-        code = main(["statistics", str(file), "--after_s", "0"])
+        code = main(["statistics", str(file), "--after-s", "0"])
         said = capsys.readouterr().err
         assert code in (0, 2), name
         assert (said == "") == (code == 0), "an error is one line"

@@ -277,7 +277,7 @@ def parse_range(text: str) -> list[float]:
     except ValueError:
         spaced = []
     if not (spaced and np.isfinite(spaced).all()):
-        raise KingpostError(f"--frequencies_rad_s: found {text!r}, allowed: from:to:n, as 0.3:2:18")
+        raise KingpostError(f"--frequencies-rad-s: found {text!r}, allowed: from:to:n, as 0.3:2:18")
     return spaced
 
 

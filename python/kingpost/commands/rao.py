@@ -18,16 +18,16 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "-o", "--output", metavar="FILE", help="amplitudes and phases: .nc, .csv; .png for a picture"
     )
     command.add_argument(
-        "--directions_deg", nargs="+", type=float, metavar="D",
+        "--directions-deg", nargs="+", type=float, metavar="D",
         help="that waves go to; 180 is a head sea at heading 0 (default: every 45)",
     )  # fmt: skip
     command.add_argument(
-        "--frequencies_rad_s", metavar="from:to:n", help="default: what all hulls' data cover"
+        "--frequencies-rad-s", metavar="from:to:n", help="default: what all hulls' data cover"
     )
     command.add_argument("--points", nargs="+", metavar="NAME",
                          help="bodies and named points, as arm.tip (default: the main ones)")  # fmt: skip
     command.add_argument(
-        "--displacement_raos", metavar="FILE",
+        "--displacement-raos", metavar="FILE",
         help="the ship's own, as a file .csv that the joint moved_by_waves reads",
     )  # fmt: skip
 
