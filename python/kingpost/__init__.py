@@ -7,6 +7,7 @@
 """
 
 from . import results, verify
+from .accessor import Accessor
 from .analysis import lift_rules, statistics
 from .analysis.gradients import gradient
 from .analysis.response import rao
@@ -23,6 +24,7 @@ from .simulation.simulate import Simulation, run
 __version__: str = engine.__version__
 
 __all__ = [
+    "Accessor",
     "Batch",
     "Equilibrium",
     "Input",

@@ -1,6 +1,6 @@
 """Results: recorded rows as a labelled data set, its flat columns, and the files it is written to."""
 
-from .columns import column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
+from .columns import column, column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
 from .dataset import attributes, dataset
 from .events import events, warnings
 from .files import ENDINGS, check_output, open_all, read, write
@@ -9,6 +9,7 @@ __all__ = [
     "ENDINGS",
     "attributes",
     "check_output",
+    "column",
     "column_name",
     "columns",
     "dataset",

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import TYPE_CHECKING, Any
+
+from ..errors import KingpostError
 
 if TYPE_CHECKING:
     import pandas
@@ -77,6 +80,53 @@ def places(results: xarray.Dataset, along: Sequence[str] = ("time",)) -> dict[st
             name = column_name(variable, {dim: label for dim, (_, label) in at.items()})
             found[name] = Place(variable.name, {dim: index for dim, (index, _) in at.items()})
     return found
+
+
+def column(
+    results: xarray.Dataset, name: str, period_s: tuple[float, float] | None = None
+) -> xarray.DataArray:
+    """A flat column by its name, over a period.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+    name
+        Of the column, as ``ship.roll``.
+    period_s
+        From and to, s, both included; the whole run without.
+
+    Returns
+    -------
+    xarray.DataArray
+        Along ``time``, of a `Batch` along ``run`` too, with its ``units``.
+
+    Raises
+    ------
+    KingpostError
+        When there is no such column, or no record in the period.
+
+    >>> from kingpost import run
+    >>> found = run("paper", {"simulation.duration_s": 0.5})
+    >>> column(found, "ship.roll", (0.2, 0.3)).sizes["time"]
+    11
+    """
+    every = places(results, along=("time", "run"))
+    if name not in every:
+        near = difflib.get_close_matches(name, every, n=3) or list(every)[:3]
+        raise KingpostError(f"column: found {name!r}, allowed: a column of the run, as {', '.join(near)}")
+    found = every[name].of(results)
+    found.attrs["units"] = unit_of(found)
+    if period_s is None:
+        return found
+    first, last = period_s
+    kept = found.sel(time=(results["time"] >= first) & (results["time"] <= last))
+    if not kept.sizes["time"]:
+        times = results["time"].values
+        raise KingpostError(
+            f"period_s: found {first:g} to {last:g}, allowed: within {times[0]:g} to {times[-1]:g} s"
+        )
+    return kept
 
 
 def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:

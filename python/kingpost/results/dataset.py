@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..engine import engine
+from . import xarrays
 from .columns import unit_coordinate
 
 if TYPE_CHECKING:
@@ -49,8 +50,7 @@ def dataset(
         differ in their units, as forces and moments do, the coordinate ``<variable>_unit`` has them in the
         place of ``units`` (`unit_of`).
     """
-    import xarray
-
+    xarray = xarrays.load()
     coordinates: dict[str, Any] = {}
     variables: dict[str, Any] = {}
     for channel in channels:

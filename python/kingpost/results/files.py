@@ -14,6 +14,7 @@ import numpy as np
 
 from .. import output
 from ..errors import KingpostError
+from . import xarrays
 from .columns import columns, frame, unit_of
 from .events import events, warnings
 
@@ -89,8 +90,7 @@ def read(path: str | Path) -> xarray.Dataset:
     KingpostError
         When there is no such file, or it is damaged, or something else.
     """
-    import xarray
-
+    xarray = xarrays.load()
     with _told(path):
         return _checked(xarray.load_dataset(path, engine="h5netcdf"), path)
 
@@ -106,8 +106,7 @@ def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) ->
     KingpostError
         As `read`, and when a file cannot be read to its end.
     """
-    import xarray
-
+    xarray = xarrays.load()
     for path in paths:
         with _told(path):
             Path(path).open("rb").close()

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from copy import copy
 from dataclasses import asdict
 from functools import cached_property
 from pathlib import Path
@@ -15,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .. import markup
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario, as_scenario, load
 from . import step_limit
@@ -43,7 +45,9 @@ class Simulation:
     """
 
     def __init__(self, scenario: Scenario | str | Path) -> None:
-        self.scenario = scenario if isinstance(scenario, Scenario) else load(scenario)
+        # A copy: a scenario that is edited later leaves this simulation alone.
+        self.scenario = copy(scenario) if isinstance(scenario, Scenario) else load(scenario)
+        self.results: xarray.Dataset | None = None
         self._engine = self.scenario._engine()
 
     def reset(self, seed: int | None = None) -> None:
@@ -94,11 +98,54 @@ class Simulation:
         results.attrs["warnings"] = json.dumps([asdict(warning) for warning in self.warnings])
         results.attrs["limits"] = json.dumps([asdict(limit) for limit in self.limits])
         results.attrs["model_warnings"] = json.dumps(known)
+        self.results = results
         tell(every_warning(results.attrs))
         if error is not None:
             error.results = results
             raise error
         return results
+
+    def time_history(self, name: str, period_s: tuple[float, float] | None = None) -> xarray.DataArray:
+        """A column of what `run` recorded last, over a period.
+
+        Parameters
+        ----------
+        name
+            Of the column, as ``arm.tip.point_position.z``.
+        period_s
+            From and to, s, both included; the whole run without.
+
+        Returns
+        -------
+        xarray.DataArray
+            Along ``time`` (s), with its ``units``.
+
+        Raises
+        ------
+        KingpostError
+            When nothing was run, there is no such column, or no record in the period.
+
+        >>> simulation = Simulation(load("paper", {"simulation.duration_s": 0.5}))
+        >>> _ = simulation.run()
+        >>> simulation.time_history("ship.roll", (0.2, 0.3)).sizes["time"]
+        11
+        """
+        from ..results.columns import column
+
+        if self.results is None:
+            raise KingpostError("time_history: found no run, allowed: after Simulation.run()")
+        return column(self.results, name, period_s)
+
+    def _repr_html_(self) -> str:
+        heading = (
+            f"{self.scenario.title}, at {self.time_s:g} s of {self.scenario['simulation.duration_s']:g} s"
+        )
+        free = zip(self.coordinates, self.coordinate_units, strict=True)
+        inputs = [(one.name, one.value, one.unit, one.lower, one.upper) for one in self.inputs.values()]
+        return "".join([
+            markup.table(heading, free, ("free coordinate", "unit")),
+            markup.table("Inputs", inputs, ("name", "value", "unit", "from", "to")) if inputs else "",
+        ])  # fmt: skip
 
     @property
     def events(self) -> list[Event]:
