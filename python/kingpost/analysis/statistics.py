@@ -109,7 +109,7 @@ def _units(kept: xarray.DataArray, names: xarray.DataArray) -> xarray.DataArray:
 def spectrum(
     series: xarray.DataArray, after_s: float = 0.0, segment_s: float | None = None
 ) -> xarray.DataArray:
-    """Spectral density by Welch's method, over the angular frequency ``frequency``, rad/s.
+    """Spectral density by Welch's method, over the angular frequency ``omega``, rad/s.
 
     The record, less its mean, is cut into segments that overlap by half; each is multiplied by a Hann
     window and transformed, and the squares are averaged (Welch, *IEEE Trans. Audio Electroacoust.*
@@ -141,8 +141,8 @@ def spectrum(
     unit = kept.attrs.get("units", "")
     return xarray.DataArray(
         density,
-        {**coordinates, "frequency": ("frequency", omega, about)},
-        (*dims, "frequency"),
+        {**coordinates, "omega": ("omega", omega, about)},
+        (*dims, "omega"),
         kept.name,
         {"units": f"({unit})^2 s/rad", "long_name": f"spectral density of {kept.name}"},
     )
@@ -156,8 +156,8 @@ def moments(density: xarray.DataArray, orders: tuple[int, ...] = (0, 1, 2, 4)) -
     """
     import xarray
 
-    omega = density["frequency"]
-    parts = [(density * omega**n).integrate("frequency") for n in orders]
+    omega = density["omega"]
+    parts = [(density * omega**n).integrate("omega") for n in orders]
     return xarray.concat(parts, xarray.DataArray(np.array(orders), dims="order", name="order"))
 
 

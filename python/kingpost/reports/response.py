@@ -31,13 +31,13 @@ def _table(found: xarray.Dataset) -> list[str]:
     floating = floating_bodies(found)
     points = [str(point) for point in found["point"].values]
     bodies = [str(body) for body in found["body"].values if body in floating]
-    every = -(-found.sizes["frequency"] // MOST_FREQUENCIES)
+    every = -(-found.sizes["omega"] // MOST_FREQUENCIES)
     heading = ["", "", *(part for point in points for part in (f"{point},", "m/m", ""))]
     heading += [part for body in bodies for part in (f"{body},", "deg/m", "")]
     under = ["rad/s", "s", *(AXES * len(points)), *(("roll", "pitch", "yaw") * len(bodies))]
-    moved = found["displacement"].transpose("frequency", "point", "axis").values
-    turned = np.rad2deg(found["rotation"].sel(body=bodies).transpose("frequency", "body", "angle").values)
-    omega = found["frequency"].values
+    moved = found["displacement"].transpose("omega", "point", "axis").values
+    turned = np.rad2deg(found["rotation"].sel(body=bodies).transpose("omega", "body", "angle").values)
+    omega = found["omega"].values
     values = np.concatenate([moved.reshape(len(omega), -1), turned.reshape(len(omega), -1)], axis=1)
     rows = [heading, under]
     for at, row in zip(omega[::every], values[::every], strict=True):
