@@ -6,6 +6,8 @@
 3.0
 """
 
+import logging
+
 from . import results, verify
 from .accessor import Accessor
 from .analysis import lift_rules, statistics
@@ -20,6 +22,9 @@ from .simulation.batch import Batch
 from .simulation.linear import Equilibrium, Linearization
 from .simulation.records import Input, State
 from .simulation.simulate import Simulation, run
+
+# Its messages go where a program that uses it sends them, else nowhere.
+logging.getLogger(__name__).addHandler(logging.NullHandler())
 
 __version__: str = engine.__version__
 

@@ -99,7 +99,9 @@ def test_the_data_set_carries_units_and_names():
         if variable.dtype.kind in "fc":
             assert "long_name" in variable.attrs, name
             units = (
-                labelled[f"{name}_unit"].values.ravel() if name in labelled.data_vars else [variable.attrs["units"]]
+                labelled[f"{name}_unit"].values.ravel()
+                if name in labelled.data_vars
+                else [variable.attrs["units"]]
             )
             for unit in units:
                 UNITS.parse_units(str(unit))

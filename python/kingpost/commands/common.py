@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import argparse
 import json
+import logging
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from ..engine import engine
 from ..scenario import Scenario, load
@@ -23,6 +26,18 @@ def scenario_of(options: argparse.Namespace) -> Scenario:
     """The scenario that the command line names."""
     pairs = (engine.parse_assignment(assignment) for assignment in options.set)
     return load(options.scenario, {name: json.loads(value) for name, value in pairs})
+
+
+@contextmanager
+def only_errors_of(library: str) -> Iterator[None]:
+    """Keep what a library logs below an error off this command's stderr."""
+    log = logging.getLogger(library)
+    before = log.level
+    log.setLevel(logging.ERROR)
+    try:
+        yield
+    finally:
+        log.setLevel(before)
 
 
 def fail(error: object, code: int) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,6 +21,7 @@ from .telling import tell
 if TYPE_CHECKING:
     import xarray
 
+LOG = logging.getLogger(__name__)
 FINISHED = "finished"
 SEED = "simulation.seed"
 
@@ -104,6 +106,7 @@ class Batch:
         status = [FINISHED if error is None else str(error) for error in errors]
         about = f"{status.count(FINISHED)} of {len(status)} runs finished"
         channels, warnings, limits = json.loads(published)
+        LOG.info("%s: %s", self.scenario.title, about)
         found = results.dataset(self.scenario, channels, _stacked(rows), about)
         found.attrs["warnings"] = json.dumps(warnings)
         found.attrs["limits"] = json.dumps(limits)

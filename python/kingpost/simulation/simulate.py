@@ -7,6 +7,7 @@ port, z up. Roll, pitch and yaw are the intrinsic z-y-x angles about x, y and z.
 from __future__ import annotations
 
 import json
+import logging
 from collections.abc import Callable
 from copy import copy
 from dataclasses import asdict
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 Progress = Callable[[float], None]
+LOG = logging.getLogger(__name__)
 
 
 class Simulation:
@@ -93,6 +95,7 @@ class Simulation:
         known = self.model_warnings
         rows, error = self._engine.run(progress)
         status = "finished" if error is None else str(error) or "interrupted"
+        LOG.info("%s: %s at %g s, %d rows", self.scenario.title, status, self.time_s, len(rows))
         results = dataset(self.scenario, self.channels, rows, status)
         results.attrs["events"] = json.dumps([asdict(event) for event in self.events])
         results.attrs["warnings"] = json.dumps([asdict(warning) for warning in self.warnings])
