@@ -253,7 +253,7 @@ def _plot(found: xarray.Dataset, path: Path) -> None:
         for axis, name in zip(row, found[across].values, strict=True):
             for direction in found["direction"].values:
                 values = found[quantity].sel({dim: label, across: name, "direction": direction})
-                values = np.rad2deg(values) if quantity == "rotation" else values
+                values = values * (180 / np.pi) if quantity == "rotation" else values
                 axis.plot(found["omega"], values, label=f"{np.rad2deg(direction):.0f} deg")
             axis.set_title(f"{label} {name}, {'deg/m' if quantity == 'rotation' else 'm/m'}", fontsize=9)
             axis.set_ylim(bottom=0)

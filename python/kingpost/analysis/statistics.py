@@ -254,6 +254,10 @@ def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_
     )
 
 
+@overload
+def after(series: xarray.DataArray, after_s: float) -> xarray.DataArray: ...
+@overload
+def after(series: xarray.Dataset, after_s: float) -> xarray.Dataset: ...
 def after(series: xarray.Dataset | xarray.DataArray, after_s: float) -> xarray.Dataset | xarray.DataArray:
     """The records from this time, s, on."""
     if "time" not in series.dims:

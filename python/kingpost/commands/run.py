@@ -45,14 +45,16 @@ def run(options: argparse.Namespace) -> int:
     existed = options.output is not None and Path(options.output).exists()
     endings = (*results.ENDINGS, *plot.ENDINGS)
     output = check_output(options.output, endings) if options.output is not None else None
+    if output:
+        results.check_parquet(output)
     failure: RunError | KeyboardInterrupt | None = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
         try:
             recorded = simulation.run(update)
         except (RunError, KeyboardInterrupt) as error:
-            if getattr(error, "results", None) is None:
+            if simulation.results is None:
                 raise
-            failure, recorded = error, error.results
+            failure, recorded = error, simulation.results
     print(summary(recorded, scenario))
     came_of = outcomes.of_runs([recorded])
     for block in (events.events(recorded), outcomes.limits(came_of)):

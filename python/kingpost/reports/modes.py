@@ -28,7 +28,7 @@ def text(found: xarray.Dataset, all_modes: bool = False) -> str:
     lines = [found.attrs["title"], found.attrs["status"], ""]
     if not found.sizes["mode"]:
         return "\n".join([*lines, "no free coordinate, no modes"])
-    (sweep,) = [dim for dim in found["kind"].dims if dim != "mode"] or [None]
+    sweep = next((str(dim) for dim in found["kind"].dims if dim != "mode"), None)
     waters = (found["memory_share"] > WATERS_SHARE) & (found["kind"] != UNSTABLE)
     waters = waters.all(sweep) if sweep else waters
     shown_ones = found if all_modes else found.isel(mode=~waters.values)
@@ -75,7 +75,7 @@ def shown(value: float) -> str:
 def _shape(mode: xarray.Dataset) -> str:
     """The largest amplitudes of a mode."""
     shape = mode["shape"].values + 1j * mode["shape_imaginary"].values
-    largest_first = sorted(range(len(shape)), key=lambda i: -round(abs(shape[i]), 9))
+    largest_first = sorted(range(len(shape)), key=lambda i: -round(float(abs(shape[i])), 9))
     entries = [i for i in largest_first if abs(shape[i]) > SMALLEST_AMPLITUDE]
     names = mode["coordinate"].values
     words = [f"{names[i]} {_amplitude(shape[i])}" for i in entries[:MOST_AMPLITUDES]]

@@ -3,12 +3,13 @@
 from .columns import column, column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
 from .dataset import attributes, dataset
 from .events import events, warnings
-from .files import ENDINGS, check_output, open_all, read, write
+from .files import ENDINGS, check_output, check_parquet, open_all, read, write
 
 __all__ = [
     "ENDINGS",
     "attributes",
     "check_output",
+    "check_parquet",
     "column",
     "column_name",
     "columns",

@@ -91,7 +91,7 @@ def _where_they_differ(units: NDArray[np.str_], dims: Sequence[str]) -> tuple[li
     kept = list(dims)
     for axis in reversed(range(units.ndim)):
         if (units == units.take([0], axis)).all():
-            units = units.take(0, axis)
+            units = np.asarray(units.take(0, axis))
             kept.pop(axis)
     return kept, units
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import subprocess
 import sys
@@ -21,7 +22,8 @@ from .events import events, warnings
 if TYPE_CHECKING:
     import xarray
 
-ENDINGS = (".nc", ".csv", ".parquet")
+PARQUET = ".parquet"
+ENDINGS = (".nc", ".csv", PARQUET)
 ALLOWED = "allowed: results in NetCDF, as kingpost run -o FILE.nc writes them"
 DAMAGED = "found a damaged file"
 HDF5 = b"\x89HDF\r\n\x1a\n"
@@ -42,8 +44,22 @@ JSON_ATTRIBUTES = {
 
 
 def check_output(path: str | Path) -> Path:
-    """Make sure, before a run, that results can be written to `path`."""
-    return output.check(path, ENDINGS)
+    """Make sure, before a run, that results can be written to `path`.
+
+    Raises
+    ------
+    KingpostError
+        Another ending, a folder that is not there, or Parquet where pyarrow is not installed.
+    """
+    path = output.check(path, ENDINGS)
+    check_parquet(path)
+    return path
+
+
+def check_parquet(path: Path) -> None:
+    """Make sure that pyarrow is there, where a file is to be of Parquet."""
+    if path.suffix.lower() == PARQUET and importlib.util.find_spec("pyarrow") is None:
+        raise KingpostError(f'{path}: found no pyarrow, allowed: after pip install "kingpost[parquet]"')
 
 
 def write(results: xarray.Dataset, path: str | Path) -> Path:
@@ -167,6 +183,6 @@ def _checked(found: xarray.Dataset, path: str | Path) -> xarray.Dataset:
     for name, kind in JSON_ATTRIBUTES.items():
         if name in found.attrs and not isinstance(json.loads(found.attrs[name]), kind):
             raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
-    for name, variable in found.variables.items():
-        str(variable.attrs.get("column", name)).format_map(dict.fromkeys(variable.dims, ""))
+    for key, variable in found.variables.items():
+        str(variable.attrs.get("column", key)).format_map(dict.fromkeys(map(str, variable.dims), ""))
     return found

@@ -14,7 +14,7 @@ from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 from urllib.parse import quote, unquote, urlsplit
 from urllib.request import urlopen
 
@@ -129,7 +129,7 @@ class Handler(SimpleHTTPRequestHandler):
 
     server: Server
 
-    def send_head(self) -> BytesIO | None:
+    def send_head(self) -> BinaryIO | None:
         """The head of the answer with a scenario or a file of the app, and its body.
 
         Nothing is sent again that the browser says it has.

@@ -104,19 +104,17 @@ class Batch:
             progress,
         )
         status = [FINISHED if error is None else str(error) for error in errors]
-        about = f"{status.count(FINISHED)} of {len(status)} runs finished"
+        summed_up = f"{status.count(FINISHED)} of {len(status)} runs finished"
         channels, warnings, limits = json.loads(published)
-        LOG.info("%s: %s", self.scenario.title, about)
-        found = results.dataset(self.scenario, channels, _stacked(rows), about)
+        LOG.info("%s: %s", self.scenario.title, summed_up)
+        found = results.dataset(self.scenario, channels, _stacked(rows), summed_up)
         found.attrs["warnings"] = json.dumps(warnings)
         found.attrs["limits"] = json.dumps(limits)
         found.attrs["model_warnings"] = json.dumps(known)
         tell([*known, *self._came_of(limits, warnings)])
-        return found.assign_coords(
-            run=np.arange(len(status)),
-            status=("run", np.array(status, str)),
-            **{name: ("run", np.array(values)) for name, values in self.parameters.items()},
-        )
+        along = {name: ("run", np.array(values)) for name, values in self.parameters.items()}
+        about = {"run": np.arange(len(status)), "status": ("run", np.array(status, str))}
+        return found.assign_coords({**about, **along})
 
     def _known(self) -> list[str]:
         """What one should know before the first run."""
