@@ -187,6 +187,23 @@ class Scenario:
     def with_overrides(self, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
         """The same scenario with more set over it; the last value of a name counts.
 
+        Parameters
+        ----------
+        overrides
+            Values by parameter name or by dotted field path.
+        parameters
+            Values by parameter name.
+
+        Returns
+        -------
+        Scenario
+            Another one; this one stays as it is.
+
+        Raises
+        ------
+        ScenarioError
+            When a name or a value is wrong.
+
         >>> load("paper").with_overrides(crane_x_m=0).resolved["bodies"]["tower"]["joint"][
         ...     "revolute"]["position_m"][0]
         0.0
@@ -215,6 +232,11 @@ def load(path_or_name: str | Path, overrides: Overrides | None = None, **paramet
         Values by parameter name or by dotted field path.
     parameters
         Values by parameter name.
+
+    Returns
+    -------
+    Scenario
+        Validated: one that can run.
 
     Raises
     ------

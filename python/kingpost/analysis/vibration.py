@@ -48,6 +48,15 @@ def equilibrium(
     downhill first, with drives as they are at the start. Coordinates that nothing moves, such as
     the heading of a free ship, stay where they are.
 
+    Parameters
+    ----------
+    scenario_or_path
+        A scenario, a file or a name of the gallery.
+    overrides
+        Values by parameter name or by dotted field path.
+    parameters
+        Values by parameter name.
+
     Returns
     -------
     xarray.Dataset

@@ -19,6 +19,16 @@ if TYPE_CHECKING:
 def unit_coordinate(variable: Hashable | None) -> str:
     """Name of the coordinate that has the units of a variable's numbers, where they differ.
 
+    Parameters
+    ----------
+    variable
+        Its name.
+
+    Returns
+    -------
+    str
+        Name of the coordinate.
+
     >>> unit_coordinate("joint_position")
     'joint_position_unit'
     """
@@ -27,6 +37,16 @@ def unit_coordinate(variable: Hashable | None) -> str:
 
 def unit_of(column: xarray.DataArray) -> str:
     """The unit of a variable, or of one of its columns where they differ in their units.
+
+    Parameters
+    ----------
+    column
+        Of a data set of a run.
+
+    Returns
+    -------
+    str
+        SI.
 
     >>> from kingpost import run
     >>> found = run("paper", {"simulation.duration_s": 0.001})
@@ -42,6 +62,20 @@ def frame(results: xarray.Dataset) -> pandas.DataFrame:
 
     Columns are ``time`` and then such as ``ship.angular_velocity.x``, ``slew.joint_position``,
     ``arm.tip.point_position.z`` or ``kinetic_energy``.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Shape (records, 1 + columns), SI units.
+
+    >>> from kingpost import run
+    >>> frame(run("paper", {"simulation.duration_s": 0.1})).shape[0]
+    11
     """
     import pandas
 
@@ -52,7 +86,24 @@ def frame(results: xarray.Dataset) -> pandas.DataFrame:
 def columns(
     results: xarray.Dataset, along: Sequence[str] = ("time",)
 ) -> Iterator[tuple[str, xarray.DataArray]]:
-    """The flat columns with their names: each goes along time, and along what else is asked for."""
+    """The flat columns with their names: each goes along time, and along what else is asked for.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+    along
+        Dimensions that a column keeps.
+
+    Yields
+    ------
+    tuple of str and xarray.DataArray
+        Name and numbers.
+
+    >>> from kingpost import run
+    >>> next(columns(run("paper", {"simulation.duration_s": 0.1})))[0]
+    'ship.position.x'
+    """
     for name, place in places(results, along).items():
         yield name, place.of(results)
 
@@ -132,6 +183,18 @@ def column(
 def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
     """Name of a flat column, by the variable's attribute ``column``; labels that it leaves out are last.
 
+    Parameters
+    ----------
+    variable
+        With the attribute ``column``.
+    labels
+        By dimension.
+
+    Returns
+    -------
+    str
+        As in files and in the app.
+
     >>> import xarray
     >>> rate = xarray.DataArray(0.0, name="angular_velocity")
     >>> rate.attrs["column"] = "{body}.angular_velocity.{axis}"
@@ -145,6 +208,16 @@ def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
 
 def floating_bodies(results: xarray.Dataset) -> list[str]:
     """Names of the ships and of whatever floats as they do.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+
+    Returns
+    -------
+    list of str
+        In the order of the model.
 
     >>> from kingpost import run
     >>> floating_bodies(run("paper", {"simulation.duration_s": 0.001}))

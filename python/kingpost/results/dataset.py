@@ -58,6 +58,12 @@ def dataset(
         flat columns are named, and ``of_elements``, 1 where forces and drives show it. Where its numbers
         differ in their units, as forces and moments do, the coordinate ``<variable>_unit`` has them in the
         place of ``units`` (`unit_of`).
+
+    >>> from kingpost import Simulation
+    >>> simulation = Simulation("paper")
+    >>> found = dataset(simulation.scenario, simulation.channels, simulation.row()[None, :], "finished")
+    >>> found["roll"].dims, found["roll"].attrs["units"]
+    (('time', 'body'), 'rad')
     """
     xarray = xarrays.load()
     coordinates: dict[str, Any] = {}
@@ -97,7 +103,24 @@ def _where_they_differ(units: NDArray[np.str_], dims: Sequence[str]) -> tuple[li
 
 
 def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
-    """What every data set says of the run that it comes from."""
+    """What every data set says of the run that it comes from.
+
+    Parameters
+    ----------
+    scenario
+        What was run.
+    status
+        ``finished``, or why the run ended.
+
+    Returns
+    -------
+    dict
+        Texts and numbers; lists and dictionaries as JSON.
+
+    >>> from kingpost import load
+    >>> attributes(load("paper"), "finished")["Conventions"]
+    'CF-1.11'
+    """
     described, sea = scenario.model, scenario.model["sea"]
     versions = {name: version(name) for name in ("numpy", "xarray")}
     versions |= {"kingpost": engine.__version__, "python": platform.python_version()}

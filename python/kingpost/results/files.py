@@ -46,10 +46,23 @@ JSON_ATTRIBUTES = {
 def check_output(path: str | Path) -> Path:
     """Make sure, before a run, that results can be written to `path`.
 
+    Parameters
+    ----------
+    path
+        With the ending ``.nc``, ``.csv`` or ``.parquet``.
+
+    Returns
+    -------
+    pathlib.Path
+        The same.
+
     Raises
     ------
     KingpostError
         Another ending, a folder that is not there, or Parquet where pyarrow is not installed.
+
+    >>> check_output("run.nc").name
+    'run.nc'
     """
     path = output.check(path, ENDINGS)
     check_parquet(path)
@@ -57,7 +70,20 @@ def check_output(path: str | Path) -> Path:
 
 
 def check_parquet(path: Path) -> None:
-    """Make sure that pyarrow is there, where a file is to be of Parquet."""
+    """Make sure that pyarrow is there, where a file is to be of Parquet.
+
+    Parameters
+    ----------
+    path
+        Of any ending.
+
+    Raises
+    ------
+    KingpostError
+        With the extra that brings it.
+
+    >>> check_parquet(Path("run.nc"))
+    """
     if path.suffix.lower() == PARQUET and importlib.util.find_spec("pyarrow") is None:
         raise KingpostError(f'{path}: found no pyarrow, allowed: after pip install "kingpost[parquet]"')
 
@@ -69,6 +95,29 @@ def write(results: xarray.Dataset, path: str | Path) -> Path:
     column is in the metadata of its field. Where anything happened, its table (`events`) stands beside a
     CSV, as ``<name>.events.csv``, and so does that of the warnings (`warnings`), ``<name>.warnings.csv``; one
     of an earlier run that is there is written anew in any case.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+    path
+        With the ending ``.nc``, ``.csv`` or ``.parquet``.
+
+    Returns
+    -------
+    pathlib.Path
+        The file that was written.
+
+    Raises
+    ------
+    KingpostError
+        Another ending, or a file that cannot be written.
+
+    >>> import tempfile
+    >>> from kingpost import run
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write(run("paper", {"simulation.duration_s": 0.1}), f"{folder}/run.csv").name
+    'run.csv'
     """
     path = check_output(path)
     ending = path.suffix.lower()
@@ -101,10 +150,27 @@ def _write_parquet(results: xarray.Dataset, path: Path) -> None:
 def read(path: str | Path) -> xarray.Dataset:
     """A data set that `kingpost run -o FILE.nc` wrote, or `Batch`.
 
+    Parameters
+    ----------
+    path
+        A NetCDF file.
+
+    Returns
+    -------
+    xarray.Dataset
+        All of it, in memory.
+
     Raises
     ------
     KingpostError
         When there is no such file, or it is damaged, or something else.
+
+    >>> import tempfile
+    >>> from kingpost import run
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = write(run("paper", {"simulation.duration_s": 0.1}), f"{folder}/run.nc")
+    ...     read(path).sizes["time"]
+    11
     """
     xarray = xarrays.load()
     with _told(path):
@@ -117,10 +183,30 @@ def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) ->
     The files are first read to the end in a process of its own, since the HDF5 library does not end, or
     crashes, on some that are damaged: `time_limit_s` is what one file may take, s.
 
+    Parameters
+    ----------
+    paths
+        NetCDF files.
+    time_limit_s
+        What reading one may take, s.
+
+    Returns
+    -------
+    list of xarray.Dataset
+        One for each file.
+
     Raises
     ------
     KingpostError
         As `read`, and when a file cannot be read to its end.
+
+    >>> import tempfile
+    >>> from kingpost import run
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = write(run("paper", {"simulation.duration_s": 0.1}), f"{folder}/run.nc")
+    ...     with open_all([path])[0] as found:
+    ...         found.sizes["time"]
+    11
     """
     xarray = xarrays.load()
     for path in paths:

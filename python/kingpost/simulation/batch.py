@@ -90,6 +90,10 @@ class Batch:
             When a variant is wrong; nothing ran.
         KingpostError
             When the variants differ in their bodies, or in the times at which rows are recorded.
+
+        >>> found = Batch("paper", {"crane_x_m": [0, 5]}, {"simulation.duration_s": 0.1}).run()
+        >>> found.sizes["run"]
+        2
         """
         if threads < 0:
             raise KingpostError(f"threads: found {threads}, allowed: 0 or more")
