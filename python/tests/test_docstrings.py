@@ -29,7 +29,7 @@ def public() -> Iterator[tuple[str, Callable[..., Any]]]:
                 if inspect.isfunction(function) and function.__module__.startswith(found.__name__):
                     yield f"{name}.{member}", function
         elif inspect.isclass(found):
-            methods = {one: method for one, method in vars(found).items() if inspect.isfunction(method)}
+            methods = dict(inspect.getmembers(found, inspect.isfunction))
             yield from ((f"{name}.{one}", method) for one, method in methods.items() if one[0] != "_")
 
 

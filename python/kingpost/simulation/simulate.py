@@ -11,7 +11,6 @@ import logging
 from collections.abc import Callable
 from copy import copy
 from dataclasses import asdict
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,22 +19,21 @@ import numpy as np
 from .. import markup
 from ..errors import KingpostError
 from ..scenario import Overrides, Scenario, as_scenario, load
-from . import step_limit
-from .linear import Equilibrium, Linearization, labelled
-from .matrices import MovingFrame
+from .equations import Equations, vector
+from .observed import Observed
 from .outcomes import every_warning
-from .records import DrawnLine, Event, Input, LeverMove, Limit, State, Warning
+from .records import Input, State
 from .telling import tell
 
 if TYPE_CHECKING:
     import xarray
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
 Progress = Callable[[float], None]
 LOG = logging.getLogger(__name__)
 
 
-class Simulation:
+class Simulation(Observed, Equations):
     """One run of a scenario, stepped by hand.
 
     >>> simulation = Simulation(load("paper", motor_1=True))
@@ -192,86 +190,6 @@ class Simulation:
         ])  # fmt: skip
 
     @property
-    def events(self) -> list[Event]:
-        """What has happened so far, in order of time; a data set holds it as JSON in ``attrs["events"]``.
-
-        >>> Simulation("paper").events
-        []
-        """
-        return [Event(*event) for event in self._engine.events()]
-
-    @property
-    def model_warnings(self) -> list[str]:
-        """What one should know before a run from here: of the model, and of a step that is too long for its
-        scheme (`kingpost.stable_step`).
-
-        >>> Simulation(load("paper", {"simulation.step_s": 0.001})).model_warnings
-        []
-        """
-        settings, known = self.scenario.resolved["simulation"], list(self.scenario.model["warnings"])
-        try:
-            too_long = step_limit.warning(settings, lambda: self._engine.linearize()[0])
-        except KingpostError:
-            # What cannot be linearised where it begins, the run itself says better.
-            return known
-        return known if too_long is None else [*known, too_long]
-
-    @property
-    def warnings(self) -> list[Warning]:
-        """What one should know of the rows so far, in order of time; a data set holds it as JSON in
-        ``attrs["warnings"]``.
-
-        >>> Simulation("paper").warnings
-        []
-        """
-        return [Warning(**warning) for warning in json.loads(self._engine.warnings_json())]
-
-    @property
-    def limits(self) -> list[Limit]:
-        """How the scenario's limits held in the rows so far; a data set holds it as JSON in
-        ``attrs["limits"]``.
-
-        >>> limits = {"limits": {"roll": {"column": "ship.roll", "within": 10, "unit": "deg"}}}
-        >>> simulation = Simulation(load("paper").with_overrides({**limits, "simulation.duration_s": 1}))
-        >>> _ = simulation.run()
-        >>> simulation.limits[0].held
-        True
-        """
-        return [Limit(**limit) for limit in json.loads(self._engine.limits_json())]
-
-    @property
-    def lever_moves(self) -> list[LeverMove]:
-        """What `set_input` has set so far, in order of time."""
-        return [LeverMove(*move) for move in self._engine.lever_moves()]
-
-    def operation(self) -> dict[str, Any]:
-        """What was set by hand as the ``operation`` of a scenario: a run with it gives the same bits.
-
-        It has what `set_input` has set in this simulation since its start or its last `reset`; what came
-        before a `restore` of another's snapshot is not in it, and no parameter that was set under way.
-
-        Returns
-        -------
-        dict
-            The section ``operation`` of a scenario.
-
-        Raises
-        ------
-        KingpostError
-            When the scenario has an operation that is enabled: the two would be one beside the other.
-
-        >>> by_hand = Simulation("lowering_by_winch")
-        >>> by_hand.step(20)
-        >>> by_hand.set_input("hoist", -10.0)
-        >>> by_hand.step(20)
-        >>> replayed = Simulation(by_hand.scenario.with_overrides({"operation": by_hand.operation()}))
-        >>> replayed.step(40)
-        >>> bool((replayed.state.q == by_hand.state.q).all())
-        True
-        """
-        return json.loads(self._engine.operation_json())
-
-    @property
     def time_s(self) -> float:
         """Time, s."""
         return self._engine.time_s()
@@ -317,7 +235,7 @@ class Simulation:
         >>> bool((simulation.state.q == state.q).all())
         True
         """
-        self._engine.set_state(_vector(q), _vector(v), None if s is None else _vector(s))
+        self._engine.set_state(vector(q), vector(v), None if s is None else vector(s))
 
     def snapshot(self) -> bytes:
         """The complete state. A run resumed from it gives the same bits.
@@ -407,239 +325,6 @@ class Simulation:
         self._engine.set_parameter(name, json.dumps(scenario.overrides[-1][1]))
         self.scenario = scenario
 
-    @property
-    def coordinates(self) -> list[str]:
-        """Names of the free coordinates, in the order of the mass matrix."""
-        return [name for name, _ in self._engine.coordinates()]
-
-    @property
-    def coordinate_units(self) -> list[str]:
-        """SI unit of each of `coordinates`: m, or rad of what turns.
-
-        >>> Simulation("paper").coordinate_units
-        ['rad', 'rad', 'rad', 'rad', 'rad']
-        """
-        return [unit for _, unit in self._engine.coordinates()]
-
-    @cached_property
-    def channels(self) -> list[dict[str, Any]]:
-        """What is recorded: name, unit, frame, dimensions, labels and place in a row."""
-        return json.loads(self._engine.channels_json())
-
-    def row(self) -> NDArray[np.float64]:
-        """The values of all channels now.
-
-        Returns
-        -------
-        numpy.ndarray
-            Shape (values,), in the order of `channels`, SI units.
-
-        >>> simulation = Simulation(load("paper"))
-        >>> simulation.row().shape == (sum(channel["len"] for channel in simulation.channels),)
-        True
-        """
-        return self._engine.row()
-
-    def poses(self) -> NDArray[np.float64]:
-        """Pose of each body: x, y, z (m, world) and quaternion w, x, y, z. Shape (bodies, 7).
-
-        Returns
-        -------
-        numpy.ndarray
-            Shape (bodies, 12): position (m, world) and rotation matrix by rows.
-
-        >>> Simulation(load("paper")).poses().shape[0]
-        3
-        """
-        return self._engine.poses()
-
-    def lines(self) -> list[DrawnLine]:
-        """The lines to draw beside the bodies, where they are now.
-
-        Returns
-        -------
-        list of DrawnLine
-            Points in m, world.
-
-        >>> [(line.name, line.style, line.points_m.shape) for line in Simulation(load("chain")).lines()]
-        []
-        """
-        lines = json.loads(self._engine.lines_json())
-        points = self._engine.line_points().reshape(-1, 3)
-        ends = np.cumsum([line["points"] for line in lines], dtype=int)
-        return [
-            DrawnLine(line["name"], line["style"], line["radius_m"], points[end - line["points"] : end])
-            for line, end in zip(lines, ends, strict=True)
-        ]
-
-    def acceleration(self, tau: ArrayLike | None = None) -> NDArray[np.float64]:
-        """Accelerations of the free coordinates now (m/s2 or rad/s2).
-
-        `tau` adds a generalized force per free coordinate (N or N m) to the loads that act.
-
-        Parameters
-        ----------
-        tau
-            A generalized force for each free coordinate, shape (coordinates,), N or N m.
-
-        Returns
-        -------
-        numpy.ndarray
-            Shape (coordinates,), m/s2 or rad/s2.
-
-        Raises
-        ------
-        KingpostError
-            When `tau` has another length.
-
-        >>> Simulation(load("paper")).acceleration().shape
-        (5,)
-        """
-        return self._engine.acceleration(None if tau is None else _vector(tau))
-
-    def mass_matrix(self) -> NDArray[np.float64]:
-        """Reduced mass matrix M* = B^T M B of the free coordinates (kg, kg m, kg m2).
-
-        Returns
-        -------
-        numpy.ndarray
-            Shape (coordinates, coordinates), symmetric.
-
-        >>> Simulation(load("paper")).mass_matrix().shape
-        (5, 5)
-        """
-        return self._engine.mass_matrix()
-
-    def constraint_matrix(self) -> NDArray[np.float64]:
-        """J of the closed loops over the free coordinates: J v = 0. Shape (constraints, coordinates).
-
-        Returns
-        -------
-        numpy.ndarray
-            Shape (constraints, coordinates).
-
-        >>> Simulation(load("paper")).constraint_matrix().shape
-        (0, 5)
-        """
-        return self._engine.constraint_matrix()
-
-    def bias_force(self) -> NDArray[np.float64]:
-        """Bias force N* v of the free coordinates (N or N m).
-
-        Returns
-        -------
-        numpy.ndarray
-            Shape (coordinates,).
-
-        >>> Simulation(load("paper")).bias_force().shape
-        (5,)
-        """
-        return self._engine.bias_force()
-
-    def moving_frame(self) -> MovingFrame:
-        """The matrices of the moving frame method now, by name.
-
-        Frame connection matrices ``E_ship`` and ``E_tower/ship``, their rates ``Omega_..``,
-        rotations ``R_..``, then ``B``, ``B_dot``, ``X_dot``, ``M``, ``D``, ``F``, ``q_dot``,
-        ``M_star``, ``N_star`` and ``F_star``, and where there are any ``q_ddot_given`` of prescribed
-        motions and ``J`` of closed loops, with labels and units by row and column; their LaTeX,
-        their formulas and their CSV files (`MovingFrame`).
-
-        Returns
-        -------
-        MovingFrame
-            The matrices by name.
-
-        >>> matrices = Simulation(load("paper")).moving_frame()
-        >>> matrices["M_star"].sel(row="slew", column="slew")["unit"].item()
-        'kg m^2'
-        """
-        return MovingFrame(self._engine.moving_frame(), self._engine.symbols_json)
-
-    def linearize(self) -> Linearization:
-        """A and B of the linearised system here, exact to rounding.
-
-        Returns
-        -------
-        Linearization
-            A, B and the rates, with names and units.
-
-        >>> linear = Simulation(load("paper")).linearize()
-        >>> linear.states[:2], linear.inputs
-        (['ship.roll', 'ship.pitch'], [])
-        """
-        return labelled(*self._engine.linearize())
-
-    def settle(self) -> Equilibrium:
-        """Move to an equilibrium near here, all rates zero, and begin the ledger anew there.
-
-        Returns
-        -------
-        Equilibrium
-            How it was found.
-
-        Raises
-        ------
-        KingpostError
-            When there is none; the state stays as it was.
-
-        >>> simulation = Simulation(load("chain"))
-        >>> simulation.settle().residual < 1e-6
-        True
-        """
-        return Equilibrium(*self._engine.settle())
-
-    def wave_response(self, directions_rad: ArrayLike, frequencies_rad_s: ArrayLike) -> dict[str, Any]:
-        """What `kingpost.rao` labels: complex amplitudes of all motions by direction and frequency, with
-        the crane as it stands now; no frequencies ask for those of the hull's database, refined.
-
-        Parameters
-        ----------
-        directions_rad
-            That the waves go to, rad.
-        frequencies_rad_s
-            Angular frequencies; none ask for those of the database.
-
-        Returns
-        -------
-        dict
-            ``real`` and ``imaginary`` parts of all motions, flat, with the names of what moves.
-
-        Raises
-        ------
-        KingpostError
-            When nothing comes to rest, or a database does not cover a frequency.
-
-        >>> found = Simulation(load("barge")).wave_response([0.0], [1.0])
-        >>> found["places"]
-        ['ship', 'tower', 'arm', 'load', 'tower.top', 'arm.tip']
-        """
-        waves = {
-            "directions_rad": np.asarray(directions_rad, float).tolist(),
-            "frequencies_rad_s": np.asarray(frequencies_rad_s, float).tolist(),
-        }
-        return json.loads(self._engine.wave_response_json(json.dumps(waves)))
-
-    def hydrostatics(self) -> dict[str, Any]:
-        """As the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed
-        coordinates stay, the rest comes to rest in still water. The simulation itself does not move.
-
-        Returns
-        -------
-        dict
-            As `Scenario.hydrostatics`.
-
-        Raises
-        ------
-        KingpostError
-            When a hull is heavier than what it displaces wholly under water.
-
-        >>> simulation = Simulation(load("barge"))
-        >>> simulation.hydrostatics()["hulls"][0]["body"]
-        'ship'
-        """
-        return json.loads(self._engine.hydrostatics_json())
-
 
 def run(
     scenario_or_path: Scenario | str | Path, overrides: Overrides | None = None, **parameters: Any
@@ -672,7 +357,3 @@ def run(
     0.19709
     """
     return Simulation(as_scenario(scenario_or_path, overrides, parameters)).run()
-
-
-def _vector(values: ArrayLike) -> NDArray[np.float64]:
-    return np.ascontiguousarray(values, dtype=np.float64).ravel()

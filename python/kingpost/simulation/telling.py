@@ -16,6 +16,7 @@ def tell(words: Iterable[str]) -> None:
     """Warn of each, in the name of the line that called into the package.
 
     >>> with warnings.catch_warnings(record=True) as told:
+    ...     warnings.simplefilter("always")
     ...     tell(["ship: it heeled to 21.00 deg, at 4 s"])
     >>> told[0].category.__name__, str(told[0].message)
     ('KingpostWarning', 'ship: it heeled to 21.00 deg, at 4 s')
