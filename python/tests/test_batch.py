@@ -13,7 +13,7 @@ import kingpost
 import numpy as np
 import pytest
 import xarray
-from kingpost import batch as batches
+from kingpost.simulation import batch as batches
 
 SHORT = {"simulation.duration_s": 0.2, "simulation.step_s": 0.002}
 

@@ -8,9 +8,9 @@ import re
 import kingpost
 import numpy as np
 import pytest
-from kingpost import model_report
 from kingpost.cli import main
-from kingpost.report import summary
+from kingpost.reports import model as model_report
+from kingpost.reports.run import summary
 
 SHORT = {"simulation.duration_s": 0.2}
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import kingpost
 import pytest
 import xarray
-from kingpost import seeds
 from kingpost.cli import main
+from kingpost.simulation import seeds
 
 SETTINGS = {"waves": True, "simulation.duration_s": 2.0}
 
@@ -29,7 +29,7 @@ def test_each_file_is_the_run_of_its_seed(tmp_path, capsys) -> None:
     files[2].unlink()
     assert main(["run", "barge", *arguments, "--seeds", "6", "-o", str(tmp_path / "run_*.nc")]) == 0
     assert "run_6.nc, 5 in the place of an older file" in capsys.readouterr().out
-    assert main(["statistics", *map(str, files), "--after_s", "1"]) == 0
+    assert main(["statistics", *map(str, files), "--after-s", "1"]) == 0
     assert "of 6 runs" in capsys.readouterr().out
 
 

@@ -24,8 +24,8 @@ from urllib.request import Request, urlopen
 
 import kingpost
 import pytest
-from kingpost import serve
 from kingpost.cli import main
+from kingpost.server import serve
 
 ENGINE = b"\0asm\1\0\0\0" + bytes(1000)
 AFLOAT = """version: 1
@@ -336,7 +336,7 @@ def test_wrong_arguments_are_one_line_and_exit_code_2(app, arguments, says, caps
 
 def test_without_a_built_app_it_says_how_to_build_one(monkeypatch, tmp_path, capsys):
     """Source: the public contract."""
-    monkeypatch.setattr(serve, "__file__", str(tmp_path / "python" / "kingpost" / "serve.py"))
+    monkeypatch.setattr(serve, "__file__", str(tmp_path / "python" / "kingpost" / "server" / "serve.py"))
     assert main(["serve"]) == 2
     assert "run: make web" in capsys.readouterr().err
 
@@ -361,7 +361,8 @@ def test_ctrl_c_ends_the_server_cleanly(app):
     """Source: the public contract: exit code 0, nothing on stderr."""
     # A job in the background starts with the signal ignored.
     program = (
-        "import signal, sys; from pathlib import Path; from kingpost import cli, serve;"
+        "import signal, sys; from pathlib import Path; from kingpost import cli;"
+        "from kingpost.server import serve;"
         "signal.signal(signal.SIGINT, signal.default_int_handler);"
         f"serve.app_folder = lambda: Path({str(app)!r}); sys.exit(cli.main(['serve', '--port', '0']))"
     )

@@ -84,7 +84,7 @@ class HullFile:
         if lowest > -tolerance:
             raise HydrodynamicsError(
                 "hull", f"a hull above the water, its lowest point at z = {lowest:.4g} m",
-                "a hull that reaches below the water plane z = 0: give its draught with --draught_m", file,
+                "a hull that reaches below the water plane z = 0: give its draught with --draught-m", file,
             )  # fmt: skip
         edges = open_edges(surface)
         at_water = np.abs(surface.vertices[edges, 2]).max(initial=0.0) < tolerance
@@ -95,7 +95,7 @@ class HullFile:
         if highest < tolerance:
             raise HydrodynamicsError(
                 "hull", f"a hull that cannot float: all of it is under water, its top at z = {highest:.4g} m",
-                f"a draught less than its depth of {highest - lowest:.4g} m, set with --draught_m", file,
+                f"a draught less than its depth of {highest - lowest:.4g} m, set with --draught-m", file,
             )  # fmt: skip
         return True
 
