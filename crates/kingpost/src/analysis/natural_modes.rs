@@ -104,7 +104,7 @@ fn mode(
 ) -> Option<NaturalMode> {
     let right = vector(a, value)?;
     let left = vector(&a.transpose(), value)?;
-    let parts: Vec<f64> = left.iter().zip(&right).map(|(l, x)| (l * x).norm()).collect();
+    let parts: Vec<f64> = left.iter().zip(&right).map(|(l, x)| size(l * x)).collect();
     let of_bodies: f64 = parts[..2 * masses.len()].iter().sum();
     if of_bodies < LEAST_SHARE * parts.iter().sum::<f64>() {
         return None;
@@ -114,8 +114,12 @@ fn mode(
     Some(NaturalMode {
         coordinate: linear.states[largest].clone(),
         period_s: TAU / value.im,
-        damping_ratio: -value.re / value.norm(),
+        damping_ratio: -value.re / size(value),
     })
+}
+
+fn size(value: Complex<f64>) -> f64 {
+    libm::hypot(value.re, value.im)
 }
 
 /// The vector of an eigenvalue, by inverse iteration beside it.
