@@ -2,7 +2,7 @@
 
 use crate::boundary::{self, Look};
 use crate::{Files, errors, read_with};
-use kingpost::analysis::Linearizer;
+use kingpost::analysis::{self, Linearizer};
 use kingpost::dynamics::moving_frame::{Naming, Symbols};
 use kingpost::hydrostatics::HydrostaticsError;
 use kingpost::scenario::Scenario;
@@ -290,6 +290,14 @@ impl Simulation {
             let b = matrix(py, linear.b.transpose().as_slice().to_vec(), n, m)?;
             let names = serde_json::to_string(&linear.names()).map_err(errors::input)?;
             Ok((a, b, linear.rates.into_pyarray(py), names))
+        })
+    }
+
+    /// The oscillations of bodies about the equilibrium nearby, as JSON: what the browser has.
+    fn natural_modes_json(&self, py: Python<'_>) -> PyResult<String> {
+        self.with(|held| {
+            let found = py.detach(|| analysis::natural_modes(&held.scenario, &held.inner)).map_err(errors::input)?;
+            serde_json::to_string(&found).map_err(errors::input)
         })
     }
 
