@@ -19,7 +19,7 @@ export type Request =
   | OpenRequest
   | { kind: "advance"; wall_s: number; speed: number; until_s: number }
   | { kind: "step" }
-  | { kind: "hydrostatics" }
+  | { kind: "hydrostatics"; without: readonly string[] | null }
   | { kind: "equations" }
   | { kind: "input"; name: string; value: number }
   | { kind: "replay" }

@@ -177,6 +177,19 @@ export function stroke(u: uPlot, points: Iterable<[number, number]>, scale: stri
   ctx.restore();
 }
 
+/** The area that a line of points goes round, on a chart. */
+export function fill(u: uPlot, points: Iterable<[number, number]>, scale: string, colour: string): void {
+  const { ctx } = u;
+  ctx.save();
+  ctx.beginPath();
+  for (const [x, y] of points) ctx.lineTo(u.valToPos(x, "x", true), u.valToPos(y, scale, true));
+  ctx.closePath();
+  ctx.globalAlpha = 0.3;
+  ctx.fillStyle = colour;
+  ctx.fill();
+  ctx.restore();
+}
+
 /** A ring and a dot at a place on a chart. */
 export function dot(u: uPlot, [x, y]: [number, number], scale: string, colour: string, ring: string): void {
   const { ctx } = u;

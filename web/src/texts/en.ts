@@ -1,5 +1,8 @@
+import * as lessons from "./en/physics";
+
 /** Every text that a person reads, by the area of the page that shows it. */
 export const en = {
+  ...lessons,
   equations: {
     title: "Equations",
     intro: "M* q̈ + N* q̇ = F*, with the numbers of the moment that is shown. Touch a block to see on the ship what it does.",
