@@ -9,7 +9,7 @@ import type { Arms, Loss } from "./righting";
 export const DEGREES = 180 / Math.PI;
 /** Names of colours of the theme. */
 export const COLOURS = { before: "muted", after: "yaw", area_1: "roll", area_2: "pitch" } as const;
-/** Shown of the side from which she rolls, at least, and beyond the heel that she had there, deg. */
+/** Shown of the side from which she rolls, at least, and beyond the heels that matter on both sides, deg. */
 const OTHER_SIDE = { least: 10, beyond: 5 };
 
 /** Arms before and after, counted to the side to which she rolls, what follows from them, and where she is: heel in rad. */
@@ -30,8 +30,9 @@ export class LossChart extends Figure<LossContent> {
 
   protected endsOf({ before, after, loss, heel }: LossContent): [[number, number], [number, number]] {
     const left = Math.min(-OTHER_SIDE.least, (loss?.start ?? 0) * DEGREES - OTHER_SIDE.beyond, heel * DEGREES);
-    const right = after.heel[after.heel.length - 1] * DEGREES;
-    const seen = [before, after].flatMap((arms) => arms.arm.filter((_, k) => arms.heel[k] * DEGREES >= left));
+    const last = after.heel[after.heel.length - 1] * DEGREES;
+    const right = loss ? Math.min(last, Math.max(loss.end, heel) * DEGREES + OTHER_SIDE.beyond) : last;
+    const seen = [before, after].flatMap((arms) => arms.arm.filter((_, k) => arms.heel[k] * DEGREES >= left && arms.heel[k] * DEGREES <= right));
     return [[left, right], heightsOf(Math.min(...seen), Math.max(...seen), 1e-3, [])];
   }
 

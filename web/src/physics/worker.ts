@@ -1,7 +1,8 @@
 import { expectedAmplitudes } from "../ahead/sea";
 import { asFault } from "../engine/engine";
 import type { Value } from "../engine/engine";
-import init, { natural_modes, Simulation } from "../engine/pkg/kingpost_wasm.js";
+import init, { Simulation } from "../engine/pkg/kingpost_wasm.js";
+import * as engine_package from "../engine/pkg/kingpost_wasm.js";
 import moduleUrl from "../engine/pkg/kingpost_wasm_bg.wasm?url";
 import { FilesOfScenarios } from "../engine/scenario_files";
 import type { FromSweep, Sweep } from "./messages";
@@ -13,6 +14,8 @@ interface WorkerScope {
   onmessage: ((event: MessageEvent<Sweep>) => void) | null;
   postMessage(message: FromSweep): void;
 }
+
+const { natural_modes } = engine_package as unknown as { natural_modes(text: string, file: string, overrides_json: string, files_json: string): string };
 
 const scope = self as unknown as WorkerScope;
 
