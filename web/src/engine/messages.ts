@@ -79,6 +79,8 @@ export interface Opened {
   channels: Channel[];
   inputs: InputInfo[];
   joint_axes: JointAxis[];
+  /** What is set to switch the scenario's timeline off. */
+  timeline_switch: string;
   /** Of the scenario's text and of all files that it stands on. */
   digest: string;
   frame: Frame;

@@ -1,7 +1,7 @@
 import { Changes } from "./changes";
 import type { Change } from "./changes";
 import { digestOf } from "./digest";
-import { asFault, readJointAxes, readModel, readSettings } from "./engine";
+import { asFault, readJointAxes, readModel, readSettings, readTimelineSwitch } from "./engine";
 import type { Engine, Equations, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
 import { Events } from "./events";
 import type { Frame, LeverMove, Opened, Replay, Restored, Snapshot } from "./messages";
@@ -83,6 +83,7 @@ export class Runner {
       lines: JSON.parse(engine.lines_json()),
       settings: readSettings(resolved),
       joint_axes: readJointAxes(resolved),
+      timeline_switch: readTimelineSwitch(resolved),
       channels: JSON.parse(engine.channels_json()),
       inputs: JSON.parse(engine.inputs_json()),
       digest: digestOf(text, ...Object.entries(files).sort(([a], [b]) => (a < b ? -1 : 1)).flat()),

@@ -10,7 +10,7 @@ import { furthest, heelOver } from "./heel";
 import { HeelChart } from "./heel_chart";
 import { COLOURS, DEGREES, LossChart } from "./loss_chart";
 import { LossTable } from "./loss_table";
-import { lostWith, releaseOf, releasedAt } from "./release";
+import { isByTimeline, lostWith, releaseOf, releasedAt } from "./release";
 import { armOf, bothSides, lossOf, mirror } from "./righting";
 import type { Arms, Loss } from "./righting";
 
@@ -120,7 +120,12 @@ export class LossLesson {
 
   private async cutNow(): Promise<void> {
     const { release, session } = this;
-    if (!release) return;
+    if (!release || !session.run) return;
+    // What a timeline steers no hand sets: the run begins anew without it.
+    if (isByTimeline(release)) {
+      session.set(session.run.timelineSwitch, false);
+      await session.reset();
+    }
     await session.setInput(release.name, release.upper);
     session.start();
   }

@@ -5,10 +5,17 @@ import type { Hydrostatics, InputInfo, ModelInfo } from "../engine/engine";
 const CAN_BE = { label: "can be released", value: "true" };
 const IS = "is released";
 
-/** The input that lets a load go: it has the name of what holds the load; a timeline or a hand sets it. Null where there is none. */
+/** What an input takes that the scenario's timeline sets. */
+const TIMELINE = "operation";
+
+/** The input that lets a load go: it has the name of what holds the load, and a hand sets it or a timeline. Null where there is none. */
 export function releaseOf({ elements }: Pick<ModelInfo, "elements">, inputs: readonly InputInfo[]): InputInfo | null {
   const can = (name: string) => elements.some((one) => one.name === name && one.enabled && one.facts.some(({ label, value }) => label === CAN_BE.label && value === CAN_BE.value));
-  return inputs.find(({ name, signal }) => !signal && can(name)) ?? null;
+  return inputs.find((one) => (one.signal === null || isByTimeline(one)) && can(one.name)) ?? null;
+}
+
+export function isByTimeline({ signal }: InputInfo): boolean {
+  return signal === TIMELINE;
 }
 
 /** When it was let go, s; null where it was not by then. */

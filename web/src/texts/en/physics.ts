@@ -47,7 +47,7 @@ export const resonance = {
   intro: "A ship and her hanging load each have periods of their own. Where one meets the period of the waves, a small sea makes a large motion.",
   parameter: "What is varied",
   none: "This scenario has no number with a range to vary.",
-  made_for_it: "Open the vessel whose rope can be long or short",
+  made_for_it: "Open the vessel whose load can hang high or low",
   compute: "Compute the periods",
   stop: "Stop",
   progress: (done: number, of: number) => `${done} of ${of} values`,
