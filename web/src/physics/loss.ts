@@ -131,9 +131,11 @@ export class LossLesson {
   }
 
   private goBack(): void {
-    const { shown } = this.session;
-    const cut_s = this.release && shown.recording && releasedAt(shown.recording, this.release.name, shown.time_s);
-    if (cut_s !== null) this.session.scrub(shown.recording!.beside(cut_s, -1));
+    const { recording, time_s } = this.session.shown;
+    const cut_s = this.release && recording && releasedAt(recording, this.release.name, time_s);
+    if (cut_s === null) return;
+    if (cut_s > recording!.start_s) this.session.scrub(recording!.beside(cut_s, -1));
+    else void this.session.reset();
   }
 }
 
