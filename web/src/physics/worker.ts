@@ -1,8 +1,6 @@
 import { expectedAmplitudes } from "../ahead/sea";
 import { asFault } from "../engine/engine";
-import type { Value } from "../engine/engine";
 import init, { Simulation } from "../engine/pkg/kingpost_wasm.js";
-import * as engine_package from "../engine/pkg/kingpost_wasm.js";
 import moduleUrl from "../engine/pkg/kingpost_wasm_bg.wasm?url";
 import { FilesOfScenarios } from "../engine/scenario_files";
 import type { FromSweep, Sweep } from "./messages";
@@ -14,8 +12,6 @@ interface WorkerScope {
   onmessage: ((event: MessageEvent<Sweep>) => void) | null;
   postMessage(message: FromSweep): void;
 }
-
-const { natural_modes } = engine_package as unknown as { natural_modes(text: string, file: string, overrides_json: string, files_json: string): string };
 
 const scope = self as unknown as WorkerScope;
 
@@ -32,13 +28,22 @@ async function sweep({ scenario, parameter, values }: Sweep): Promise<void> {
   const { text, file, overrides } = scenario;
   scope.postMessage({ kind: "sea", sea: seaOf(text, file, JSON.stringify(overrides), files) });
   for (const value of values) {
-    const changed = JSON.stringify({ ...overrides, [parameter]: value } satisfies Record<string, Value>);
     try {
-      const modes = JSON.parse(natural_modes(text, file, changed, files)) as NaturalMode[];
+      const modes = modesOf(text, file, JSON.stringify({ ...overrides, [parameter]: value }), files);
       scope.postMessage({ kind: "modes", found: { value, modes } });
     } catch (thrown) {
       scope.postMessage({ kind: "skipped", value, fault: asFault(thrown) });
     }
+  }
+}
+
+/** About the equilibrium that is nearest to where the scenario begins. */
+function modesOf(text: string, file: string, overrides: string, files: string): NaturalMode[] {
+  const engine = new Simulation(text, file, overrides, files);
+  try {
+    return JSON.parse(engine.natural_modes_json()) as NaturalMode[];
+  } finally {
+    engine.free();
   }
 }
 
