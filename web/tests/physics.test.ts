@@ -5,6 +5,7 @@ import { readModel } from "../src/engine/engine";
 import type { Hydrostatics, InputInfo } from "../src/engine/engine";
 import { Runner } from "../src/engine/runner";
 import { closest, crossings, linesOf, valuesOver } from "../src/physics/modes";
+import type { NaturalMode } from "../src/physics/modes";
 import { isByTimeline, lostWith, releaseOf } from "../src/physics/release";
 import { areaOf, armOf, bothSides, lossOf } from "../src/physics/righting";
 import type { Arms } from "../src/physics/righting";
@@ -133,6 +134,22 @@ describe("natural periods over a parameter", () => {
     expect(linesOf(found.filter(({ value }) => value < 10 || value > 14))[1].places.length).toBeLessThan(25);
     expect(linesOf(found.filter(({ value }) => value < 10 || value > 14)).length).toBe(2);
     expect(linesOf([{ value: 0, modes: [{ ...roll, period_s: 120 }, { ...roll, period_s: 0.3 }] }])).toEqual([]);
+  });
+});
+
+describe("the modes that the engine finds", () => {
+  it("are those that Python's modes have of the vessel: roll, and the load on its rope both ways", async () => {
+    await initEngine();
+    const text = read("scenarios/offshore_vessel.yaml");
+    const engine = new Simulation(text, "", JSON.stringify({ rope_length_m: 25 }), await filesOf(text));
+    const modes = JSON.parse(engine.natural_modes_json()) as NaturalMode[];
+    engine.free();
+    const periods = (coordinate: string) => modes.filter((mode) => mode.coordinate === coordinate).map(({ period_s }) => period_s);
+    // kingpost.modes("offshore_vessel", rope_length_m=25).damped_period, to the digits that were printed.
+    expect(periods("hull.roll")).toHaveLength(1);
+    expect(periods("hull.roll")[0]).toBeCloseTo(13.991, 2);
+    expect(periods("pendant.second")[0]).toBeCloseTo(10.039, 2);
+    expect(periods("pendant.first")[0]).toBeCloseTo(9.322, 2);
   });
 });
 
