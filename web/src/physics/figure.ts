@@ -13,6 +13,7 @@ export abstract class Figure<Content> {
   private chart: Painted | null = null;
   private axes = "";
   private content: Content | null = null;
+  private size = "";
 
   constructor() {
     new ResizeObserver(() => this.redraw()).observe(this.area);
@@ -42,7 +43,9 @@ export abstract class Figure<Content> {
     if (names !== this.axes) this.forget();
     this.axes = names;
     this.chart ??= new Painted(area, axes, (u, style) => this.content && this.paint(u, style, this.content));
-    this.chart.resize(area.clientWidth, area.clientHeight);
+    const size = `${area.clientWidth} ${area.clientHeight}`;
+    if (size !== this.size) this.chart.resize(area.clientWidth, area.clientHeight);
+    this.size = size;
     this.chart.fit(...this.endsOf(content));
   }
 

@@ -1,6 +1,7 @@
 import type { Aside } from "../app/aside";
 import { fixed } from "../app/format";
 import type { Run, Session } from "../app/session";
+import { asFault } from "../engine/engine";
 import type { Hydrostatics, InputInfo } from "../engine/engine";
 import { inWords } from "../plots/lines";
 import { swatch } from "../plots/plot";
@@ -71,16 +72,21 @@ export class LossLesson {
 
   private async ask(run: Run, { name }: InputInfo): Promise<void> {
     this.asked = run;
-    const { aside, session } = this;
-    const before = await aside.hydrostaticsAtStart(session, [], "loss").catch(() => null);
+    const { session } = this;
+    const before = await this.afloat([]);
     if (!before || session.run !== run) return;
     const lost = lostWith(before, name, run.model.bodies);
-    const after = lost.length > 0 ? await aside.hydrostaticsAtStart(session, lost, "loss").catch(() => null) : before;
+    const after = lost.length > 0 ? await this.afloat(lost) : before;
     if (!after || session.run !== run) return;
     this.ship = shipOf(before, after, name);
-    this.lack = this.ship ? "" : lackOf(before, after);
+    if (!this.ship) this.lack = lackOf(before, after);
     this.build();
     this.show();
+  }
+
+  /** What fails is a warning like the engine's own. */
+  private afloat(without: readonly string[]): Promise<Hydrostatics | null> {
+    return this.aside.hydrostaticsAtStart(this.session, without, "loss").catch((thrown) => ({ hulls: [], warnings: [asFault(thrown).message] }));
   }
 
   private build(): void {

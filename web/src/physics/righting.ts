@@ -1,4 +1,5 @@
 import type { RightingArmCurve } from "../generated/hydrostatics";
+import { onLine } from "../plots/stability";
 
 /** Righting arms over the heel to both sides: rad and m, both positive to starboard. */
 export interface Arms {
@@ -40,13 +41,9 @@ export function bothSides({ side, points, equilibrium_rad }: Pick<RightingArmCur
   return { heel: along.map(([heel]) => heel), arm: along.map(([, arm]) => arm), rest: equilibrium_rad === null ? null : way * equilibrium_rad };
 }
 
-/** The arm at a heel, m, on the line between two points; NaN beyond the curve. */
+/** The arm at a heel, m; NaN beyond the curve. */
 export function armOf({ heel, arm }: Arms, at: number): number {
-  const after = heel.findIndex((one) => one >= at);
-  if (after < 0 || (after === 0 && heel[0] !== at)) return NaN;
-  if (heel[after] === at) return arm[after];
-  const share = (at - heel[after - 1]) / (heel[after] - heel[after - 1]);
-  return arm[after - 1] + share * (arm[after] - arm[after - 1]);
+  return onLine(heel, arm, at);
 }
 
 /** The area under the arms from one heel to another, m rad, by trapezia; 0 where the second is not beyond the first. */
