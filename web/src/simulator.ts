@@ -14,6 +14,8 @@ import { EquationsPanel } from "./equations/equations";
 import { exportTool } from "./export/dialog";
 import { Instruments } from "./instruments/instruments";
 import { Levers } from "./levers/levers";
+import { Periods } from "./physics/periods";
+import { PhysicsPanel } from "./physics/physics";
 import { Plots } from "./plots/plots";
 import { language, texts } from "./texts";
 import { announce } from "./ui/announcer";
@@ -102,6 +104,8 @@ function buildPage(session: Session, startClient: () => EngineClient): void {
   const scene = createScene(session, aside);
   const plots: Plots = new Plots(session, aside, [exportTool(session, scene, () => plots.shown)]);
   new EquationsPanel(session, aside, (what) => scene.highlight(what));
+  const startSweep = () => new Worker(new URL("./physics/worker.ts", import.meta.url), { type: "module", name: language });
+  const physics = new PhysicsPanel(session, aside, new Periods(startSweep, galleryFolder(document.baseURI)));
   const ahead = openAhead(session, aside, galleryFolder(document.baseURI));
   new AheadLine(ahead);
   ahead.onChange(() => {
@@ -111,5 +115,6 @@ function buildPage(session: Session, startClient: () => EngineClient): void {
   runClock(session, () => {
     scene.draw();
     plots.draw();
+    physics.draw();
   });
 }

@@ -130,6 +130,8 @@ const FOR_PROGRAMS = [
   "levers/keys.ts: input, select, textarea, dialog, [contenteditable]",
   "offline/leave.ts: kingpost §",
   "offline/worker.ts: kingpost §",
+  "physics/release.ts: can be released",
+  "physics/release.ts: is released",
   "plots/spectrum_chart.ts: § rad/s",
   "plots/time_chart.ts: in §",
   "plots/view_dialog.ts: last §",

@@ -7,6 +7,7 @@ export * from "./exports";
 export * from "./faults";
 export * from "./instruments";
 export * from "./page";
+export * from "./physics";
 export * from "./picture";
 export * from "./plots";
 export * from "./run";
