@@ -317,4 +317,6 @@ def test_an_option_of_a_hull_is_refused_for_a_file(tmp_path, capsys, option) -> 
     writers.write_bemio(source, writers.database())
     assert main(["hydro", str(source), "-o", str(tmp_path / "a.hydro.json"), *option]) != 0
     name = option[0].removeprefix("--").removeprefix("no-")
-    assert f"{flag(name)}: found {source}, allowed: a hull, whose waves are computed" in capsys.readouterr().err
+    assert (
+        f"{flag(name)}: found {source}, allowed: a hull, whose waves are computed" in capsys.readouterr().err
+    )

@@ -64,12 +64,12 @@ def test_check_prints_targets_and_prescribed_rates_and_what_nothing_carries(tmp_
     assert main(["check", str(path), "--set", "motor_1=off", "--set", "gravity=on"]) == 0
     shown = capsys.readouterr().out
     assert re.search(
-        r"^lift +servo +on +joint luff, target 1\.5708 rad, .*torque limit 2000 N m$", shown, re.MULTILINE
+        r"^lift +servo +on +joint luff, target 90 deg, .*torque limit 2 kN m$", shown, re.MULTILINE
     )
-    assert re.search(r"^slew +rate 0\.25 rad/s, history constant$", shown, re.MULTILINE)
+    assert re.search(r"^slew +rate 14\.32 deg/s, history constant$", shown, re.MULTILINE)
     assert "falls" not in shown
     assert main(["check", "paper", "--set", "gravity=on", "--set", "hold_centre=off"]) == 0
-    assert "warning: gravity acts and nothing carries ship: it falls" in capsys.readouterr().out
+    assert "warning: gravity acts and nothing carries ship: it falls" in capsys.readouterr().err
 
 
 def test_check_prints_loops_and_cylinders(capsys):

@@ -303,7 +303,7 @@ def test_a_run_that_ended_early_is_told_of(tmp_path, capsys) -> None:
     results.attrs["status"] = "interrupted"
     results.to_netcdf(tmp_path / "part.nc", engine="h5netcdf")
     assert main(["statistics", str(tmp_path / "part.nc"), "--after-s", "1"]) == 0
-    assert "warning: a run ended early, at 3 s: interrupted" in capsys.readouterr().out
+    assert "warning: a run ended early, at 3 s: interrupted" in capsys.readouterr().err
 
 
 def _warned(values: list[float], **warnings: str) -> xarray.Dataset:

@@ -193,9 +193,7 @@ def _water(options: argparse.Namespace) -> Water:
 
 def _count(name: str, given: int | None, limits: tuple[int, int]) -> int | None:
     if given is not None and not limits[0] <= given <= limits[1]:
-        raise HydrodynamicsError(
-            flag(name), str(given), f"a whole number from {limits[0]} to {limits[1]}"
-        )
+        raise HydrodynamicsError(flag(name), str(given), f"a whole number from {limits[0]} to {limits[1]}")
     return given
 
 

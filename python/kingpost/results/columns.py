@@ -5,8 +5,11 @@ from __future__ import annotations
 import json
 from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from itertools import product
 from typing import TYPE_CHECKING, Any
+
+from .units import IN_ENGINEERING, NAMES, engineering
 
 if TYPE_CHECKING:
     import pandas
@@ -34,16 +37,24 @@ def unit_of(column: xarray.DataArray) -> str:
     return str(column.coords[name].item()) if name in column.coords else str(column.attrs.get("units", ""))
 
 
-def frame(results: xarray.Dataset) -> pandas.DataFrame:
+def frame(results: xarray.Dataset, patterns: Sequence[str] = (), units: str = NAMES) -> pandas.DataFrame:
     """Results as a flat table, one column per number.
 
     Columns are ``time`` and then such as ``ship.angular_velocity.x``, ``slew.joint_position``,
-    ``arm.tip.point_position.z`` or ``kinetic_energy``.
+    ``arm.tip.point_position.z`` or ``kinetic_energy``; with patterns those whose names are like one, as
+    ``ship.*``. With the units ``si`` a name ends with its unit, as ``ship.roll [rad]``; so it does with
+    ``engineering``, ``ship.roll [deg]``, and the numbers are in that.
     """
     import pandas
 
-    flat = {name: series.values for name, series in columns(results)}
-    return pandas.DataFrame({"time": results["time"].values, **flat})
+    flat = {}
+    for name, series in [("time", results["time"]), *columns(results)]:
+        if name == "time" or not patterns or any(fnmatchcase(name, pattern) for pattern in patterns):
+            unit = unit_of(series)
+            shown, size = engineering(unit) if units == IN_ENGINEERING else (unit, 1.0)
+            heading = name if units == NAMES else f"{name} [{shown}]"
+            flat[heading] = series.values if size == 1.0 else series.values / size
+    return pandas.DataFrame(flat)
 
 
 def columns(

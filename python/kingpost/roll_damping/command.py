@@ -149,9 +149,7 @@ def _check(options: argparse.Namespace) -> None:
     for pair in (("mass_kg", "gm_m"), ("database", "kg_m")):
         missing = [name for name in pair if getattr(options, name) is None]
         if len(missing) == 1:
-            raise RollDampingError(
-                flag(missing[0]), "none", f"{flag(pair[0])} and {flag(pair[1])} together"
-            )
+            raise RollDampingError(flag(missing[0]), "none", f"{flag(pair[0])} and {flag(pair[1])} together")
     for name in ("inertia_kg_m2", "mass_kg", "gm_m", "kg_m"):
         value = getattr(options, name)
         if value is not None and not (math.isfinite(value) and value > 0):
