@@ -133,7 +133,7 @@ def _fact(fact: dict[str, str]) -> str:
     shown, size = engineering(fact["unit"])
     value = fact["value"]
     if size != 1.0:
-        value = NUMBER.sub(lambda found: f"{float(found.group()) / size:.4g}", value)
+        value = NUMBER.sub(lambda found: f"{float(found.group()) / size:.5g}", value)
     return f"{fact['label']} {value} {shown}".rstrip()
 
 

@@ -16,6 +16,7 @@ ENGINEERING = {
     "N m": ("kN m", 1e3),
     "N s": ("kN s", 1e3),
     "N/m": ("kN/m", 1e3),
+    "N s/m": ("kN s/m", 1e3),
     "Pa": ("kPa", 1e3),
     "kg": ("t", 1e3),
     "J": ("kJ", 1e3),
