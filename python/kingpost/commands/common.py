@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import math
+import re
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
@@ -12,8 +13,15 @@ from typing import Any
 import numpy as np
 
 from ..engine import engine
+from ..errors import KingpostError
 from ..scenario import Scenario, load
 
+WORD = re.compile(
+    r'"(?:[^"\\\\]|\\\\.)*"|'
+    r"(?:true|false|null|-?\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)(?=\s*[,}\]])|"
+    r"([^\s{}\[\],:\"][^{}\[\],\"]*?)(?=\s*(?::\s|[,}\]]))"
+)
+"""Texts in quotes, numbers and other words of JSON, and words that want quotes."""
 WARNING, WARNING_OF_RUNS = "warning: ", "warning, in "
 """How lines of a report begin that one should not miss."""
 DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -28,8 +36,30 @@ def add_scenario(command: argparse.ArgumentParser) -> None:
 
 def scenario_of(options: argparse.Namespace) -> Scenario:
     """The scenario that the command line names."""
-    pairs = (engine.parse_assignment(assignment) for assignment in options.set)
-    return load(options.scenario, {name: json.loads(value) for name, value in pairs})
+    return load(options.scenario, dict(_assignment(given) for given in options.set))
+
+
+def _assignment(given: str) -> tuple[str, Any]:
+    """Name and value of ``name=value``; a value in braces is fields by name, as JSON."""
+    name, value = engine.parse_assignment(given)
+    value = json.loads(value)
+    if not (isinstance(value, str) and value.startswith("{")):
+        return name, value
+    try:
+        return name, json.loads(_quoted(value))
+    except json.JSONDecodeError:
+        raise KingpostError(
+            f"--set {name}: found {value!r}, allowed: fields as {{name: value, list: [1, 2]}}"
+        ) from None
+
+
+def _quoted(fields: str) -> str:
+    """Fields in braces as JSON, with quotes about words that have none.
+
+    >>> _quoted('{prescribed: {rate_rad_s: 0.1, on: true, "file": gallery:a/b.csv}}')
+    '{"prescribed": {"rate_rad_s": 0.1, "on": true, "file": "gallery:a/b.csv"}}'
+    """
+    return WORD.sub(lambda found: found[0] if found[1] is None else json.dumps(found[1].strip()), fields)
 
 
 def add_output(command: argparse.ArgumentParser) -> None:
@@ -41,7 +71,7 @@ def add_output(command: argparse.ArgumentParser) -> None:
 
 def show(options: argparse.Namespace, text: Callable[[], str], data: Callable[[], Any]) -> None:
     """Print a report: as text, as JSON, or nothing. What it warns of goes to stderr in each case."""
-    lines = text().splitlines()
+    lines = printable(text()).split("\n")
     if options.json:
         print(json.dumps(plain(data()), indent=1, ensure_ascii=False, allow_nan=False))
     elif not options.quiet:
@@ -52,14 +82,23 @@ def show(options: argparse.Namespace, text: Callable[[], str], data: Callable[[]
 def note(options: argparse.Namespace, words: str) -> None:
     """Print a line beside a report: not where JSON or nothing is wanted."""
     if not (options.json or options.quiet):
-        print(words)
+        print(printable(words))
 
 
 def warn(every: Iterable[str]) -> None:
     """Print lines of warning on stderr."""
     sys.stdout.flush()
     for line in every:
-        print(line, file=sys.stderr)
+        print(printable(line), file=sys.stderr)
+
+
+def printable(text: str) -> str:
+    """A text without what steers a terminal: titles and names come from files.
+
+    >>> printable("a\\x1b[31mred\\nline")
+    'a?[31mred\\nline'
+    """
+    return "".join(sign if sign.isprintable() or sign == "\n" else "?" for sign in text)
 
 
 def plain(value: Any) -> Any:
@@ -93,5 +132,5 @@ def _without_double_gaps(lines: Iterable[str]) -> str:
 def fail(error: object, code: int) -> int:
     """Say what went wrong, in one line, after what was printed so far."""
     sys.stdout.flush()
-    print(f"error: {' '.join(str(error).split())}", file=sys.stderr)
+    print(f"error: {printable(' '.join(str(error).split()))}", file=sys.stderr)
     return code
