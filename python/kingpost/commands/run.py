@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import json
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..errors import KingpostError, RunError
 from ..output import check as check_output
@@ -28,6 +30,8 @@ from .common import (
 if TYPE_CHECKING:
     import xarray
 
+    from ..simulation.seeds import OfSeed
+
 HELP = "simulate a scenario and print a summary"
 
 
@@ -49,7 +53,9 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "column's name; names: SI units, and names alone (default)",
     )  # fmt: skip
     command.add_argument("--seeds", type=int, metavar="N",
-                         help="N runs, of the seeds 1 to N; -o has * for them, as run_*.nc")  # fmt: skip
+                         help="N runs, of the seeds 1 to N; -o has * for them, as run_*.nc; files .nc of the "
+                         "same runs that are there already are kept")  # fmt: skip
+    command.add_argument("--anew", action="store_true", help="with --seeds: run what is there already, too")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -115,19 +121,37 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
     paths = seeds.files(options.output, options.seeds)
     older = sum(path.exists() for path in paths)
     with progress.bar(options.seeds, "runs") as update:
-        runs = list(seeds.run(scenario, paths, update))
-    failed = [(path, found) for path, found in runs if found["status"] != FINISHED]
-    print(scenario.title, f"{len(runs)} runs, seeds 1 to {len(runs)}", sep="\n")
-    if failed:
-        of = ", ".join(str(found["seed"]) for _, found in failed)
-        print(f"{len(failed)} of {len(runs)} runs failed, of the seeds {of}: they count until then")
-    came_of = [outcomes.of_run(found, found["seed"]) for _, found in runs]
-    if limits := outcomes.limits(came_of):
-        print("", *limits, sep="\n")
+        found = seeds.run(scenario, paths, update, options.record, options.units, options.anew)
+        runs = list(found)
+    kept = sum(one.was_there for one in runs)
+    failed = [one for one in runs if one.attributes["status"] != FINISHED]
+    came_of = [outcomes.of_run(one.attributes, one.attributes["seed"]) for one in runs]
+    show(options, lambda: _of_seeds(scenario, runs), lambda: [_numbers_of(one) for one in runs])
     warn(line for lines in outcomes.warnings(came_of) for line in lines)
-    over = f", {older} in the place of an older file" if older else ""
-    print(f"\nwritten         {runs[0][0]} to {runs[-1][0]}{over}")
-    print(f"to go on        kingpost statistics {options.output}")
-    for path, found in failed:
-        fail(f"{path}: {found['status']}", FAILED)
+    over = f", {older - kept} in the place of an older file" if older > kept else ""
+    note(options, f"\nwritten         {paths[0]} to {paths[-1]}{over}")
+    if kept:
+        note(options, f"kept            {kept} of them, which were of the same runs (--anew runs them too)")
+    note(options, f"to go on        kingpost statistics {options.output}")
+    for one in failed:
+        fail(f"{one.path}: {one.attributes['status']}", FAILED)
     return FAILED if failed else DONE
+
+
+def _of_seeds(scenario: Scenario, runs: Sequence[OfSeed]) -> str:
+    from ..reports import outcomes
+    from ..simulation.batch import FINISHED
+
+    lines = [scenario.title, f"{len(runs)} runs, seeds 1 to {len(runs)}"]
+    failed = [str(one.attributes["seed"]) for one in runs if one.attributes["status"] != FINISHED]
+    if failed:
+        of = ", ".join(failed)
+        lines.append(f"{len(failed)} of {len(runs)} runs failed, of the seeds {of}: they count until then")
+    limits = outcomes.limits([outcomes.of_run(one.attributes, one.attributes["seed"]) for one in runs])
+    return "\n".join([*lines, *(["", *limits] if limits else [])])
+
+
+def _numbers_of(one: OfSeed) -> dict[str, Any]:
+    told = {name: json.loads(one.attributes.get(name, "[]")) for name in ("limits", "warnings")}
+    of = {"file": str(one.path), "seed": one.attributes["seed"], "status": one.attributes["status"]}
+    return of | {"was_there": one.was_there} | told
