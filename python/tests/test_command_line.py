@@ -16,7 +16,9 @@ from kingpost.reports import sea
 from samples import read_csv
 
 SHORT = ["--set", "simulation.duration_s=0.5"]
-HEAVY_ON_TOP = ["--set", "bodies.load.mass_kg=150000"]
+RESTLESS = {"simulation.begin_at_equilibrium": False}
+TOP_HEAVY = RESTLESS | {"bodies.load.mass_kg": 10, "bodies.ship.centre_of_mass_m": [0, 0, 5]}
+KEEL_UP = RESTLESS | {"bodies.load.mass_kg": 100000}
 
 
 def test_numbers_of_a_run_are_printed_as_json(capsys) -> None:
@@ -100,8 +102,9 @@ def test_parquet_and_netcdf_have_the_chosen_columns_too(tmp_path, capsys) -> Non
     assert "NetCDF has SI" in capsys.readouterr().err
 
 
-def test_a_column_that_is_not_there_is_refused_before_the_run(tmp_path, capsys) -> None:
+def test_a_column_that_is_not_there_is_refused_before_the_run(tmp_path, capsys, monkeypatch) -> None:
     output = tmp_path / "run.csv"
+    monkeypatch.delattr(kingpost.Simulation, "run")
     assert main(["run", "paper", "-o", str(output), "--record", "boat.roll"]) == 2
     shown = capsys.readouterr()
     assert "--record: found 'boat.roll', allowed: columns as ship.roll" in shown.err
@@ -120,13 +123,16 @@ def test_a_file_is_written_when_the_reader_of_a_pipe_leaves(tmp_path) -> None:
     assert len(read_csv(output)) == 51
 
 
-def test_a_ship_that_would_capsize_is_exit_code_1_unless_that_is_allowed(capsys) -> None:
-    """Source: the metacentric height that is printed."""
-    scenario = kingpost.load("barge", {"bodies.load.mass_kg": 150000})
-    assert scenario.hydrostatics["hulls"][0]["metacentric_height_m"][0] < 0
-    assert main(["check", "barge", *HEAVY_ON_TOP]) == 1
-    assert "warning: " in capsys.readouterr().err
-    assert main(["check", "barge", *HEAVY_ON_TOP, "--allow-unstable"]) == 0
+@pytest.mark.parametrize("wrong", [TOP_HEAVY, KEEL_UP])
+def test_a_ship_that_capsizes_is_exit_code_1_unless_that_is_allowed(wrong, capsys) -> None:
+    """Source: the metacentric height and the heel that are printed."""
+    scenario = kingpost.load("barge", wrong)
+    hull = scenario.hydrostatics["hulls"][0]
+    assert hull["metacentric_height_m"][0] < 0 or abs(hull["heel_rad"]) > 2.5
+    settings = [f"--set={name}={json.dumps(value)}" for name, value in wrong.items()]
+    assert main(["check", "barge", *settings]) == 1
+    assert "not stable" in capsys.readouterr().err
+    assert main(["check", "barge", *settings, "--allow-unstable"]) == 0
     assert main(["check", "barge"]) == 0
 
 

@@ -67,6 +67,9 @@ def run(options: argparse.Namespace) -> int:
     scenario = scenario_of(options)
     simulation = Simulation(scenario)
     warn(f"{WARNING}{words}" for words in simulation.model_warnings)
+    if options.record:
+        columns = results.dataset(scenario, simulation.channels, simulation.row()[None, :], "")
+        results.check_patterns(columns, options.record)
     if options.seeds is not None:
         return _run_seeds(scenario, options)
     existed = options.output is not None and Path(options.output).exists()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -64,8 +65,11 @@ def data(scenario: Scenario, coordinates: Sequence[str]) -> dict[str, Any]:
 
 
 def is_unstable(scenario: Scenario) -> bool:
-    """Whether a hull would capsize where it rests in still water: its metacentric height is negative."""
-    return any(min(hull["metacentric_height_m"]) < 0 for hull in scenario.hydrostatics["hulls"])
+    """Whether a hull capsizes: in still water its metacentric height is negative, or it rests keel up."""
+    return any(
+        min(hull["metacentric_height_m"]) < 0 or abs(hull["heel_rad"]) > math.pi / 2
+        for hull in scenario.hydrostatics["hulls"]
+    )
 
 
 def _parts(parts: list[dict[str, Any]]) -> list[str]:

@@ -3,7 +3,7 @@
 from .columns import column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
 from .dataset import attributes, dataset
 from .events import events, warnings
-from .files import ENDINGS, check_output, open_all, read, write
+from .files import ENDINGS, check_output, check_patterns, open_all, read, write
 from .units import NAMES
 
 __all__ = [
@@ -11,6 +11,7 @@ __all__ = [
     "NAMES",
     "attributes",
     "check_output",
+    "check_patterns",
     "column_name",
     "columns",
     "dataset",

@@ -75,7 +75,7 @@ def write(
     """
     path = check_output(path)
     ending = path.suffix.lower()
-    _check_patterns(results, patterns)
+    check_patterns(results, patterns)
     if ending == ".nc":
         if units != NAMES:
             raise KingpostError(
@@ -94,7 +94,8 @@ def write(
     return path
 
 
-def _check_patterns(results: xarray.Dataset, patterns: Sequence[str]) -> None:
+def check_patterns(results: xarray.Dataset, patterns: Sequence[str]) -> None:
+    """Make sure that each pattern is like the name of a column."""
     names = list(places(results))
     for pattern in patterns:
         if not any(fnmatchcase(name, pattern) for name in names):
