@@ -80,7 +80,7 @@ schema: $(NODE_MODULES) | need-rust ## the scenario's JSON schema and TypeScript
 	cargo run --quiet --locked --package kingpost --features schema --example write_schema
 	cd web && npm run --silent types
 
-lint: $(NODE_MODULES) $(WASM) $(DONE)/develop | need-lint ## formats, clippy, ruff, TypeScript
+lint: $(NODE_MODULES) $(WASM) $(DONE)/develop | need-lint ## formats, clippy, ruff, mypy, TypeScript
 	tools/lint.sh
 
 format: $(DONE)/develop ## format the Rust and the Python

@@ -6,7 +6,10 @@
 3.0
 """
 
+import logging
+
 from . import results, verify
+from .accessor import Accessor
 from .analysis import lift_rules, statistics
 from .analysis.gradients import gradient
 from .analysis.response import rao
@@ -20,9 +23,13 @@ from .simulation.linear import Equilibrium, Linearization
 from .simulation.records import Input, State
 from .simulation.simulate import Simulation, run
 
+# Its messages go where a program that uses it sends them, else nowhere.
+logging.getLogger(__name__).addHandler(logging.NullHandler())
+
 __version__: str = engine.__version__
 
 __all__ = [
+    "Accessor",
     "Batch",
     "Equilibrium",
     "Input",

@@ -82,7 +82,7 @@ def sine(series: xarray.DataArray, omega: float) -> complex:
 
 def test_velocities_and_accelerations_are_those_of_the_displacement() -> None:
     found = kingpost.rao("barge", [1.0], [0.7, 1.4])
-    omega = found.frequency
+    omega = found.omega
     for k, rates in enumerate((found.velocity, found.acceleration), start=1):
         assert np.allclose(rates, (found.displacement * omega**k).transpose(*rates.dims))
     by_phase = response.complex_amplitude(found, "velocity")
@@ -160,7 +160,7 @@ def test_what_has_no_response_is_named(arguments: list[str], message: str, capsy
 @pytest.mark.parametrize("name", ["two_ships", "lift_off_from_barge"])
 def test_several_hulls_answer_by_default_at_the_frequencies_that_all_of_their_databases_cover(name) -> None:
     """Source: the databases: of the vessel 0.05984 to 2.618 rad/s, of the barge 0.09229 to 4.038."""
-    frequency = kingpost.rao(name, [0.0]).frequency.values
+    frequency = kingpost.rao(name, [0.0]).omega.values
     assert (frequency[0], frequency[-1]) == (0.09229, 2.618)
     assert len(frequency) > 100
     assert (np.diff(frequency) > 0).all()
@@ -169,7 +169,7 @@ def test_several_hulls_answer_by_default_at_the_frequencies_that_all_of_their_da
 def test_a_hull_answers_by_default_at_the_frequencies_that_the_engine_takes() -> None:
     """Source: the engine, which refines a database in the same way."""
     found = kingpost.Simulation("barge").wave_response([0.0], [])
-    assert kingpost.rao("barge", [0.0]).frequency.values.tolist() == found["frequencies_rad_s"]
+    assert kingpost.rao("barge", [0.0]).omega.values.tolist() == found["frequencies_rad_s"]
 
 
 def test_directions_beyond_one_turn_are_refused(capsys) -> None:

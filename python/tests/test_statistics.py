@@ -56,7 +56,7 @@ def test_a_gaussian_process_of_a_known_spectrum_gives_its_variance_and_period() 
 def test_the_spectrum_comes_back_with_its_moments() -> None:
     records = xarray.concat([gaussian_process(np.random.default_rng(seed)) for seed in range(4)], "run")
     found = statistics.spectrum(records, segment_s=400.0)
-    assert found.dims == ("run", "frequency")
+    assert found.dims == ("run", "omega")
     assert found.attrs["units"] == "(m)^2 s/rad"
     # Fifty segments a record and four of them: 7 % of error by line, and the window's own smearing.
     mean = found.mean("run")
@@ -72,8 +72,8 @@ def test_a_sine_gives_all_of_its_power_to_its_line() -> None:
     time = 0.25 * np.arange(4000)
     wave = xarray.DataArray(3 * np.cos(2 * np.pi * time / 10), {"time": time}, ("time",), "roll")
     found = statistics.spectrum(wave, segment_s=100.0)
-    assert float(found.integrate("frequency")) == pytest.approx(4.5, rel=1e-3)
-    assert float(found.idxmax("frequency")) == pytest.approx(2 * np.pi / 10)
+    assert float(found.integrate("omega")) == pytest.approx(4.5, rel=1e-3)
+    assert float(found.idxmax("omega")) == pytest.approx(2 * np.pi / 10)
 
 
 def test_the_spectrum_is_that_of_scipy() -> None:
@@ -81,7 +81,7 @@ def test_the_spectrum_is_that_of_scipy() -> None:
     record = gaussian_process(np.random.default_rng(5), duration_s=1000.0)
     found = statistics.spectrum(record, segment_s=125.0)
     hertz, density = signal.welch(record.values - record.values.mean(), fs=4.0, nperseg=500, detrend=False)
-    assert np.allclose(found["frequency"], 2 * np.pi * hertz)
+    assert np.allclose(found["omega"], 2 * np.pi * hertz)
     assert np.allclose(found, density / (2 * np.pi), rtol=1e-12, atol=1e-14)
 
 

@@ -66,14 +66,9 @@ def _about_reference(found: xarray.Dataset, body: str) -> np.ndarray:
     to_heading = np.array([[cos, sin, 0], [-sin, cos, 0], [0, 0, 1]])
     # Roll and pitch are about axes that head as the body, yaw about the vertical.
     theta = (
-        complex_amplitude(found, "rotation")
-        .sel(body=body)
-        .transpose("direction", "frequency", "angle")
-        .values
+        complex_amplitude(found, "rotation").sel(body=body).transpose("direction", "omega", "angle").values
     )
-    moved = (
-        complex_amplitude(found, "displacement").sel(point=body).transpose("direction", "frequency", "axis")
-    )
+    moved = complex_amplitude(found, "displacement").sel(point=body).transpose("direction", "omega", "axis")
     at_rest = found["place"].sel(point=body).values - np.append(found.attrs["reference_m"], 0.0)
     moved = moved.values @ to_heading.T - np.cross(theta, to_heading @ at_rest)
     return np.concatenate([moved, theta], axis=-1)
@@ -82,7 +77,7 @@ def _about_reference(found: xarray.Dataset, body: str) -> np.ndarray:
 def _frame(found: xarray.Dataset, raos: np.ndarray) -> pandas.DataFrame:
     import pandas
 
-    directions, frequencies = np.meshgrid(found["direction"], found["frequency"], indexing="ij")
+    directions, frequencies = np.meshgrid(found["direction"], found["omega"], indexing="ij")
     against = np.rad2deg(directions - found.attrs["heading_rad"]) % 360
     # The last digit of a turn is not worth a column of nines.
     columns = {"direction_to_deg": np.round(against, 9).ravel() % 360, "frequency_rad_s": frequencies.ravel()}

@@ -206,7 +206,8 @@ def zero_modes(system: Scaled, levels: Sequence[NDArray]) -> list[Mode]:
     free = system.shapes(levels[0])
     # What A takes to a free motion is that motion's rate.
     drifting = system.shapes(levels[1], rates=True) if len(levels) > 1 else free[:, :0]
-    modes, taken = [], []
+    modes: list[Mode] = []
+    taken: list[int] = []
     for basis in (drifting, free):
         directions, pivots = named_directions(system, basis, taken)
         for direction, pivot in zip(directions.T, pivots, strict=True):

@@ -30,6 +30,16 @@ SEVERAL_FALLS = 0.28
 def deck_speed_m_s(significant_height_m: float) -> float:
     """V_D = 6 Hs / (Hs + 8): speed of the deck of a supply vessel, m/s.
 
+    Parameters
+    ----------
+    significant_height_m
+        Hs of the waves, m.
+
+    Returns
+    -------
+    float
+        m/s.
+
     Raises
     ------
     KingpostError
@@ -56,6 +66,11 @@ def hoisting_speed_m_s(
     factor
         K_H: `SINGLE_FALL` or `SEVERAL_FALLS`.
 
+    Returns
+    -------
+    float
+        m/s.
+
     Raises
     ------
     KingpostError
@@ -71,6 +86,16 @@ def hoisting_speed_m_s(
 def offlead_m(significant_height_m: float) -> float:
     """2.5 m + 1.5 Hs: how far the hook may be off the tip in the plane of the boom, m, when it lifts.
 
+    Parameters
+    ----------
+    significant_height_m
+        Hs of the waves, m.
+
+    Returns
+    -------
+    float
+        m.
+
     Raises
     ------
     KingpostError
@@ -84,6 +109,21 @@ def offlead_m(significant_height_m: float) -> float:
 
 def sidelead_m(significant_height_m: float) -> float:
     """Half of the offlead, m: across the plane of the boom.
+
+    Parameters
+    ----------
+    significant_height_m
+        Hs of the waves, m.
+
+    Returns
+    -------
+    float
+        m.
+
+    Raises
+    ------
+    KingpostError
+        When the wave height is negative or no number.
 
     >>> sidelead_m(1.0)
     2.0
@@ -144,6 +184,11 @@ def hook_load_loss(
         Heel at which water enters, deg.
     required
         Area 2 over area 1 that is asked for: `EXPOSED_WATERS` or `UNEXPOSED_WATERS`.
+
+    Returns
+    -------
+    HookLoadLoss
+        Both areas, m rad, with the heels between which they stand.
 
     Raises
     ------

@@ -31,7 +31,7 @@ PHASE = "_phase"
 QUANTITIES = {
     "displacement": ("point", "m/m", "displacement of a point in the world"),
     "velocity": ("point", "m/s/m", "velocity of a point in the world"),
-    "acceleration": ("point", "m/s2/m", "acceleration of a point in the world"),
+    "acceleration": ("point", "m/s^2/m", "acceleration of a point in the world"),
     "rotation": ("body", "rad/m", "roll, pitch and yaw of a body"),
     "joint_position": ("coordinate", "", "joint angle or extension"),
 }
@@ -67,7 +67,7 @@ def rao(
     Returns
     -------
     xarray.Dataset
-        By ``direction`` and ``frequency``: amplitudes for each metre of wave amplitude of
+        By ``direction`` (rad) and ``omega`` (rad/s): amplitudes for each metre of wave amplitude of
         ``displacement``, ``velocity`` and ``acceleration`` (of ``point``, along ``axis``), ``rotation`` (of
         ``body``, by ``angle``) and ``joint_position`` (of ``coordinate``); beside each its phase, such as
         ``displacement_phase``: the lag behind the crest at the origin of the first hull's data, rad.
@@ -158,7 +158,7 @@ def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str
     across = {"point": ("point", "axis"), "body": ("body", "angle"), "coordinate": ("coordinate",)}
     variables: dict[str, Any] = {}
     for name, (dim, units, long_name) in QUANTITIES.items():
-        dims = ("direction", "frequency", *across[dim])
+        dims = ("direction", "omega", *across[dim])
         columns = [
             ".".join([f"{{{dim}}}", of, *(f"{{{k}}}" for k in across[dim][1:])])
             for of in (name, name + PHASE)
@@ -182,7 +182,7 @@ def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str
     metre = {"units": "m", "long_name": "place of a point at rest, world"}
     coordinates = {
         "direction": ("direction", np.array(found["directions_rad"]), rad),
-        "frequency": ("frequency", omega, rad_s),
+        "omega": ("omega", omega, rad_s),
         "point": np.array([places[i] for i in chosen], str),
         "axis": list(AXES),
         "body": np.array(bodies, str),
@@ -227,13 +227,13 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
     """
     import pandas
 
-    directions, frequencies = np.meshgrid(found["direction"], found["frequency"], indexing="ij")
+    directions, frequencies = np.meshgrid(found["direction"], found["omega"], indexing="ij")
     columns: dict[str, NDArray] = {
         "direction_deg": np.rad2deg(directions).ravel(),
         "frequency_rad_s": frequencies.ravel(),
     }
     for values in found.data_vars.values():
-        dims = [dim for dim in values.dims if dim not in ("direction", "frequency")]
+        dims = [dim for dim in values.dims if dim not in ("direction", "omega")]
         flat = values.stack(entry=dims)
         for entry in range(flat.sizes["entry"]):
             labels = {dim: flat[dim].values[entry] for dim in dims}
@@ -271,8 +271,8 @@ def _plot(found: xarray.Dataset, path: Path) -> None:
         for axis, name in zip(row, found[across].values, strict=True):
             for direction in found["direction"].values:
                 values = found[quantity].sel({dim: label, across: name, "direction": direction})
-                values = np.rad2deg(values) if quantity == "rotation" else values
-                axis.plot(found["frequency"], values, label=f"{np.rad2deg(direction):.0f} deg")
+                values = values * (180 / np.pi) if quantity == "rotation" else values
+                axis.plot(found["omega"], values, label=f"{np.rad2deg(direction):.0f} deg")
             axis.set_title(f"{label} {name}, {'deg/m' if quantity == 'rotation' else 'm/m'}", fontsize=9)
             axis.set_ylim(bottom=0)
             axis.grid(alpha=0.3)

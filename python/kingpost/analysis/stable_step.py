@@ -20,6 +20,21 @@ def stable_step(scenario_or_simulation: Scenario | Simulation | str | Path) -> f
     boom. It holds where the run begins; a stop that is met later is stiffer than that. Dormand and Prince's
     scheme chooses its own steps, implicit ones are stable at any.
 
+    Parameters
+    ----------
+    scenario_or_simulation
+        A scenario, a file or a name of the gallery, where its run begins; or a simulation as it stands.
+
+    Returns
+    -------
+    float or None
+        s; `None` where the scheme has no such limit.
+
+    Raises
+    ------
+    KingpostError
+        When the scenario cannot be linearised there.
+
     >>> print(f"{stable_step('flexible_boom'):.2g}")
     0.00084
     """

@@ -60,6 +60,16 @@ def summary(
     number where the mean is crossed upwards fewer than twice. A run that ended early, which `Batch` fills
     up with what is not a number, has statistics that are not numbers.
 
+    Returns
+    -------
+    xarray.DataArray or xarray.Dataset
+        As given, along ``statistic`` in the place of ``time``.
+
+    Raises
+    ------
+    KingpostError
+        When less than two records are left.
+
     >>> import xarray
     >>> time = np.arange(0.0, 100.0, 0.1)
     >>> heave = xarray.DataArray(np.sin(2 * np.pi * time / 8), {"time": time}, ("time",), "heave")
@@ -109,7 +119,7 @@ def _units(kept: xarray.DataArray, names: xarray.DataArray) -> xarray.DataArray:
 def spectrum(
     series: xarray.DataArray, after_s: float = 0.0, segment_s: float | None = None
 ) -> xarray.DataArray:
-    """Spectral density by Welch's method, over the angular frequency ``frequency``, rad/s.
+    """Spectral density by Welch's method, over the angular frequency ``omega``, rad/s.
 
     The record, less its mean, is cut into segments that overlap by half; each is multiplied by a Hann
     window and transformed, and the squares are averaged (Welch, *IEEE Trans. Audio Electroacoust.*
@@ -124,6 +134,21 @@ def spectrum(
         Records before this time, s, are left out.
     segment_s
         Length of a segment, s; an eighth of the record unless given. Lines are 2 pi / segment apart.
+
+    Returns
+    -------
+    xarray.DataArray
+        Along ``omega`` (rad/s), in the square of the unit times s/rad.
+
+    Raises
+    ------
+    KingpostError
+        When the record is uneven or too short for the segment.
+
+    >>> from kingpost import run
+    >>> roll = run("paper", {"simulation.duration_s": 0.5})["roll"].sel(body="ship")
+    >>> spectrum(roll, segment_s=0.25).dims
+    ('omega',)
     """
     import xarray
 
@@ -141,8 +166,8 @@ def spectrum(
     unit = kept.attrs.get("units", "")
     return xarray.DataArray(
         density,
-        {**coordinates, "frequency": ("frequency", omega, about)},
-        (*dims, "frequency"),
+        {**coordinates, "omega": ("omega", omega, about)},
+        (*dims, "omega"),
         kept.name,
         {"units": f"({unit})^2 s/rad", "long_name": f"spectral density of {kept.name}"},
     )
@@ -153,11 +178,28 @@ def moments(density: xarray.DataArray, orders: tuple[int, ...] = (0, 1, 2, 4)) -
 
     With them the standard deviation is sqrt(m0), the significant double amplitude 4 sqrt(m0) and the mean
     zero up-crossing period 2 pi sqrt(m0 / m2).
+
+    Parameters
+    ----------
+    density
+        Of `spectrum`, along ``omega`` (rad/s).
+    orders
+        n of each.
+
+    Returns
+    -------
+    xarray.DataArray
+        Along ``order``.
+
+    >>> import xarray
+    >>> flat = xarray.DataArray([1.0, 1.0], {"omega": [0.0, 2.0]}, ("omega",))
+    >>> moments(flat, (0, 1)).values
+    array([2., 2.])
     """
     import xarray
 
-    omega = density["frequency"]
-    parts = [(density * omega**n).integrate("frequency") for n in orders]
+    omega = density["omega"]
+    parts = [(density * omega**n).integrate("omega") for n in orders]
     return xarray.concat(parts, xarray.DataArray(np.array(orders), dims="order", name="order"))
 
 
@@ -225,6 +267,16 @@ def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_
     duration_s
         Time to find the extreme of, s.
 
+    Returns
+    -------
+    Extreme
+        The fitted distribution with its standard errors.
+
+    Raises
+    ------
+    KingpostError
+        When there are too few maxima, or a time is not greater than 0.
+
     >>> rng = np.random.default_rng(1)
     >>> found = extreme(rng.gumbel(7.0, 0.5, 2000), record_s=10800.0)
     >>> bool(abs(found.location - 7.0) < 3 * found.covariance[0, 0] ** 0.5)
@@ -254,8 +306,34 @@ def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_
     )
 
 
+@overload
+def after(series: xarray.DataArray, after_s: float) -> xarray.DataArray: ...
+@overload
+def after(series: xarray.Dataset, after_s: float) -> xarray.Dataset: ...
 def after(series: xarray.Dataset | xarray.DataArray, after_s: float) -> xarray.Dataset | xarray.DataArray:
-    """The records from this time, s, on."""
+    """The records from this time, s, on.
+
+    Parameters
+    ----------
+    series
+        With a dimension ``time``, s.
+    after_s
+        The first time that is kept, s.
+
+    Returns
+    -------
+    xarray.Dataset or xarray.DataArray
+        As given.
+
+    Raises
+    ------
+    KingpostError
+        When there is no time, or less than two records are left.
+
+    >>> from kingpost import run
+    >>> after(run("paper", {"simulation.duration_s": 0.1}), 0.05).sizes["time"]
+    6
+    """
     if "time" not in series.dims:
         raise KingpostError(
             f"found the dimensions {', '.join(map(str, series.dims))}, allowed: time among them"
@@ -268,7 +346,27 @@ def after(series: xarray.Dataset | xarray.DataArray, after_s: float) -> xarray.D
 
 
 def even(series: xarray.DataArray) -> tuple[xarray.DataArray, float]:
-    """A record with its step, s; a last row that ends a run off the grid is left out."""
+    """A record with its step, s; a last row that ends a run off the grid is left out.
+
+    Parameters
+    ----------
+    series
+        With a dimension ``time``, s.
+
+    Returns
+    -------
+    tuple of xarray.DataArray and float
+        The record and its step, s.
+
+    Raises
+    ------
+    KingpostError
+        When its steps differ.
+
+    >>> from kingpost import run
+    >>> even(run("paper", {"simulation.duration_s": 0.1})["kinetic_energy"])[1].__round__(9)
+    0.01
+    """
     steps = np.diff(series["time"].values)
     step_s = float(steps[0])
     if len(steps) > 1 and abs(steps[-1] - step_s) > EVEN * step_s:

@@ -23,8 +23,8 @@ def tracks(
     Modes are paired by correlation, the best first. A mode without partner ends its track, or
     begins one. Tracks stand in the order of the first point, later ones after them.
     """
-    order: list[list[Mode | None]] = [list(points[0])] if points else []
-    last = list(order[0]) if points else []
+    last = list(points[0]) if points else []
+    order: list[list[Mode | None]] = [list(last)] if points else []
     for k in range(1, len(points)):
         here: list[Mode | None] = [None] * len(last)
         matches, alone = pairs(last, points[k], masses[k])
@@ -33,7 +33,9 @@ def tracks(
         here += [points[k][index] for index in alone]
         order = [[*row, *[None] * len(alone)] for row in order] + [here]
         # A track that ended may begin again where its mode comes back.
-        last = [mode or before for mode, before in zip(here, [*last, *here[len(last) :]], strict=True)]
+        last = [
+            mode or before for mode, before in zip(here, last + [points[k][i] for i in alone], strict=True)
+        ]
     return order
 
 

@@ -48,6 +48,15 @@ def equilibrium(
     downhill first, with drives as they are at the start. Coordinates that nothing moves, such as
     the heading of a free ship, stay where they are.
 
+    Parameters
+    ----------
+    scenario_or_path
+        A scenario, a file or a name of the gallery.
+    overrides
+        Values by parameter name or by dotted field path.
+    parameters
+        Values by parameter name.
+
     Returns
     -------
     xarray.Dataset
@@ -219,9 +228,9 @@ def _dataset(
     shapes = [[blank if mode is None else mode.shape for mode in point] for point in modes]
     shape = np.array(shapes, complex).reshape(len(points), -1, len(names))
     variables: dict[str, Any] = {}
-    for name, (units, long_name) in VARIABLES.items():
-        values = np.array(table[name], str if not units else float)
-        variables[name] = (("point", "mode"), values, {"units": units, "long_name": long_name})
+    for name, (unit, long_name) in VARIABLES.items():
+        values = np.array(table[name], float if unit else str)
+        variables[name] = (("point", "mode"), values, {"units": unit, "long_name": long_name})
     for name, part in (("shape", shape.real), ("shape_imaginary", shape.imag)):
         about = {"long_name": "amplitude by coordinate, the largest 1"}
         variables[name] = (("point", "mode", "coordinate"), part, about)
@@ -246,7 +255,7 @@ def _entry(mode: Mode | None, variable: str) -> str | float:
     value, size = mode.eigenvalue, abs(mode.eigenvalue)
     pair = value.imag > 0
     swinging = np.nan if not (pair or mode.kind == FREE) else size
-    return {
+    entries: dict[str, str | float] = {
         "kind": mode.kind,
         "named_after": mode.coordinate,
         "multiplicity": mode.multiplicity,
@@ -258,7 +267,8 @@ def _entry(mode: Mode | None, variable: str) -> str | float:
         "damping_ratio": (0.0 - value.real) / size if pair else np.nan,
         "time_constant": -1 / value.real if value.real else np.nan,
         "memory_share": mode.memory_share,
-    }[variable]
+    }
+    return entries[variable]
 
 
 def frame(found: xarray.Dataset) -> pandas.DataFrame:

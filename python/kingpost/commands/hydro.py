@@ -6,12 +6,13 @@ import argparse
 
 from ..hydro import command
 from ..hydro.command import add_options as add_options
-from .common import DONE
+from .common import DONE, only_errors_of
 
 HELP = "compute the hydrodynamic database of a hull"
 
 
 def run(options: argparse.Namespace) -> int:
     """Compute or read the database and write it."""
-    command.run(options)
+    with only_errors_of("capytaine"):
+        command.run(options)
     return DONE

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from ..errors import KingpostError, RunError
 from ..output import check as check_output
 from ..results import units as results_units
+from ..results.files import check_patterns
 from ..scenario import Scenario
 from ..simulation.simulate import Simulation
 from .common import (
@@ -69,20 +70,22 @@ def run(options: argparse.Namespace) -> int:
     warn(f"{WARNING}{words}" for words in simulation.model_warnings)
     if options.record:
         columns = results.dataset(scenario, simulation.channels, simulation.row()[None, :], "")
-        results.check_patterns(columns, options.record)
+        check_patterns(columns, options.record)
     if options.seeds is not None:
         return _run_seeds(scenario, options)
     existed = options.output is not None and Path(options.output).exists()
     endings = (*results.ENDINGS, *plot.ENDINGS)
     output = check_output(options.output, endings) if options.output is not None else None
+    if output:
+        results.check_parquet(output)
     failure: RunError | KeyboardInterrupt | None = None
     with progress.bar(scenario.resolved["simulation"]["duration_s"], "s") as update:
         try:
             recorded = simulation.run(update)
         except (RunError, KeyboardInterrupt) as error:
-            if getattr(error, "results", None) is None:
+            if simulation.results is None:
                 raise
-            failure, recorded = error, error.results
+            failure, recorded = error, simulation.results
     # Before anything is printed: who reads a pipe may leave.
     written = _write(recorded, output, options) if output else ""
     show(options, lambda: _report(recorded, scenario), lambda: numbers(recorded, scenario))

@@ -27,7 +27,7 @@ def text(found: xarray.Dataset, all_modes: bool = False) -> str:
     lines = [found.attrs["title"], found.attrs["status"], ""]
     if not found.sizes["mode"]:
         return "\n".join([*lines, "no free coordinate, no modes"])
-    (sweep,) = [dim for dim in found["kind"].dims if dim != "mode"] or [None]
+    sweep = next((str(dim) for dim in found["kind"].dims if dim != "mode"), None)
     waters = (found["memory_share"] > WATERS_SHARE) & (found["kind"] != UNSTABLE)
     waters = waters.all(sweep) if sweep else waters
     controls = _of_controls(found) & ~waters if not sweep else xarray.zeros_like(waters)
@@ -98,7 +98,7 @@ def _shape(mode: xarray.Dataset, all_states: bool) -> str:
         mode = mode.isel(coordinate=moves.values)
     shape = mode["shape"].values + 1j * mode["shape_imaginary"].values
     shape = shape / max(1.0, np.abs(shape).max(initial=0.0))
-    largest_first = sorted(range(len(shape)), key=lambda i: -round(abs(shape[i]), 9))
+    largest_first = sorted(range(len(shape)), key=lambda i: -round(float(abs(shape[i])), 9))
     entries = [i for i in largest_first if abs(shape[i]) > SMALLEST_AMPLITUDE]
     names = mode["coordinate"].values
     words = [f"{names[i]} {_amplitude(shape[i])}" for i in entries[:MOST_AMPLITUDES]]

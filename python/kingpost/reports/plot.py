@@ -86,7 +86,7 @@ def figure(runs: xarray.Dataset | Sequence[xarray.Dataset], patterns: Sequence[s
         axes.margins(x=0)
         axes.grid(alpha=0.3)
         axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
-    _draw_steps(every, runs[0])
+    _draw_steps(list(every), runs[0])
     every[-1].set_xlabel("time, s")
     drawn.suptitle(str(runs[0].attrs.get("title", "")), fontsize=11)
     return drawn

@@ -41,9 +41,9 @@ def _table(found: xarray.Dataset) -> list[str]:
     heading = ["", "", *(part for point in points for part in (f"{point},", "m/m", ""))]
     heading += [part for body in bodies for part in (f"{body},", "deg/m", "")]
     under = ["rad/s", "s", *(AXES * len(points)), *(("roll", "pitch", "yaw") * len(bodies))]
-    moved = found["displacement"].transpose("frequency", "point", "axis").values
-    turned = np.rad2deg(found["rotation"].sel(body=bodies).transpose("frequency", "body", "angle").values)
-    omega = found["frequency"].values
+    moved = found["displacement"].transpose("omega", "point", "axis").values
+    turned = np.rad2deg(found["rotation"].sel(body=bodies).transpose("omega", "body", "angle").values)
+    omega = found["omega"].values
     values = np.concatenate([moved.reshape(len(omega), -1), turned.reshape(len(omega), -1)], axis=1)
     rows = [heading, under]
     for k in _lines(values):

@@ -104,7 +104,9 @@ def _ship(results: xarray.Dataset, body: str) -> list[str]:
 
 def _joints(results: xarray.Dataset) -> list[str]:
     """Each joint coordinate: where it ends, the largest values, and the force or torque it carries."""
-    rows = [("joint", "position", "largest", "", "rate", "largest", "", "largest force", "")]
+    rows: list[tuple[str, ...]] = [
+        ("joint", "position", "largest", "", "rate", "largest", "", "largest force", "")
+    ]
     in_degrees = 180 / np.pi
     most_force = float(np.abs(results["joint_reaction"].values).max())
     for name in results["coordinate"].values:
@@ -154,7 +156,7 @@ def _reactions(results: xarray.Dataset, dim: str, heading: str) -> list[str]:
         for kind in ("force", "moment")
     )
     most = max(force.max(), moment.max())
-    rows = [(heading, "force", "", "moment", "")]
+    rows: list[tuple[str, ...]] = [(heading, "force", "", "moment", "")]
     for name, f, m in zip(results[dim].values, force, moment, strict=True):
         rows.append((str(name), *_shown(f, most, "N"), *_shown(m, most, "N m")))
     return table(_shortened(rows), "<><><")
@@ -170,7 +172,7 @@ def _loop_error(results: xarray.Dataset) -> list[str]:
 
 def _elements(results: xarray.Dataset) -> list[str]:
     """What forces and drives show by single numbers: at the end, the smallest and the largest."""
-    rows = [("force or drive", "", "at the end", "smallest", "largest", "")]
+    rows: list[tuple[str, ...]] = [("force or drive", "", "at the end", "smallest", "largest", "")]
     shown = [variable for variable in results.data_vars.values() if is_single_number(variable)]
     names = Counter(variable.attrs["long_name"] for variable in shown)
     # Forces first: hook load and lines are what people look for.

@@ -1,9 +1,9 @@
 """Results: recorded rows as a labelled data set, its flat columns, and the files it is written to."""
 
-from .columns import column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
+from .columns import column, column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
 from .dataset import attributes, dataset
 from .events import events, warnings
-from .files import ENDINGS, check_output, check_patterns, open_all, read, write
+from .files import ENDINGS, check_output, check_parquet, open_all, read, write
 from .units import NAMES
 
 __all__ = [
@@ -11,7 +11,8 @@ __all__ = [
     "NAMES",
     "attributes",
     "check_output",
-    "check_patterns",
+    "check_parquet",
+    "column",
     "column_name",
     "columns",
     "dataset",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass
@@ -9,6 +10,7 @@ from fnmatch import fnmatchcase
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
+from ..errors import KingpostError
 from .units import IN_ENGINEERING, NAMES, engineering
 
 if TYPE_CHECKING:
@@ -19,6 +21,16 @@ if TYPE_CHECKING:
 def unit_coordinate(variable: Hashable | None) -> str:
     """Name of the coordinate that has the units of a variable's numbers, where they differ.
 
+    Parameters
+    ----------
+    variable
+        Its name.
+
+    Returns
+    -------
+    str
+        Name of the coordinate.
+
     >>> unit_coordinate("joint_position")
     'joint_position_unit'
     """
@@ -27,6 +39,16 @@ def unit_coordinate(variable: Hashable | None) -> str:
 
 def unit_of(column: xarray.DataArray) -> str:
     """The unit of a variable, or of one of its columns where they differ in their units.
+
+    Parameters
+    ----------
+    column
+        Of a data set of a run.
+
+    Returns
+    -------
+    str
+        SI.
 
     >>> from kingpost import run
     >>> found = run("paper", {"simulation.duration_s": 0.001})
@@ -41,9 +63,26 @@ def frame(results: xarray.Dataset, patterns: Sequence[str] = (), units: str = NA
     """Results as a flat table, one column per number.
 
     Columns are ``time`` and then such as ``ship.angular_velocity.x``, ``slew.joint_position``,
-    ``arm.tip.point_position.z`` or ``kinetic_energy``; with patterns those whose names are like one, as
-    ``ship.*``. With the units ``si`` a name ends with its unit, as ``ship.roll [rad]``; so it does with
-    ``engineering``, ``ship.roll [deg]``, and the numbers are in that.
+    ``arm.tip.point_position.z`` or ``kinetic_energy``.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+    patterns
+        Columns to take, whose names are like one, as ``ship.*``; all unless given.
+    units
+        ``names``: SI units, and names alone; ``si``: a name ends with its unit, as ``ship.roll [rad]``;
+        ``engineering``: so it does, ``ship.roll [deg]``, and the numbers are in that.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Shape (records, 1 + columns).
+
+    >>> from kingpost import run
+    >>> frame(run("paper", {"simulation.duration_s": 0.1})).shape[0]
+    11
     """
     import pandas
 
@@ -60,7 +99,24 @@ def frame(results: xarray.Dataset, patterns: Sequence[str] = (), units: str = NA
 def columns(
     results: xarray.Dataset, along: Sequence[str] = ("time",)
 ) -> Iterator[tuple[str, xarray.DataArray]]:
-    """The flat columns with their names: each goes along time, and along what else is asked for."""
+    """The flat columns with their names: each goes along time, and along what else is asked for.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+    along
+        Dimensions that a column keeps.
+
+    Yields
+    ------
+    tuple of str and xarray.DataArray
+        Name and numbers.
+
+    >>> from kingpost import run
+    >>> next(columns(run("paper", {"simulation.duration_s": 0.1})))[0]
+    'ship.position.x'
+    """
     for name, place in places(results, along).items():
         yield name, place.of(results)
 
@@ -90,8 +146,67 @@ def places(results: xarray.Dataset, along: Sequence[str] = ("time",)) -> dict[st
     return found
 
 
+def column(
+    results: xarray.Dataset, name: str, period_s: tuple[float, float] | None = None
+) -> xarray.DataArray:
+    """A flat column by its name, over a period.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+    name
+        Of the column, as ``ship.roll``.
+    period_s
+        From and to, s, both included; the whole run without.
+
+    Returns
+    -------
+    xarray.DataArray
+        Along ``time``, of a `Batch` along ``run`` too, with its ``units``.
+
+    Raises
+    ------
+    KingpostError
+        When there is no such column, or no record in the period.
+
+    >>> from kingpost import run
+    >>> found = run("paper", {"simulation.duration_s": 0.5})
+    >>> column(found, "ship.roll", (0.2, 0.3)).sizes["time"]
+    11
+    """
+    every = places(results, along=("time", "run"))
+    if name not in every:
+        near = difflib.get_close_matches(name, every, n=3) or list(every)[:3]
+        raise KingpostError(f"column: found {name!r}, allowed: a column of the run, as {', '.join(near)}")
+    found = every[name].of(results)
+    found.attrs["units"] = unit_of(found)
+    if period_s is None:
+        return found
+    first, last = period_s
+    kept = found.sel(time=(results["time"] >= first) & (results["time"] <= last))
+    if not kept.sizes["time"]:
+        times = results["time"].values
+        raise KingpostError(
+            f"period_s: found {first:g} to {last:g}, allowed: within {times[0]:g} to {times[-1]:g} s"
+        )
+    return kept
+
+
 def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
     """Name of a flat column, by the variable's attribute ``column``; labels that it leaves out are last.
+
+    Parameters
+    ----------
+    variable
+        With the attribute ``column``.
+    labels
+        By dimension.
+
+    Returns
+    -------
+    str
+        As in files and in the app.
 
     >>> import xarray
     >>> rate = xarray.DataArray(0.0, name="angular_velocity")
@@ -106,6 +221,16 @@ def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
 
 def floating_bodies(results: xarray.Dataset) -> list[str]:
     """Names of the ships and of whatever floats as they do.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+
+    Returns
+    -------
+    list of str
+        In the order of the model.
 
     >>> from kingpost import run
     >>> floating_bodies(run("paper", {"simulation.duration_s": 0.001}))

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..engine import engine
+from . import xarrays
 from .columns import unit_coordinate
 
 if TYPE_CHECKING:
@@ -19,6 +20,15 @@ if TYPE_CHECKING:
 
     from ..scenario import Scenario
 
+CONVENTIONS = "CF-1.11"
+STANDARD_NAMES = {
+    "roll": "platform_roll_starboard_down",
+    "pitch": "platform_pitch_fore_down",
+    "yaw": "platform_yaw_fore_port",
+    "wave_elevation": "sea_surface_height_above_mean_sea_level",
+}
+"""Of the variables that the table of the CF conventions has, of version 93; the still water stands for the
+mean sea level."""
 AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port"
 
 
@@ -43,14 +53,19 @@ def dataset(
     -------
     xarray.Dataset
         Dimension ``time`` (s), before it ``run`` where there are many, and those of the channels;
-        every variable carries ``units``,
+        every variable carries ``units``, ``standard_name`` where the CF conventions have one,
         ``long_name``, as short as an axis of a plot wants it, ``description``, ``frame``, ``column``, how its
         flat columns are named, and ``of_elements``, 1 where forces and drives show it. Where its numbers
         differ in their units, as forces and moments do, the coordinate ``<variable>_unit`` has them in the
         place of ``units`` (`unit_of`).
-    """
-    import xarray
 
+    >>> from kingpost import Simulation
+    >>> simulation = Simulation("paper")
+    >>> found = dataset(simulation.scenario, simulation.channels, simulation.row()[None, :], "finished")
+    >>> found["roll"].dims, found["roll"].attrs["units"]
+    (('time', 'body'), 'rad')
+    """
+    xarray = xarrays.load()
     coordinates: dict[str, Any] = {}
     variables: dict[str, Any] = {}
     for channel in channels:
@@ -60,6 +75,8 @@ def dataset(
         values = rows[..., start : start + length].reshape(shape)
         about = {key: channel[key] for key in ("long_name", "description", "frame", "column")}
         about["of_elements"] = int(channel["of_elements"])
+        if standard := STANDARD_NAMES.get(channel["variable"]):
+            about["standard_name"] = standard
         if channel["unit"] is None:
             units = np.array(channel["units"], str).reshape(shape[rows.ndim - 1 :])
             coordinates[unit_coordinate(channel["variable"])] = _where_they_differ(units, channel["dims"])
@@ -80,17 +97,35 @@ def _where_they_differ(units: NDArray[np.str_], dims: Sequence[str]) -> tuple[li
     kept = list(dims)
     for axis in reversed(range(units.ndim)):
         if (units == units.take([0], axis)).all():
-            units = units.take(0, axis)
+            units = np.asarray(units.take(0, axis))
             kept.pop(axis)
     return kept, units
 
 
 def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
-    """What every data set says of the run that it comes from."""
+    """What every data set says of the run that it comes from.
+
+    Parameters
+    ----------
+    scenario
+        What was run.
+    status
+        ``finished``, or why the run ended.
+
+    Returns
+    -------
+    dict
+        Texts and numbers; lists and dictionaries as JSON.
+
+    >>> from kingpost import load
+    >>> attributes(load("paper"), "finished")["Conventions"]
+    'CF-1.11'
+    """
     described, sea = scenario.model, scenario.model["sea"]
     versions = {name: version(name) for name in ("numpy", "xarray")}
     versions |= {"kingpost": engine.__version__, "python": platform.python_version()}
     return {
+        "Conventions": CONVENTIONS,
         "title": scenario.title,
         "status": status,
         "source": scenario.file,

@@ -16,6 +16,16 @@ def events(results: xarray.Dataset) -> xarray.Dataset:
 
     It reads the attribute ``events``, so that a data set that comes back from a NetCDF file has the same.
 
+    Parameters
+    ----------
+    results
+        A data set of a run.
+
+    Returns
+    -------
+    xarray.Dataset
+        Along ``event``.
+
     >>> from kingpost import run
     >>> events(run("paper", {"simulation.duration_s": 0.001})).sizes["event"]
     0
@@ -39,6 +49,16 @@ def warnings(results: xarray.Dataset) -> xarray.Dataset:
 
     First what was known before the run, which has no time and no name. Of a `Batch` ``warning_run`` says
     which run it was.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+
+    Returns
+    -------
+    xarray.Dataset
+        Along ``warning``.
 
     >>> from kingpost import run
     >>> warnings(run("paper", {"simulation.duration_s": 0.001})).sizes["warning"]

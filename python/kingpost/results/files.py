@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import subprocess
 import sys
@@ -15,6 +16,7 @@ import numpy as np
 
 from .. import output
 from ..errors import KingpostError
+from . import xarrays
 from .columns import columns, frame, places, unit_of
 from .events import events, warnings
 from .units import IN_ENGINEERING, NAMES, engineering
@@ -22,7 +24,8 @@ from .units import IN_ENGINEERING, NAMES, engineering
 if TYPE_CHECKING:
     import xarray
 
-ENDINGS = (".nc", ".csv", ".parquet")
+PARQUET = ".parquet"
+ENDINGS = (".nc", ".csv", PARQUET)
 ALLOWED = "allowed: results in NetCDF, as kingpost run -o FILE.nc writes them"
 DAMAGED = "found a damaged file"
 HDF5 = b"\x89HDF\r\n\x1a\n"
@@ -43,8 +46,48 @@ JSON_ATTRIBUTES = {
 
 
 def check_output(path: str | Path) -> Path:
-    """Make sure, before a run, that results can be written to `path`."""
-    return output.check(path, ENDINGS)
+    """Make sure, before a run, that results can be written to `path`.
+
+    Parameters
+    ----------
+    path
+        With the ending ``.nc``, ``.csv`` or ``.parquet``.
+
+    Returns
+    -------
+    pathlib.Path
+        The same.
+
+    Raises
+    ------
+    KingpostError
+        Another ending, a folder that is not there, or Parquet where pyarrow is not installed.
+
+    >>> check_output("run.nc").name
+    'run.nc'
+    """
+    path = output.check(path, ENDINGS)
+    check_parquet(path)
+    return path
+
+
+def check_parquet(path: Path) -> None:
+    """Make sure that pyarrow is there, where a file is to be of Parquet.
+
+    Parameters
+    ----------
+    path
+        Of any ending.
+
+    Raises
+    ------
+    KingpostError
+        With the extra that brings it.
+
+    >>> check_parquet(Path("run.nc"))
+    """
+    if path.suffix.lower() == PARQUET and importlib.util.find_spec("pyarrow") is None:
+        raise KingpostError(f'{path}: found no pyarrow, allowed: after pip install "kingpost[parquet]"')
 
 
 def write(
@@ -60,18 +103,30 @@ def write(
     Parameters
     ----------
     results
-        What a run recorded.
+        A data set of a run.
     path
-        The file.
+        With the ending ``.nc``, ``.csv`` or ``.parquet``.
     patterns
         Columns to write, as ``ship.roll`` or ``load.*``; all unless given. NetCDF has whole variables.
     units
         How a CSV or a Parquet file says its units: ``names``, ``si`` or ``engineering`` (`frame`).
 
+    Returns
+    -------
+    pathlib.Path
+        The file that was written.
+
     Raises
     ------
     KingpostError
-        Another ending, a pattern that no column has, or units in NetCDF, which has its own.
+        Another ending, a file that cannot be written, a pattern that no column has, or units in NetCDF,
+        which has its own.
+
+    >>> import tempfile
+    >>> from kingpost import run
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write(run("paper", {"simulation.duration_s": 0.1}), f"{folder}/run.csv").name
+    'run.csv'
     """
     path = check_output(path)
     ending = path.suffix.lower()
@@ -130,13 +185,29 @@ def _write_parquet(results: xarray.Dataset, path: Path, patterns: Sequence[str],
 def read(path: str | Path) -> xarray.Dataset:
     """A data set that `kingpost run -o FILE.nc` wrote, or `Batch`.
 
+    Parameters
+    ----------
+    path
+        A NetCDF file.
+
+    Returns
+    -------
+    xarray.Dataset
+        All of it, in memory.
+
     Raises
     ------
     KingpostError
         When there is no such file, or it is damaged, or something else.
-    """
-    import xarray
 
+    >>> import tempfile
+    >>> from kingpost import run
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = write(run("paper", {"simulation.duration_s": 0.1}), f"{folder}/run.nc")
+    ...     read(path).sizes["time"]
+    11
+    """
+    xarray = xarrays.load()
     with _told(path):
         return _checked(xarray.load_dataset(path, engine="h5netcdf"), path)
 
@@ -147,13 +218,32 @@ def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) ->
     The files are first read to the end in a process of its own, since the HDF5 library does not end, or
     crashes, on some that are damaged: `time_limit_s` is what one file may take, s.
 
+    Parameters
+    ----------
+    paths
+        NetCDF files.
+    time_limit_s
+        What reading one may take, s.
+
+    Returns
+    -------
+    list of xarray.Dataset
+        One for each file.
+
     Raises
     ------
     KingpostError
         As `read`, and when a file cannot be read to its end.
-    """
-    import xarray
 
+    >>> import tempfile
+    >>> from kingpost import run
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = write(run("paper", {"simulation.duration_s": 0.1}), f"{folder}/run.nc")
+    ...     with open_all([path])[0] as found:
+    ...         found.sizes["time"]
+    11
+    """
+    xarray = xarrays.load()
     for path in paths:
         with _told(path):
             Path(path).open("rb").close()
@@ -214,6 +304,6 @@ def _checked(found: xarray.Dataset, path: str | Path) -> xarray.Dataset:
     for name, kind in JSON_ATTRIBUTES.items():
         if name in found.attrs and not isinstance(json.loads(found.attrs[name]), kind):
             raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
-    for name, variable in found.variables.items():
-        str(variable.attrs.get("column", name)).format_map(dict.fromkeys(variable.dims, ""))
+    for key, variable in found.variables.items():
+        str(variable.attrs.get("column", key)).format_map(dict.fromkeys(map(str, variable.dims), ""))
     return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,6 +21,7 @@ from .telling import tell
 if TYPE_CHECKING:
     import xarray
 
+LOG = logging.getLogger(__name__)
 FINISHED = "finished"
 SEED = "simulation.seed"
 
@@ -88,6 +90,10 @@ class Batch:
             When a variant is wrong; nothing ran.
         KingpostError
             When the variants differ in their bodies, or in the times at which rows are recorded.
+
+        >>> found = Batch("paper", {"crane_x_m": [0, 5]}, {"simulation.duration_s": 0.1}).run()
+        >>> found.sizes["run"]
+        2
         """
         if threads < 0:
             raise KingpostError(f"threads: found {threads}, allowed: 0 or more")
@@ -102,18 +108,17 @@ class Batch:
             progress,
         )
         status = [FINISHED if error is None else str(error) for error in errors]
-        about = f"{status.count(FINISHED)} of {len(status)} runs finished"
+        summed_up = f"{status.count(FINISHED)} of {len(status)} runs finished"
         channels, warnings, limits = json.loads(published)
-        found = results.dataset(self.scenario, channels, _stacked(rows), about)
+        LOG.info("%s: %s", self.scenario.title, summed_up)
+        found = results.dataset(self.scenario, channels, _stacked(rows), summed_up)
         found.attrs["warnings"] = json.dumps(warnings)
         found.attrs["limits"] = json.dumps(limits)
         found.attrs["model_warnings"] = json.dumps(known)
         tell([*known, *self._came_of(limits, warnings)])
-        return found.assign_coords(
-            run=np.arange(len(status)),
-            status=("run", np.array(status, str)),
-            **{name: ("run", np.array(values)) for name, values in self.parameters.items()},
-        )
+        along = {name: ("run", np.array(values)) for name, values in self.parameters.items()}
+        about = {"run": np.arange(len(status)), "status": ("run", np.array(status, str))}
+        return found.assign_coords({**about, **along})
 
     def _known(self) -> list[str]:
         """What one should know before the first run."""

@@ -60,7 +60,7 @@ def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]])
 def _limit(growth: Callable[[NDArray[np.complex128]], NDArray[np.complex128]], value: complex) -> float:
     """The step at which a damped motion begins to grow, by scanning outward and halving."""
     steps = np.geomspace(1e-3, 1e2, 2000) / abs(value)
-    grows = np.flatnonzero(np.abs(growth(steps * value)) > 1)
+    grows = np.flatnonzero(np.abs(growth((steps * value).astype(complex))) > 1)
     if not grows.size or grows[0] == 0:
         return float(steps[-1] if not grows.size else steps[0])
     low, high = steps[grows[0] - 1], steps[grows[0]]
