@@ -61,7 +61,7 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         target = inside(origin, link[2])
         if target is None:
             return link[0]
-        away = posixpath.relpath(on_site(target), posixpath.dirname(here) or ".")
+        away = posixpath.relpath(place_of(target), posixpath.dirname(here) or ".")
         return f"{link[1]}{away}{link[3] or ''}{link[4]}"
 
     return outside_code(markdown, lambda text: LINK.sub(moved, text))
@@ -97,7 +97,7 @@ def inside(origin: str, target: str) -> str | None:
     return posixpath.normpath(posixpath.join(posixpath.dirname(origin), target))
 
 
-def on_site(path: str) -> str:
+def place_of(path: str) -> str:
     """Where a file of the repository stands on the site."""
     path = path.rstrip("/")
     return FOLDERS.get(path) or (path.removeprefix("docs/") if path.startswith("docs/") else f"source/{path}")

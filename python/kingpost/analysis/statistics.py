@@ -277,6 +277,8 @@ def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_
     KingpostError
         When there are too few maxima, or a time is not greater than 0.
 
+    Examples
+    --------
     >>> rng = np.random.default_rng(1)
     >>> found = extreme(rng.gumbel(7.0, 0.5, 2000), record_s=10800.0)
     >>> bool(abs(found.location - 7.0) < 3 * found.covariance[0, 0] ** 0.5)
