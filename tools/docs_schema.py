@@ -100,7 +100,9 @@ def value(one: Schema) -> str:
         name = one["$ref"].rpartition("/")[2]
         return f"[{name}](#{name.lower()})"
     if "anyOf" in one or "oneOf" in one:
-        return " or ".join(value(other) for other in one.get("anyOf", one.get("oneOf")) if other != {"type": "null"})
+        return " or ".join(
+            value(other) for other in one.get("anyOf", one.get("oneOf")) if other != {"type": "null"}
+        )
     if "const" in one:
         return f"`{one['const']}`"
     kinds = one.get("type", [])
@@ -112,7 +114,9 @@ def value(one: Schema) -> str:
         return f"{inner[0]} by name" if inner else "fields by name"
     if "pattern" in one:
         return "name" if one["pattern"].startswith("^[a-z]") else "text"
-    return " or ".join({"string": "text", "boolean": "true or false"}.get(kind, kind) for kind in kinds) + limits(one)
+    return " or ".join(
+        {"string": "text", "boolean": "true or false"}.get(kind, kind) for kind in kinds
+    ) + limits(one)
 
 
 def count(one: Schema) -> str:

@@ -9,7 +9,12 @@ import matplotlib
 import pytest
 from pages import DOCS, SLOW, blocks, not_printed, run_page
 
-PAGES = ["index.md", "tutorial.md", *sorted(f"howto/{page.name}" for page in DOCS.glob("howto/*.md")), "job/index.md"]
+PAGES = [
+    "index.md",
+    "tutorial.md",
+    *sorted(f"howto/{page.name}" for page in DOCS.glob("howto/*.md")),
+    "job/index.md",
+]
 
 
 @pytest.mark.parametrize("name", PAGES)
@@ -29,7 +34,10 @@ def test_every_command_and_example_of_a_page_runs_and_prints_what_stands_there(
     monkeypatch.chdir(tmp_path)
     matplotlib.use("Agg")
     wrong = run_page(path, tmp_path)
-    assert not wrong, "to write the numbers anew: KINGPOST_WRITE_PAGES=1 pytest python/tests/test_docs_run.py\n" + "\n".join(wrong)
+    assert not wrong, (
+        "to write the numbers anew: KINGPOST_WRITE_PAGES=1 pytest python/tests/test_docs_run.py\n"
+        + "\n".join(wrong)
+    )
 
 
 def test_a_page_that_shows_another_number_than_the_program_is_found() -> None:
@@ -40,6 +48,8 @@ def test_a_page_that_shows_another_number_than_the_program_is_found() -> None:
 
 
 def test_slow_blocks_are_marked_where_a_reader_sees_it() -> None:
-    slow = [block for name in PAGES for block in blocks((DOCS / name).read_text(encoding="utf-8")) if block.slow]
+    slow = [
+        block for name in PAGES for block in blocks((DOCS / name).read_text(encoding="utf-8")) if block.slow
+    ]
     assert slow or not SLOW
     assert all(block.title.startswith("takes about ") for block in slow)

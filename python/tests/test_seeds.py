@@ -28,7 +28,7 @@ def test_each_file_is_the_run_of_its_seed(tmp_path, capsys) -> None:
         assert (found.attrs["seed"], found.attrs["status"]) == (seed, "finished")
     files[2].unlink()
     assert main(["run", "barge", *arguments, "--seeds", "6", "-o", str(tmp_path / "run_*.nc")]) == 0
-    assert "run_6.nc, 5 in the place of an older file" in capsys.readouterr().out
+    assert "run_6.nc, 5 replace an older file" in capsys.readouterr().out
     assert main(["statistics", *map(str, files), "--after-s", "1"]) == 0
     assert "of 6 runs" in capsys.readouterr().out
 

@@ -32,7 +32,7 @@ STATISTICS = ("mean", "standard_deviation", "significant_amplitude", "significan
 
 # Records whose steps differ by more than this share are not evenly spaced.
 EVEN = 1e-6
-# Up-crossings that a mean period wants.
+# Up-crossings that a mean period needs.
 FEWEST_CROSSINGS = 2
 
 
@@ -58,7 +58,7 @@ def summary(
     -----
     The coordinate ``<variable>_unit`` has the units, the variable's, but s for the period, which is not a
     number where the mean is crossed upwards fewer than twice. A run that ended early, which `Batch` fills
-    up with what is not a number, has statistics that are not numbers.
+    up with NaN, has NaN for its statistics.
 
     Returns
     -------

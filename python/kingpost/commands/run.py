@@ -64,7 +64,7 @@ def run(options: argparse.Namespace) -> int:
     if words := afloat.text(recorded, scenario):
         print(f"\n{words}\n")
     if output:
-        over = ", in the place of an older file" if existed else ""
+        over = ", replaces an older file" if existed else ""
         write = plot.write if output.suffix.lower() in plot.ENDINGS else results.write
         print(f"written         {write(recorded, output)}{over}")
     if isinstance(failure, KeyboardInterrupt):
@@ -103,7 +103,7 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
     if limits := outcomes.limits(came_of):
         print("", *limits, sep="\n")
     _warn(came_of)
-    over = f", {older} in the place of an older file" if older else ""
+    over = f", {older} replace an older file" if older else ""
     print(f"\nwritten         {runs[0][0]} to {runs[-1][0]}{over}")
     print(f"to go on        kingpost statistics {options.output}")
     for path, found in failed:
