@@ -1,4 +1,4 @@
-"""The page of the site that shows the gallery: its cards, titles and descriptions, from the files themselves."""
+"""The page of the site that shows the gallery: cards, titles and descriptions, from the files themselves."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ def page(root: Path) -> str:
     lines = [
         "# Gallery",
         "",
-        "Every scenario that comes with Kingpost. Run one by its name: `kingpost run paper`. Open one in the app: "
-        "`kingpost serve paper`. The pictures are the app's own, taken of the running scenario.",
+        "Every scenario that comes with Kingpost. Run one by its name: `kingpost run paper`. Open one in the "
+        "app: `kingpost serve paper`. The pictures are the app's own, taken of the running scenario.",
         "",
     ]
     gallery = json.loads((root / "scenarios" / "gallery.json").read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""The page of the site about the fields of a scenario: name, unit, range and meaning of each, from the JSON Schema."""
+"""The page of the site about the fields of a scenario: name, unit, range, meaning, from the JSON Schema."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ def page(path: Path) -> str:
     lines = [
         "# Fields of a scenario",
         "",
-        "Made from [the JSON Schema](../../schema/scenario.schema.json), which is made from the engine's own types. "
-        "An editor that knows JSON Schema shows the same while you write. The unit is in the name; a second name in "
-        "another unit (`mass_t` for `mass_kg`) stands beside the first. How a scenario is built step by step: "
-        "[Write a scenario](../scenarios.md).",
+        "Made from [the JSON Schema](../../schema/scenario.schema.json), which is made from the engine's own "
+        "types. An editor that knows JSON Schema shows the same while you write. The unit is in the name; a "
+        "second name in another unit (`mass_t` for `mass_kg`) stands beside the first. How a scenario is "
+        "built step by step: [Write a scenario](../scenarios.md).",
         "",
         "## Scenario",
         "",
@@ -121,7 +121,7 @@ def value(one: Schema) -> str:
 
 def count(one: Schema) -> str:
     least, most = one.get("minItems"), one.get("maxItems")
-    return f"{least} × " if least is not None and least == most else ""
+    return f"{least} " if least is not None and least == most else ""
 
 
 def limits(one: Schema) -> str:
@@ -142,7 +142,7 @@ def unit(name: str) -> str:
 
 
 def shown(default: Any, bare: bool = False) -> str:
-    if default is None or isinstance(default, (dict, list)) and not default:
+    if default is None or (isinstance(default, (dict, list)) and not default):
         return ""
     if isinstance(default, dict):
         return "its own"

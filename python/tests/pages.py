@@ -1,8 +1,8 @@
 """The commands and examples that stand on a page of Markdown, run as a reader runs them.
 
-A block that is fenced with `bash` or `python` runs; one whose title begins with "takes" runs where KINGPOST_SLOW is 1. A block that
-is fenced with `text` holds lines of what the block before it prints, in their order, with `...` for lines left out.
-KINGPOST_WRITE_PAGES=1 writes those lines anew.
+A block that is fenced with `bash` or `python` runs; one whose title begins with "takes" runs where
+KINGPOST_SLOW is 1. A block that is fenced with `text` holds lines of what the block before it prints, in
+their order, with `...` for lines left out. KINGPOST_WRITE_PAGES=1 writes those lines anew.
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ def not_printed(shown: str, printed: str) -> list[str]:
 
 
 def anew(shown: str, printed: str) -> str:
-    """The lines of a page with the numbers that are printed now: each is the next line that begins with the same word."""
+    """The lines of a page as they are printed now: each is the next that begins with the same word."""
     left = printed.splitlines()
     lines = []
     for line in shown.splitlines():

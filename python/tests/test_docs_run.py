@@ -1,4 +1,4 @@
-"""The tutorial, the recipes and the whole job: every command and example runs, and prints what the page says it prints."""
+"""The tutorial, the recipes and the whole job: every command and example runs and prints what is shown."""
 
 from __future__ import annotations
 
