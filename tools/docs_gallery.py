@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import yaml
@@ -22,7 +23,7 @@ def page(root: Path) -> str:
         lines += [f"## {group['title']}", ""]
         for name in group["scenarios"]:
             lines += card(root, name)
-    return "\n".join(lines)
+    return "\n".join([*lines, *plots(root)])
 
 
 def card(root: Path, name: str) -> list[str]:
@@ -39,3 +40,12 @@ def card(root: Path, name: str) -> list[str]:
         "",
         *([f"Parameters: {knobs}.", ""] if knobs else []),
     ]
+
+
+def plots(root: Path) -> list[str]:
+    """The plots of the page of measurements, each with a link to where it is explained."""
+    page = (root / "docs" / "validation.md").read_text(encoding="utf-8")
+    lines = ["## Beside measurements", "", "What they show: [Validation](validation.md).", ""]
+    for caption, picture in re.findall(r"!\[([^\]]+)\]\((validation/[^)]+)\)", page):
+        lines += [f"![{caption}]({picture})", "", f"*{caption}.*", ""]
+    return lines

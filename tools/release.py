@@ -56,6 +56,8 @@ def try_wheel(folder: str) -> str | None:
         return f"{folder}: found {len(wheels)} wheels, allowed: one"
     if "-abi3-" not in wheels[0].name:
         return f"{wheels[0].name}: found a wheel for one Python, allowed: abi3"
+    if "-linux_" in wheels[0].name:
+        return f"{wheels[0].name}: found a wheel for one Linux, allowed: manylinux"
     with tempfile.TemporaryDirectory() as away:
         environment = Path(away) / "environment"
         venv.create(environment, with_pip=True)

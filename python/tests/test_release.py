@@ -61,3 +61,8 @@ def test_a_folder_without_a_wheel_for_every_python_is_refused(tmp_path: Path, ca
     (tmp_path / "kingpost-0.1.0-cp311-cp311-linux_x86_64.whl").touch()
     assert release.main(["try", str(tmp_path)]) == 1
     assert "allowed: abi3" in capsys.readouterr().err
+    (tmp_path / "kingpost-0.1.0-cp311-cp311-linux_x86_64.whl").rename(
+        tmp_path / "kingpost-0.1.0-cp311-abi3-linux_x86_64.whl"
+    )
+    assert release.main(["try", str(tmp_path)]) == 1
+    assert "allowed: manylinux" in capsys.readouterr().err

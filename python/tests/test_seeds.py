@@ -62,7 +62,10 @@ def test_what_is_wrong_is_said_before_a_run(arguments, message, tmp_path, monkey
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["-o", "run_1.nc", "run_2.nc", "--seeds", "3"], "run_2.nc; a shell replaces * by the files that are there"),
+        (
+            ["-o", "run_1.nc", "run_2.nc", "--seeds", "3"],
+            "run_2.nc; a shell replaces * by the files that are there",
+        ),
         (["--seed", "2"], "unrecognized arguments: --seed 2 (see"),
     ],
 )
