@@ -123,7 +123,7 @@ def sidelead_m(significant_height_m: float) -> float:
     Raises
     ------
     KingpostError
-        When the wave height is negative or no number.
+        When the wave height is negative or NaN.
 
     >>> sidelead_m(1.0)
     2.0

@@ -63,7 +63,7 @@ def summary(
     Returns
     -------
     xarray.DataArray or xarray.Dataset
-        As given, along ``statistic`` in the place of ``time``.
+        As given, along ``statistic`` instead of ``time``.
 
     Raises
     ------
