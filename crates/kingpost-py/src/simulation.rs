@@ -296,7 +296,7 @@ impl Simulation {
     /// The oscillations of bodies about the equilibrium nearby, as JSON: what the browser has.
     fn natural_modes_json(&self, py: Python<'_>) -> PyResult<String> {
         self.with(|held| {
-            let found = py.detach(|| analysis::natural_modes(&held.scenario, &held.inner)).map_err(errors::input)?;
+            let found = py.detach(|| analysis::natural_modes(&held.inner)).map_err(errors::input)?;
             serde_json::to_string(&found).map_err(errors::input)
         })
     }

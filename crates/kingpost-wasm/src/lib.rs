@@ -44,7 +44,7 @@ impl Simulation {
     /// The oscillations about the equilibrium that is nearest to where the simulation stands: coordinate, period and damping
     /// ratio of each, the longest period first.
     pub fn natural_modes_json(&self) -> Result<JsString, JsValue> {
-        json(&analysis::natural_modes(&self.scenario, &self.inner).map_err(thrown::input)?)
+        json(&analysis::natural_modes(&self.inner).map_err(thrown::input)?)
     }
 
     /// Time, s.

@@ -3,6 +3,7 @@
 
 #[cfg(not(target_family = "wasm"))]
 mod gradient;
+#[cfg(not(target_family = "wasm"))]
 mod linearization;
 mod natural_modes;
 #[cfg(not(target_family = "wasm"))]
@@ -10,6 +11,7 @@ mod response;
 
 #[cfg(not(target_family = "wasm"))]
 pub use gradient::{Gradient, gradient};
+#[cfg(not(target_family = "wasm"))]
 pub use linearization::{LinearNames, Linearization, Linearizer};
 pub use natural_modes::{ModesError, NaturalMode, natural_modes};
 #[cfg(not(target_family = "wasm"))]

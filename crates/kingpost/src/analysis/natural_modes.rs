@@ -1,7 +1,5 @@
 //! The oscillations that a model makes by itself about its equilibrium.
 
-use super::{Linearization, Linearizer};
-use crate::scenario::{Scenario, ScenarioError};
 use crate::simulation::{NoEquilibrium, Simulation};
 use core::f64::consts::TAU;
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
@@ -26,9 +24,6 @@ pub enum ModesError {
     /// No equilibrium is near.
     #[error(transparent)]
     Settle(#[from] NoEquilibrium),
-    /// The scenario does not build.
-    #[error(transparent)]
-    Scenario(#[from] ScenarioError),
     /// The eigenvalues do not converge.
     #[error("modes: found no eigenvalues in {MOST_ITERATIONS} iterations, allowed: rates whose sizes compare")]
     NoEigenvalues,
@@ -45,7 +40,7 @@ const BESIDE: f64 = 1e-9;
 
 /// The oscillations about the equilibrium that is nearest to where a simulation stands, the longest period first.
 ///
-/// The eigenvalues of [`Linearization`]'s A, those of bodies by their participation factors: of the parts l_k x_k / l x of
+/// The eigenvalues of A of [`Simulation::small_motions`], those of bodies by their participation factors: of the parts l_k x_k / l x of
 /// the states in a mode, with its left and right vector (Perez-Arriaga, Verghese & Schweppe, *IEEE Trans. PAS* 101(9), 1982),
 /// coordinates and their rates have half or more. The Python package's `modes` gives all modes, with their shapes.
 ///
@@ -54,7 +49,7 @@ const BESIDE: f64 = 1e-9;
 /// let text = "version: 1\ntitle: Pendulum\nsimulation: {step_s: 0.01, duration_s: 1}\nbodies:\n  bob: {mass_kg: 3, shape: \
 ///     {point: {}}, joint: {revolute: {axis: [0, 1, 0], child_position_m: [0, 0, 2]}}}\nforces: {gravity: {gravity: {}}}\n";
 /// let scenario = kingpost::scenario::read(text, "pendulum.yaml", &[])?;
-/// let modes = kingpost::analysis::natural_modes(&scenario, &scenario.simulation()?).expect("it hangs");
+/// let modes = kingpost::analysis::natural_modes(&scenario.simulation()?).expect("it hangs");
 /// let period_s = std::f64::consts::TAU * (2.0_f64 / 9.80665).sqrt();
 /// assert!((modes[0].period_s / period_s - 1.0).abs() < 1e-9 && modes[0].damping_ratio.abs() < 1e-9);
 /// # Ok::<(), kingpost::scenario::ScenarioError>(())
@@ -62,12 +57,11 @@ const BESIDE: f64 = 1e-9;
 ///
 /// # Errors
 /// No equilibrium near, or rates of such different sizes that no eigenvalues are found.
-pub fn natural_modes(scenario: &Scenario, simulation: &Simulation) -> Result<Vec<NaturalMode>, ModesError> {
+pub fn natural_modes(simulation: &Simulation) -> Result<Vec<NaturalMode>, ModesError> {
     let mut settled = simulation.clone();
     settled.settle()?;
-    let linear = Linearizer::new(scenario)?.at(&settled);
     let masses = diagonal(&settled.mass_matrix());
-    of_system(&linear, &masses)
+    of_system(&settled.coordinates(), &masses, settled.small_motions())
 }
 
 fn diagonal(matrix: &[f64]) -> Vec<f64> {
@@ -75,12 +69,11 @@ fn diagonal(matrix: &[f64]) -> Vec<f64> {
     (0..n).map(|i| matrix[i * n + i]).collect()
 }
 
-fn of_system(linear: &Linearization, masses: &[f64]) -> Result<Vec<NaturalMode>, ModesError> {
+fn of_system(coordinates: &[String], masses: &[f64], mut a: DMatrix<f64>) -> Result<Vec<NaturalMode>, ModesError> {
     if masses.is_empty() {
         return Ok(Vec::new());
     }
     // States in units in which rows of A are as large as its columns.
-    let mut a = linear.a.clone();
     let units = balance_parlett_reinsch(&mut a);
     let schur = Schur::try_new(a.clone(), f64::EPSILON, MOST_ITERATIONS).ok_or(ModesError::NoEigenvalues)?;
     let slowest = TAU / LONGEST_PERIOD_S;
@@ -88,7 +81,7 @@ fn of_system(linear: &Linearization, masses: &[f64]) -> Result<Vec<NaturalMode>,
     let mut modes: Vec<NaturalMode> = values
         .iter()
         .filter(|value| value.im > slowest)
-        .filter_map(|&value| mode(linear, masses, &a, &units, value))
+        .filter_map(|&value| mode(coordinates, masses, &a, &units, value))
         .collect();
     modes.sort_by(|one, other| other.period_s.total_cmp(&one.period_s));
     Ok(modes)
@@ -96,7 +89,7 @@ fn of_system(linear: &Linearization, masses: &[f64]) -> Result<Vec<NaturalMode>,
 
 /// The mode of an eigenvalue; `None` where bodies have little part in it.
 fn mode(
-    linear: &Linearization,
+    coordinates: &[String],
     masses: &[f64],
     a: &DMatrix<f64>,
     units: &DVector<f64>,
@@ -112,7 +105,7 @@ fn mode(
     let energy = |i: usize| masses[i] * (right[i] * units[i]).norm_sqr();
     let largest = (0..masses.len()).max_by(|&i, &j| energy(i).total_cmp(&energy(j)))?;
     Some(NaturalMode {
-        coordinate: linear.states[largest].clone(),
+        coordinate: coordinates[largest].clone(),
         period_s: TAU / value.im,
         damping_ratio: -value.re / size(value),
     })

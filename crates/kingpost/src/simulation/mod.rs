@@ -10,6 +10,7 @@ mod recording;
 mod sea;
 mod settle;
 mod setup;
+mod small_motions;
 mod steering;
 mod watching;
 
