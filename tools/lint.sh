@@ -1,5 +1,5 @@
 #!/bin/sh
-# Formats, clippy, ruff and TypeScript; all of them run, and any that complains fails.
+# Formats, clippy, ruff, mypy and TypeScript; all of them run, and any that complains fails.
 failed=0
 check() {
   echo "lint: $*"
@@ -9,5 +9,7 @@ check cargo fmt --all --check
 check cargo clippy --quiet --locked --workspace --all-targets --all-features -- -D warnings
 check .venv/bin/ruff check
 check .venv/bin/ruff format --check
+check .venv/bin/mypy
+check .venv/bin/python tools/notices.py --check
 check npm --prefix web exec --no -- tsc --noEmit --project web
 exit $failed

@@ -6,26 +6,35 @@
 3.0
 """
 
-from . import lift_rules, verify
-from .batch import Batch
+import logging
+
+from . import results, verify
+from .accessor import Accessor
+from .analysis import lift_rules, statistics
+from .analysis.gradients import gradient
+from .analysis.response import rao
+from .analysis.stable_step import stable_step
+from .analysis.vibration import equilibrium, modes
 from .engine import engine
-from .errors import KingpostError, RunError, ScenarioError
-from .gradients import gradient
-from .linear import Equilibrium, Linearization
-from .records import Input, State
-from .response import rao
+from .errors import KingpostError, KingpostWarning, RunError, ScenarioError
 from .scenario import Scenario, load
-from .simulate import Simulation, run
-from .stable_step import stable_step
-from .vibration import equilibrium, modes
+from .simulation.batch import Batch
+from .simulation.linear import Equilibrium, Linearization
+from .simulation.records import Input, State
+from .simulation.simulate import Simulation, run
+
+# Its messages go where a program that uses it sends them, else nowhere.
+logging.getLogger(__name__).addHandler(logging.NullHandler())
 
 __version__: str = engine.__version__
 
 __all__ = [
+    "Accessor",
     "Batch",
     "Equilibrium",
     "Input",
     "KingpostError",
+    "KingpostWarning",
     "Linearization",
     "RunError",
     "Scenario",
@@ -39,7 +48,9 @@ __all__ = [
     "load",
     "modes",
     "rao",
+    "results",
     "run",
     "stable_step",
+    "statistics",
     "verify",
 ]

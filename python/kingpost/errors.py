@@ -1,4 +1,4 @@
-"""The exceptions of the package. All derive from `KingpostError`."""
+"""The exceptions of the package, all of which derive from `KingpostError`, and its warning."""
 
 from __future__ import annotations
 
@@ -8,6 +8,19 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     import xarray
+
+
+class KingpostWarning(UserWarning):
+    """What one should know of a run that goes on: `warnings.filterwarnings` finds it by this category."""
+
+
+def flag(name: str) -> str:
+    """An option of the command line, as messages name it.
+
+    >>> flag("water_depth_m")
+    '--water-depth-m'
+    """
+    return f"--{name.replace('_', '-')}"
 
 
 class KingpostError(Exception):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -14,6 +15,8 @@ from .errors import KingpostError, OutputError
 if TYPE_CHECKING:
     import pandas
     import xarray
+
+LOG = logging.getLogger(__name__)
 
 
 @contextmanager
@@ -45,6 +48,7 @@ def whole(path: str | Path) -> Iterator[Path]:
             _flush(beside)
             beside.chmod(_mode(target))
             beside.replace(target)
+            LOG.info("written: %s", target)
         finally:
             beside.unlink(missing_ok=True)
     except OSError as error:

@@ -15,18 +15,28 @@ from typing import Any
 
 import numpy as np
 
-from . import gallery
+from . import gallery, markup
 from .engine import engine
 from .errors import KingpostError, ScenarioError
 
 Overrides = Mapping[str, Any]
 
 
-@dataclass(frozen=True)
+@dataclass
 class Scenario:
     """A validated description of one run: the text of a file and what was set over it.
 
     Made by `load`. Two scenarios are equal when their text, file and overrides are.
+
+    By its names a scenario is read and edited, parameters and fields alike, as ``--set`` does it on the
+    command line. A `Simulation` keeps the scenario that it was made of.
+
+    >>> scenario = load("paper")
+    >>> scenario["crane_x_m"], scenario["bodies.ship.mass_kg"]
+    (-10.0, 10000.0)
+    >>> scenario["bodies.ship.mass_kg"] = 12000
+    >>> scenario.resolved["bodies"]["ship"]["mass_kg"]
+    12000.0
     """
 
     text: str
@@ -116,8 +126,83 @@ class Scenario:
         """
         return json.loads(self._engine().hydrostatics_json())
 
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """The values of the scenario's parameters by name.
+
+        >>> load("paper", crane_x_m=5).parameters["crane_x_m"]
+        5.0
+        """
+        return {one["name"]: one["value"] for one in self.model["parameters"]}
+
+    def __getitem__(self, name: str) -> Any:
+        """The value of a parameter, or of a field of the resolved scenario by its dotted path.
+
+        Raises
+        ------
+        KingpostError
+            When there is no such name.
+        """
+        if name in self.parameters:
+            return self.parameters[name]
+        value: Any = self.resolved
+        for k, key in enumerate(keys := name.split(".")):
+            entries = dict(enumerate(value)) if isinstance(value, list) else value
+            at = int(key) if isinstance(value, list) and key.isdigit() else key
+            if not isinstance(entries, dict) or at not in entries:
+                place = ".".join(keys[:k]) or self.title
+                allowed = ", ".join(map(str, entries)) if isinstance(entries, dict) else "nothing below it"
+                raise KingpostError(f"{name}: found no {key} in {place}, allowed: {allowed}")
+            value = entries[at]
+        return value
+
+    def __setitem__(self, name: str, value: Any) -> None:
+        """Set a parameter, or a field by its dotted path.
+
+        Raises
+        ------
+        ScenarioError
+            When the name or the value is wrong; the scenario stays as it was.
+        """
+        changed = self.with_overrides({name: value})
+        vars(self).clear()
+        vars(self).update(vars(changed))
+
+    def _repr_html_(self) -> str:
+        described = self.model
+        parameters = [
+            (one["name"], one["value"], one["unit"], one["label"]) for one in described["parameters"]
+        ]
+        bodies = [(body["name"], body["parent"] or "", body["mass_kg"]) for body in described["bodies"]]
+        elements = [
+            (one["name"], one["kind"], "on" if one["enabled"] else "off") for one in described["elements"]
+        ]
+        return "".join([
+            markup.table(self.title, [("file", self.file)]),
+            markup.table("Parameters", parameters, ("name", "value", "unit", "")) if parameters else "",
+            markup.table("Bodies", bodies, ("body", "parent", "mass, kg")),
+            markup.table("Forces, drives and sensors", elements) if elements else "",
+        ])  # fmt: skip
+
     def with_overrides(self, overrides: Overrides | None = None, **parameters: Any) -> Scenario:
         """The same scenario with more set over it; the last value of a name counts.
+
+        Parameters
+        ----------
+        overrides
+            Values by parameter name or by dotted field path.
+        parameters
+            Values by parameter name.
+
+        Returns
+        -------
+        Scenario
+            Another one; this one stays as it is.
+
+        Raises
+        ------
+        ScenarioError
+            When a name or a value is wrong.
 
         >>> load("paper").with_overrides(crane_x_m=0).resolved["bodies"]["tower"]["joint"][
         ...     "revolute"]["position_m"][0]
@@ -147,6 +232,11 @@ def load(path_or_name: str | Path, overrides: Overrides | None = None, **paramet
         Values by parameter name or by dotted field path.
     parameters
         Values by parameter name.
+
+    Returns
+    -------
+    Scenario
+        Validated: one that can run.
 
     Raises
     ------

@@ -14,6 +14,11 @@ import pytest
 from samples import CALIBRATION, SMALL
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    # Tests of what is warned of ask for it.
+    config.addinivalue_line("filterwarnings", "ignore::kingpost.KingpostWarning")
+
+
 @pytest.fixture
 def small(tmp_path: Path) -> Path:
     """A scenario file of two bodies, free to move."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 import kingpost
 import numpy as np
 import pytest
-from kingpost import afloat_report, report
 from kingpost.cli import main
+from kingpost.reports import afloat as afloat_report
+from kingpost.reports import run as report
 
 MOORED = """\
 version: 1

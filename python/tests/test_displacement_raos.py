@@ -7,7 +7,7 @@ from pathlib import Path
 import kingpost
 import numpy as np
 import pytest
-from kingpost import displacement_raos
+from kingpost.analysis import displacement_raos
 from kingpost.cli import main
 
 SEA = {"significant_height_m": 0.01, "peak_period_s": 9, "gamma": 1, "direction_rad": 2.4,
@@ -51,9 +51,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     directions = [str(angle) for angle in range(0, 360, 10)]
     settings = [part for name, value in STILL.items() for part in ("--set", f"{name}={value}")]
     table = str(folder / "ship.csv")
-    command = ["rao", "offshore_vessel", *settings, "--points", "hull", "--directions_deg", *directions]
-    grid = ["--frequencies_rad_s", "0.1:2.6:400"]
-    assert main([*command, *grid, "--displacement_raos", table]) == 0
+    command = ["rao", "offshore_vessel", *settings, "--points", "hull", "--directions-deg", *directions]
+    grid = ["--frequencies-rad-s", "0.1:2.6:400"]
+    assert main([*command, *grid, "--displacement-raos", table]) == 0
     (folder / "moved.yaml").write_text(MOVED)
     return folder
 

@@ -45,7 +45,9 @@ def test_the_command_ends_with_exit_code_1_and_the_file_written(place, tmp_path,
                 for name, value in overrides.items()]  # fmt: skip
     assert main(["run", "paper", *settings, "-o", str(output)]) == 1
     shown = capsys.readouterr()
-    assert shown.err.count("\n") == 1
+    *warnings, error = shown.err.splitlines()
+    assert error.startswith("error: ")
+    assert [line[:16] for line in warnings] == ["warning: energy:"]
     assert str(output) in shown.out
     with xarray.load_dataset(output, engine="h5netcdf") as results:
         assert results.attrs["status"] in shown.err

@@ -7,9 +7,9 @@ import re
 from pathlib import Path
 
 import xarray
-from kingpost import event_report
 from kingpost.cli import main
-from kingpost.records import PARTS, REPEATING
+from kingpost.reports import events as event_report
+from kingpost.simulation.records import PARTS, REPEATING
 
 ENGINE = Path(__file__).resolve().parents[2] / "crates" / "kingpost" / "src"
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from kingpost import cli
 from kingpost.errors import HydrodynamicsError
-from kingpost.hydro import attitude_command, build, database_file, inclined, solve
+from kingpost.hydro import attitude_command, build, database_file, inclined, solve, to_dataset
 from kingpost.hydro.attitude import Inclination, from_degrees, placed, rotation
 from kingpost.hydro.command import parse_shape, summary
 from kingpost.hydro.database import Attitude, Water
@@ -209,9 +209,9 @@ def test_a_database_keeps_the_upright_hull_and_how_it_stands(tmp_path):
         "heel 5 deg to starboard, no trim, its origin on the water, at the upright hull's displacement"
         in found.provenance.notes
     )
-    attributes = found.to_dataset().attrs
+    attributes = to_dataset(found).attrs
     assert attributes["roll_rad"] == pytest.approx(np.radians(5))
-    assert found.to_dataset().added_mass.attrs["frame"].startswith("level")
+    assert to_dataset(found).added_mass.attrs["frame"].startswith("level")
 
 
 @pytest.mark.parametrize("name", ["barge", "sphere", "offshore_vessel"])
@@ -314,12 +314,12 @@ def test_the_summary_tells_both_the_upright_hull_and_how_it_stands():
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ([BARGE, "--heel_deg", "200"], "--heel_deg: found 200, allowed: an angle between -90 and 90 deg"),
-        ([BARGE, "--trim_deg", "nan"], "--trim_deg: found nan, allowed: an angle between -90 and 90 deg"),
-        ([BARGE, "--heel_deg", "inf"], "--heel_deg: found inf"),
-        ([BARGE, "--heel_deg", "5", "--attitude_of", "barge"], "--heel_deg: found --attitude_of beside it"),
-        ([BARGE, "--attitude_of", "none.yaml"], "none.yaml: no such file"),
-        (["x.hst", "--heel_deg", "5"], "--heel_deg: found x.hst, allowed: a hull, whose waves are computed"),
+        ([BARGE, "--heel-deg", "200"], "--heel-deg: found 200, allowed: an angle between -90 and 90 deg"),
+        ([BARGE, "--trim-deg", "nan"], "--trim-deg: found nan, allowed: an angle between -90 and 90 deg"),
+        ([BARGE, "--heel-deg", "inf"], "--heel-deg: found inf"),
+        ([BARGE, "--heel-deg", "5", "--attitude-of", "barge"], "--heel-deg: found --attitude-of beside it"),
+        ([BARGE, "--attitude-of", "none.yaml"], "none.yaml: no such file"),
+        (["x.hst", "--heel-deg", "5"], "--heel-deg: found x.hst, allowed: a hull, whose waves are computed"),
     ],
 )
 def test_a_wrong_attitude_is_one_line_and_writes_nothing(tmp_path, capsys, monkeypatch, words, message):
@@ -341,8 +341,8 @@ def test_a_hull_without_heel_stays_the_upright_one(heel_deg):
 def test_the_command_writes_the_database_of_a_listed_hull(tmp_path, capsys):
     pytest.importorskip("capytaine")
     target = tmp_path / "listed.hydro.json"
-    words = ["--panels", "60", "--directions", "4", "--frequencies_rad_s", "0.5:2.2:12", "--accept_fit"]
-    assert cli.main(["hydro", SPHERE, "-o", str(target), *words, "--heel_deg=-4.7"]) == 0
+    words = ["--panels", "60", "--directions", "4", "--frequencies-rad-s", "0.5:2.2:12", "--accept-fit"]
+    assert cli.main(["hydro", SPHERE, "-o", str(target), *words, "--heel-deg=-4.7"]) == 0
     assert "attitude            heel 4.7 deg to port, no trim" in capsys.readouterr().out
     hull = database_file.read(target).hull
     assert hull.attitude == Attitude(pytest.approx(np.radians(-4.7)), 0.0, pytest.approx(0.0, abs=1e-9))

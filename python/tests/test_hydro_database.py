@@ -4,9 +4,12 @@ import json
 import os
 
 import numpy as np
+import pint
 import pytest
+import xarray
+from kingpost import gallery
 from kingpost.errors import HydrodynamicsError
-from kingpost.hydro import database_file
+from kingpost.hydro import database_file, to_dataset
 from kingpost.hydro.database import (
     Database,
     DriftLoading,
@@ -18,6 +21,10 @@ from kingpost.hydro.database import (
     Water,
     Waterplane,
 )
+from kingpost.hydro.importers import capytaine_file
+from kingpost.hydro.importers.foreign import Options
+
+UNITS = pint.UnitRegistry()
 
 TETRAHEDRON = Mesh(
     np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, -1.0]]),
@@ -87,12 +94,53 @@ def test_writing_again_what_was_read_gives_the_same_bytes(tmp_path):
 
 
 def test_the_data_set_carries_units_and_names():
-    labelled = sample().to_dataset()
+    labelled = to_dataset(sample())
     for name, variable in labelled.variables.items():
         if variable.dtype.kind in "fc":
-            assert {"units", "long_name"} <= set(variable.attrs), name
+            assert "long_name" in variable.attrs, name
+            units = (
+                labelled[f"{name}_unit"].values.ravel()
+                if name in labelled.data_vars
+                else [variable.attrs["units"]]
+            )
+            for unit in units:
+                UNITS.parse_units(str(unit))
+    # A moment is a force with a lever; so is what a turn takes beside a shift.
+    for name in ("added_mass", "radiation_damping"):
+        of = labelled[f"{name}_unit"]
+        shift, turn = (UNITS.parse_units(str(of.sel(influenced_dof=k, radiating_dof=k).item()))
+                       for k in ("Surge", "Roll"))  # fmt: skip
+        assert (turn / shift).dimensionality == UNITS.parse_units("m^2").dimensionality
     expected = sample().froude_krylov + sample().diffraction
-    np.testing.assert_array_equal(labelled.excitation, expected)
+    np.testing.assert_array_equal(labelled.excitation_force, expected)
+
+
+def test_capytaine_takes_the_data_set_and_what_it_writes_is_read_back(tmp_path):
+    """Source: Capytaine: its post-processing beside the equation solved here, and its own file."""
+    capytaine = pytest.importorskip("capytaine")
+    database = database_file.read(gallery.folder() / "hydro" / "barge.hydro.json")
+    labelled = to_dataset(database)
+    inertia, stiffness = np.diag([4e5, 4e5, 4e5, 5e6, 2e7, 2e7]), np.diag([1e3, 1e3, 2e6, 9e6, 7e7, 1e4])
+    matrix = {name: labelled[name] for name in ("influenced_dof", "radiating_dof")}
+    labelled["inertia_matrix"] = xarray.DataArray(inertia, matrix)
+    labelled["hydrostatic_stiffness"] = xarray.DataArray(stiffness, matrix)
+    found = capytaine.post_pro.rao(labelled).transpose("omega", "wave_direction", "radiating_dof").values
+    for k, omega in enumerate(database.frequencies_rad_s):
+        impedance = (stiffness - omega**2 * (inertia + database.added_mass[k])
+                     - 1j * omega * database.radiation_damping[k])  # fmt: skip
+        expected = np.linalg.solve(impedance, database.excitation[k].T).T
+        np.testing.assert_allclose(found[k], expected, rtol=1e-10, atol=1e-14)
+    path = tmp_path / "barge.nc"
+    apart = capytaine.io.xarray.separate_complex_values(to_dataset(database))
+    apart.to_netcdf(path, engine="h5netcdf")
+    again = capytaine_file.read(str(path), Options())
+    np.testing.assert_array_equal(again.added_mass, database.added_mass)
+    np.testing.assert_array_equal(again.radiation_damping, database.radiation_damping)
+    np.testing.assert_allclose(again.excitation, database.excitation, rtol=1e-15)
+    assert (again.density_kg_m3, again.gravity_m_s2) == (
+        database.water.density_kg_m3,
+        database.water.gravity_m_s2,
+    )
 
 
 @pytest.mark.parametrize(

@@ -32,7 +32,7 @@ MEASURED = "\n".join([
 
 def start(folder: Path, *options: str) -> subprocess.Popen:
     return subprocess.Popen(
-        [sys.executable, "-c", MEASURED, *options, "--accept_fit", "-o", str(folder / "x.hydro.json")],
+        [sys.executable, "-c", MEASURED, *options, "--accept-fit", "-o", str(folder / "x.hydro.json")],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
@@ -44,9 +44,9 @@ def start(folder: Path, *options: str) -> subprocess.Popen:
 @pytest.mark.parametrize(
     "options",
     [
-        ("sphere:radius_m=5", "--panels", "60", "--frequencies_rad_s", "0.5:2:8", "--directions", "4"),
-        (PRISM, "--panels", "800", "--frequencies_rad_s", "1:8:8", "--directions", "4", "--trim_deg", "1",
-         "--heel_deg", "2", "--no-lid"),
+        ("sphere:radius_m=5", "--panels", "60", "--frequencies-rad-s", "0.5:2:8", "--directions", "4"),
+        (PRISM, "--panels", "800", "--frequencies-rad-s", "1:8:8", "--directions", "4", "--trim-deg", "1",
+         "--heel-deg", "2", "--no-lid"),
     ],
     ids=["few panels", "no plane of symmetry"],
 )  # fmt: skip
@@ -84,7 +84,7 @@ def solved(file: Path) -> int:
 
 @pytest.mark.skipif(os.name != "posix", reason="a process is killed by a signal")
 def test_a_run_that_was_killed_goes_on_and_writes_the_same_file(tmp_path) -> None:
-    options = (PRISM, "--water_depth_m", "1", "--panels", "150", "--frequencies_rad_s", "2:5.5:9",
+    options = (PRISM, "--water-depth-m", "1", "--panels", "150", "--frequencies-rad-s", "2:5.5:9",
                "--directions", "12")  # fmt: skip
     whole, stopped = tmp_path / "whole", tmp_path / "stopped"
     for folder in (whole, stopped):

@@ -10,7 +10,7 @@ import numpy as np
 import pandas
 import pytest
 from kingpost import cli
-from kingpost.displacement_raos import SENSES
+from kingpost.analysis.displacement_raos import SENSES
 from kingpost.hydro import checks, command, radiation_fit, read
 from kingpost.hydro.airy import wave_number
 from kingpost.hydro.build import database_hull, default_frequencies

@@ -9,7 +9,7 @@ import hydro_writers as writers
 import numpy as np
 import pytest
 from kingpost.cli import main
-from kingpost.errors import HydrodynamicsError
+from kingpost.errors import HydrodynamicsError, flag
 from kingpost.hydro import importers, read
 from kingpost.hydro.importers import Options, wamit
 from kingpost.hydro.importers.convert import about_origin
@@ -171,7 +171,7 @@ def test_a_sphere_with_its_weight_in_roll_becomes_buoyancy_alone(tmp_path) -> No
 def test_what_a_file_does_not_say_is_asked_for_by_name(tmp_path, option) -> None:
     path = writers.Wamit().write(tmp_path / "hull", writers.database())
     given = {name: value for name, value in WAMIT.items() if name != option}
-    with pytest.raises(HydrodynamicsError, match=f"{option}: found nothing in the file.*--{option}"):
+    with pytest.raises(HydrodynamicsError, match=f"{option}: found nothing in the file.*{flag(option)}"):
         importers.load(path, Options(**given))
 
 
@@ -292,11 +292,11 @@ def test_a_file_of_no_known_kind_names_those_that_are(tmp_path) -> None:
 def test_the_command_writes_a_whole_database_or_none(tmp_path, capsys) -> None:
     base, source, target = writers.database(30.0, 40), tmp_path / "hull.h5", tmp_path / "hull.hydro.json"
     writers.write_bemio(source, base)
-    given = ["hydro", str(source), "-o", str(target), "--draught_m", "5", "--length_m=12", "--beam_m", "10"]
+    given = ["hydro", str(source), "-o", str(target), "--draught-m", "5", "--length-m=12", "--beam-m", "10"]
     assert main(given) != 0
-    assert "--restoring_includes_weight" in capsys.readouterr().err
+    assert "--restoring-includes-weight" in capsys.readouterr().err
     assert not list(tmp_path.glob("*.json"))
-    assert main([*given, "--restoring_includes_weight", "yes"]) == 0
+    assert main([*given, "--restoring-includes-weight", "yes"]) == 0
     radiation = read(target).radiation
     assert radiation is not None
     assert radiation.fit_error <= 0.02
@@ -305,16 +305,18 @@ def test_the_command_writes_a_whole_database_or_none(tmp_path, capsys) -> None:
 
 def test_an_option_of_a_file_is_refused_for_a_hull(tmp_path, capsys) -> None:
     hull = "box:length_m=20,beam_m=10,draught_m=2,depth_m=5"
-    assert main(["hydro", hull, "-o", str(tmp_path / "a.hydro.json"), "--time_sign=+"]) != 0
-    assert "--time_sign: found a hull" in capsys.readouterr().err
+    assert main(["hydro", hull, "-o", str(tmp_path / "a.hydro.json"), "--time-sign=+"]) != 0
+    assert "--time-sign: found a hull" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
-    "option", [["--loading", "kg_m=2"], ["--panels", "900"], ["--no-lid"], ["--flip_normals"]]
+    "option", [["--loading", "kg_m=2"], ["--panels", "900"], ["--no-lid"], ["--flip-normals"]]
 )
 def test_an_option_of_a_hull_is_refused_for_a_file(tmp_path, capsys, option) -> None:
     source = tmp_path / "hull.h5"
     writers.write_bemio(source, writers.database())
     assert main(["hydro", str(source), "-o", str(tmp_path / "a.hydro.json"), *option]) != 0
     name = option[0].removeprefix("--").removeprefix("no-")
-    assert f"--{name}: found {source}, allowed: a hull, whose waves are computed" in capsys.readouterr().err
+    assert (
+        f"{flag(name)}: found {source}, allowed: a hull, whose waves are computed" in capsys.readouterr().err
+    )

@@ -255,7 +255,7 @@ def test_a_hull_above_the_water_is_refused(tmp_path):
     barge = barge_surface()
     message = refused(tmp_path, moved(barge, 0, 4))
     assert "a hull above the water" in message
-    assert "--draught_m" in message
+    assert "--draught-m" in message
 
 
 def test_a_mesh_in_millimetres_is_refused(tmp_path):
@@ -308,7 +308,7 @@ def test_a_wrong_parametric_hull_is_named(text, message):
     ["", "0:1:9", "1:2", "2:1:9", "a,b", "nan", "1:2:0", "1:2:1000000000", "1:inf:9", "-1:2:9", "1:2:7"],
 )
 def test_wrong_frequencies_are_refused(text):
-    with pytest.raises(HydrodynamicsError, match="--frequencies_rad_s: found"):
+    with pytest.raises(HydrodynamicsError, match="--frequencies-rad-s: found"):
         parse_frequencies(text)
 
 
@@ -407,5 +407,5 @@ def test_a_deck_is_joined_to_the_sides_though_its_edge_is_the_highest_of_the_hul
 @pytest.mark.parametrize("ending", ["1", "3", "4", "8", "9", "12"])
 def test_the_last_number_of_a_parametric_hull_makes_no_file_of_it(capsys, ending):
     hull = f"box:length_m=6,beam_m=4,draught_m=0.1,depth_m=0.{ending}"
-    assert cli.main(["hydro", hull, "--draught_m", "1", "-o", "hull.hydro.json"]) == 2
+    assert cli.main(["hydro", hull, "--draught-m", "1", "-o", "hull.hydro.json"]) == 2
     assert "a parametric hull has its own draught" in capsys.readouterr().err

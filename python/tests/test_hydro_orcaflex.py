@@ -115,7 +115,7 @@ def test_vessel_types_and_draughts_are_chosen_by_name(tmp_path) -> None:
     other = Form(others={"Name": "Barge, light", "Length": "12"}, phases="leads")
     path = orcaflex.written(tmp_path / "hull.yml", base, Form(), other)
     with pytest.raises(
-        HydrodynamicsError, match=r"2 in VesselTypes.*'Type 1', 'Barge, light'.*--vessel_type"
+        HydrodynamicsError, match=r"2 in VesselTypes.*'Type 1', 'Barge, light'.*--vessel-type"
     ):
         importers.load(path, Options(**DEEP))
     with pytest.raises(HydrodynamicsError, match=r"'Barge'.*'Type 1', 'Barge, light'"):
@@ -252,8 +252,8 @@ def test_the_file_is_an_input_of_the_command(tmp_path, capsys) -> None:
     base = replace(orcaflex.base(), title="hull")
     path = orcaflex.written(tmp_path / "hull.yml", base, Form(), Form(phases="leads"))
     target = tmp_path / "hull.hydro.json"
-    given = ["--vessel_type", "Type 2", "--water_depth_m", "inf", "--length_m", "12", "--beam_m", "10",
-             "--draught_m", "5", "--accept_fit"]  # fmt: skip
+    given = ["--vessel-type", "Type 2", "--water-depth-m", "inf", "--length-m", "12", "--beam-m", "10",
+             "--draught-m", "5", "--accept-fit"]  # fmt: skip
     assert main(["hydro", str(path), "-o", str(target), *given]) == 0
     assert "vessel type 'Type 2', draught 'Draught1'" in capsys.readouterr().out
     # Seven digits are written.

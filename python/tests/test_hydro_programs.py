@@ -154,7 +154,7 @@ def test_frequencies_above_the_limit_are_left_out_before_anything_is_looked_at(t
     spoiled = replace(base, radiation_damping=base.radiation_damping.copy())
     spoiled.radiation_damping[-4:] *= -1.0
     path = programs.aqwa(tmp_path / "hull", spoiled)
-    with pytest.raises(HydrodynamicsError, match=r"eigenvalue of -.* --highest_rad_s"):
+    with pytest.raises(HydrodynamicsError, match=r"eigenvalue of -.* --highest-rad-s"):
         importers.load(path, Options(**SIZE))
     found = importers.load(path, Options(**SIZE), highest_rad_s=base.frequencies_rad_s[-5] + 1e-3)
     assert len(found.frequencies_rad_s) == len(base.frequencies_rad_s) - 4

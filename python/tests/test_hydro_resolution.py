@@ -62,7 +62,7 @@ def test_the_command_says_how_many_directions_it_takes_but_the_users_number_wins
         raise HydrodynamicsError("solve", "a test", "no more than what is before it")
 
     monkeypatch.setattr(build, "solve", solve)
-    words = ["hydro", BARGE, "-o", str(tmp_path / "a.hydro.json"), "--frequencies_rad_s", "0.5:4:9"]
+    words = ["hydro", BARGE, "-o", str(tmp_path / "a.hydro.json"), "--frequencies-rad-s", "0.5:4:9"]
     assert main([*words, "--panels", "900"]) == 2
     shown = capsys.readouterr().out
     assert re.search(r"wave directions +36\n", shown)
@@ -80,7 +80,7 @@ def test_a_file_of_another_program_with_few_directions_is_warned_of(tmp_path, ca
     """Source: the same rule; the sample has four directions about a hull of 12 m, 18.8 m."""
     base, source = writers.database(30.0, 40), tmp_path / "hull.h5"
     writers.write_bemio(source, base)
-    given = ["--draught_m", "5", "--length_m=12", "--beam_m", "10", "--restoring_includes_weight", "yes"]
+    given = ["--draught-m", "5", "--length-m=12", "--beam-m", "10", "--restoring-includes-weight", "yes"]
     assert main(["hydro", str(source), "-o", str(tmp_path / "hull.hydro.json"), *given]) == 0
     shown = re.search(
         r"warning: 4 wave directions of the database resolve waves of 18\.8 m and more about its 12\.0 m: "

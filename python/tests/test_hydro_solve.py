@@ -200,10 +200,10 @@ def test_the_command_writes_a_database_that_can_be_read(tmp_path, capsys):
         ([BARGE, "--panels", "2"], "--panels: found 2"),
         ([BARGE, "--panels", "1000000000"], "--panels: found 1000000000, allowed: a whole number from 50"),
         ([VESSEL, "--panels", "20000"], "hull: found "),
-        ([BARGE, "--density_kg_m3", "0"], "--density_kg_m3: found 0, allowed: a number greater than 0"),
-        ([BARGE, "--water_depth_m", "nan"], "--water_depth_m: found nan"),
-        ([BARGE, "--frequencies_rad_s", "1:2"], "--frequencies_rad_s: found '1:2'"),
-        ([BARGE, "--draught_m", "3"], "--draught_m: found a parametric hull"),
+        ([BARGE, "--density-kg-m3", "0"], "--density-kg-m3: found 0, allowed: a number greater than 0"),
+        ([BARGE, "--water-depth-m", "nan"], "--water-depth-m: found nan"),
+        ([BARGE, "--frequencies-rad-s", "1:2"], "--frequencies-rad-s: found '1:2'"),
+        ([BARGE, "--draught-m", "3"], "--draught-m: found a parametric hull"),
     ],
 )
 def test_a_wrong_command_line_is_one_line_and_writes_nothing(tmp_path, capsys, monkeypatch, words, message):

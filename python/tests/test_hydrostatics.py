@@ -7,8 +7,8 @@ import re
 import kingpost
 import numpy as np
 import pytest
-from kingpost import model_report
 from kingpost.cli import main
+from kingpost.reports import model as model_report
 
 
 def test_the_barge_floats_as_closed_forms_of_a_box_say() -> None:

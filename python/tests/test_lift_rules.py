@@ -8,7 +8,7 @@ import sys
 
 import kingpost
 import pytest
-from kingpost import lift_rules
+from kingpost.analysis import lift_rules
 from kingpost.errors import KingpostError
 
 

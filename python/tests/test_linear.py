@@ -5,8 +5,8 @@ from __future__ import annotations
 import kingpost
 import numpy as np
 import pytest
-from kingpost import modes_report
 from kingpost.cli import main
+from kingpost.reports import modes as modes_report
 from kingpost.results import unit_of
 from samples import rod
 

@@ -6,8 +6,8 @@ import kingpost
 import numpy as np
 import pytest
 import xarray
+from kingpost.analysis.vibration import frame, write
 from kingpost.cli import main
-from kingpost.vibration import frame, write
 from samples import DAMPING, read_csv, rod
 
 G = 9.80665

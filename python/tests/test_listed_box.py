@@ -11,7 +11,7 @@ import pytest
 
 PEERS = Path(__file__).parent / "peers"
 LIST_DEG = 5.0
-# `kingpost hydro box:length_m=100,beam_m=24,draught_m=5,depth_m=9 --panels 600 --directions 24 --heel_deg 5`
+# `kingpost hydro box:length_m=100,beam_m=24,draught_m=5,depth_m=9 --panels 600 --directions 24 --heel-deg 5`
 # made it; at the peak of roll its panels are worth 3 % (see listed_box.py on its own).
 DATABASE = PEERS / "listed_5.hydro.json"
 ROWS = {"sway": ("displacement", "y"), "heave": ("displacement", "z"), "roll": ("rotation", "roll")}

@@ -9,8 +9,8 @@ import latex2mathml.converter
 import numpy as np
 import pytest
 from kingpost import Scenario, Simulation, load
-from kingpost.matrices import entry_unit, latex
 from kingpost.paper.equations import EQUATIONS, arm_velocity
+from kingpost.simulation.matrices import entry_unit, latex
 from samples import read_csv
 
 

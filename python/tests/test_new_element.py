@@ -11,7 +11,8 @@ import pandas
 import pyarrow.parquet
 import pytest
 import xarray
-from kingpost import report, results
+from kingpost import results
+from kingpost.reports import run as report
 from samples import read_csv
 
 CHANNELS = Path(__file__).resolve().parents[2] / "crates/kingpost/tests/golden/new_element.channels.json"

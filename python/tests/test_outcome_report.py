@@ -9,9 +9,10 @@ import kingpost
 import numpy as np
 import pytest
 import xarray
-from kingpost import outcome_report, report
 from kingpost.cli import main
-from kingpost.outcome_report import Outcome
+from kingpost.reports import outcomes as outcome_report
+from kingpost.reports import run as report
+from kingpost.reports.outcomes import Outcome
 
 # The barge lies at -0.265 deg; the first two seas leave her within this limit.
 LIMITS = {"trim": {"column": "ship.pitch", "at_least": -0.28, "unit": "deg"}}
@@ -42,9 +43,9 @@ def test_runs_of_many_seeds_print_in_how_many_a_limit_held_and_its_worst_value(s
     at_s = float(pitch[2].time[pitch[2].values.argmin()])
     expected = ["trim", "NO", "2", "of", "3", f"{smallest[2]:.4g}", "deg", "3", f"{at_s:.4g}"]
     assert row(shown, "trim") == [*expected, "at", "least", "-0.28", "ship.pitch"]
-    assert main(["statistics", *files, "--after_s", "1"]) == 0
+    assert main(["statistics", *files, "--after-s", "1"]) == 0
     assert row(capsys.readouterr().out, "trim")[:9] == expected
-    assert main(["statistics", files[0], "--after_s", "1"]) == 0
+    assert main(["statistics", files[0], "--after-s", "1"]) == 0
     assert row(capsys.readouterr().out, "trim")[:3] == ["trim", "yes", f"{smallest[0]:.4g}"]
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import kingpost
 import numpy as np
 import pytest
-from kingpost import plot
 from kingpost.cli import main
+from kingpost.reports import plot
 from kingpost.results import columns
 
 SHORT = {"simulation.duration_s": 12.0}

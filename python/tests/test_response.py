@@ -8,7 +8,7 @@ import kingpost
 import numpy as np
 import pytest
 import xarray
-from kingpost import response
+from kingpost.analysis import response
 from kingpost.cli import main
 
 GRAVITY = 9.80665
@@ -82,7 +82,7 @@ def sine(series: xarray.DataArray, omega: float) -> complex:
 
 def test_velocities_and_accelerations_are_those_of_the_displacement() -> None:
     found = kingpost.rao("barge", [1.0], [0.7, 1.4])
-    omega = found.frequency
+    omega = found.omega
     for k, rates in enumerate((found.velocity, found.acceleration), start=1):
         assert np.allclose(rates, (found.displacement * omega**k).transpose(*rates.dims))
     by_phase = response.complex_amplitude(found, "velocity")
@@ -106,10 +106,10 @@ def test_the_crane_is_taken_as_it_stands() -> None:
 
 def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) -> None:
     grid = [
-        "--directions_deg",
+        "--directions-deg",
         "180",
         "90",
-        "--frequencies_rad_s",
+        "--frequencies-rad-s",
         "0.5:1.5:5",
         "--points",
         "ship",
@@ -127,10 +127,14 @@ def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) ->
     row = dict(zip(names, map(float, first), strict=True))
     assert (row["direction_deg"], row["frequency_rad_s"]) == (180, 0.5)
     tip = expected.displacement.sel(point="arm.tip", axis="z")
-    assert row["arm.tip.displacement.z"] == pytest.approx(float(tip[0, 0]))
-    assert row["ship.rotation_phase.pitch"] == pytest.approx(
-        float(expected.rotation_phase.sel(body="ship", angle="pitch")[0, 0])
-    )
+    assert row["arm.tip.displacement.z [m/m]"] == pytest.approx(float(tip[0, 0]))
+    pitch = {"body": "ship", "angle": "pitch"}
+    for name, quantity in (
+        ("rotation_phase.pitch [deg]", "rotation_phase"),
+        ("rotation.pitch [deg/m]", "rotation"),
+    ):
+        degrees = np.rad2deg(float(expected[quantity].sel(pitch)[0, 0]))
+        assert row[f"ship.{name}"] == pytest.approx(degrees), "all angles of the file are in degrees"
     with open(files["png"], "rb") as picture:
         assert picture.read(4) == b"\x89PNG"
     line = re.search(r"^ *0\.500 +12\.57 +(.*)$", shown, re.MULTILINE)
@@ -143,8 +147,8 @@ def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) ->
     [
         (["paper"], "found no hull that waves act on"),
         (["barge", "--points", "mast.top"], "points: found 'mast.top', allowed: ship, "),
-        (["barge", "--frequencies_rad_s", "1:90:3"], "which the database covers"),
-        (["barge", "--frequencies_rad_s", "1:2"], "--frequencies_rad_s: found '1:2', allowed: from:to:n"),
+        (["barge", "--frequencies-rad-s", "1:90:3"], "which the database covers"),
+        (["barge", "--frequencies-rad-s", "1:2"], "--frequencies-rad-s: found '1:2', allowed: from:to:n"),
         (["barge", "-o", "rao.txt"], "rao.txt: unknown ending, allowed: .nc, .csv, .png"),
     ],
 )
@@ -156,7 +160,7 @@ def test_what_has_no_response_is_named(arguments: list[str], message: str, capsy
 @pytest.mark.parametrize("name", ["two_ships", "lift_off_from_barge"])
 def test_several_hulls_answer_by_default_at_the_frequencies_that_all_of_their_databases_cover(name) -> None:
     """Source: the databases: of the vessel 0.05984 to 2.618 rad/s, of the barge 0.09229 to 4.038."""
-    frequency = kingpost.rao(name, [0.0]).frequency.values
+    frequency = kingpost.rao(name, [0.0]).omega.values
     assert (frequency[0], frequency[-1]) == (0.09229, 2.618)
     assert len(frequency) > 100
     assert (np.diff(frequency) > 0).all()
@@ -165,13 +169,33 @@ def test_several_hulls_answer_by_default_at_the_frequencies_that_all_of_their_da
 def test_a_hull_answers_by_default_at_the_frequencies_that_the_engine_takes() -> None:
     """Source: the engine, which refines a database in the same way."""
     found = kingpost.Simulation("barge").wave_response([0.0], [])
-    assert kingpost.rao("barge", [0.0]).frequency.values.tolist() == found["frequencies_rad_s"]
+    assert kingpost.rao("barge", [0.0]).omega.values.tolist() == found["frequencies_rad_s"]
 
 
 def test_directions_beyond_one_turn_are_refused(capsys) -> None:
     """Source: degrees where radians are meant are the likeliest mistake."""
     with pytest.raises(kingpost.KingpostError, match=r"directions: found 180 rad .* allowed: one turn"):
         kingpost.rao("barge", directions_rad=[180])
-    assert main(["rao", "barge", "--directions_deg", "180", "999"]) == 2
+    assert main(["rao", "barge", "--directions-deg", "180", "999"]) == 2
     assert re.search(r"directions: found \S+ rad \(999 deg\), allowed: one turn", capsys.readouterr().err)
-    assert main(["rao", "barge", "--directions_deg", "nan"]) == 2
+    assert main(["rao", "barge", "--directions-deg", "nan"]) == 2
+
+
+def test_the_lowest_and_the_highest_frequency_are_taken_as_messages_print_them(capsys) -> None:
+    """Source: what a person types after the message that names the range."""
+    assert main(["rao", "offshore_vessel", "--frequencies-rad-s", "0.01:1:3"]) == 2
+    low, high = re.search(r"allowed: ([\d.]+) to ([\d.]+) rad/s", capsys.readouterr().err).groups()
+    assert (
+        main(["rao", "offshore_vessel", "--directions-deg", "180", "--frequencies-rad-s", f"{low}:{high}:2"])
+        == 0
+    )
+    assert main(["rao", "offshore_vessel", "--frequencies-rad-s", f"{float(low) - 0.001}:{high}:2"]) == 2
+
+
+def test_a_resonance_between_two_lines_has_a_line_of_its_own(capsys) -> None:
+    assert main(["rao", "offshore_vessel", "--directions-deg", "90"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    rolls = [line.split() for line in lines if re.match(r" +\d\.\d{3} ", line)]
+    (largest,) = (line.split() for line in lines if line.strip().startswith("largest"))
+    roll_column = -3
+    assert max(float(row[roll_column]) for row in rolls) == float(largest[roll_column])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import kingpost
 import numpy as np
 import pandas
@@ -114,3 +116,14 @@ def test_an_unknown_ending_is_refused(results, tmp_path):
     """Source: the public contract of `write`."""
     with pytest.raises(kingpost.KingpostError, match=r"\.nc, \.csv, \.parquet"):
         write(results, tmp_path / "run.xlsx")
+
+
+def test_parquet_without_pyarrow_is_refused_before_a_run_with_the_extra_that_brings_it(
+    tmp_path, capsys, monkeypatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    assert main(["run", "paper", "-o", str(tmp_path / "run.parquet")]) == 2
+    shown = capsys.readouterr()
+    assert 'found no pyarrow, allowed: after pip install "kingpost[parquet]"' in shown.err
+    assert shown.out == ""
+    assert list(tmp_path.iterdir()) == []

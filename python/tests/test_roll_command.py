@@ -16,7 +16,7 @@ from kingpost.roll_damping.radiated import radiated
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "roll_damping.md"
 BLOCKS = re.findall(r"```(\w*)\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
 HULL = "box:length_m=80,beam_m=18,draught_m=6,depth_m=9"
-SECTIONS = ["roll-damping", "sections", HULL, "--kg_m", "7", "--period_s", "10"]
+SECTIONS = ["roll-damping", "sections", HULL, "--kg-m", "7", "--period-s", "10"]
 DECAY = ["roll-damping", "decay", str(samples.FOLDER / "kvlcc2_decay_21338.csv")]
 
 
@@ -39,7 +39,7 @@ def test_the_commands_and_examples_of_the_page_run(tmp_path, monkeypatch, capsys
 
 def test_the_forces_of_a_hull_stand_in_a_scenario(tmp_path, capsys):
     output = tmp_path / "forces.yaml"
-    keels = ["--bilge_keels", "breadth_m=0.4,length_m=30", "--body", "rod"]
+    keels = ["--bilge-keels", "breadth_m=0.4,length_m=30", "--body", "rod"]
     assert cli.main([*SECTIONS, *keels, "-o", str(output)]) == 0
     shown = capsys.readouterr().out
     assert "keels, force" in shown
@@ -60,7 +60,7 @@ def test_a_decay_test_prints_its_period_and_without_inertia_no_forces(capsys):
     shown = capsys.readouterr().out
     assert re.search(r"natural period\s+2\.5", shown)
     assert "forces:" not in shown
-    assert cli.main([*DECAY, "--mass_kg", "994.3", "--gm_m", "0.0843"]) == 0
+    assert cli.main([*DECAY, "--mass-kg", "994.3", "--gm-m", "0.0843"]) == 0
     shown = capsys.readouterr().out
     assert "quadratic_damping" in shown
     # Two terms of a fit with two terms, both positive.
@@ -70,23 +70,23 @@ def test_a_decay_test_prints_its_period_and_without_inertia_no_forces(capsys):
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ([*SECTIONS, "--bilge_keels", "breadth_m=-1,length_m=30"], "bilge_keels.breadth_m: found -1"),
-        ([*SECTIONS, "--bilge_keels", "breadth=1"], "--bilge_keels: found 'breadth=1'"),
-        ([*SECTIONS, "--bilge_keels", "breadth_m=0.4"], "--bilge_keels: found 'breadth_m=0.4'"),
-        ([*SECTIONS, "--bilge_keels", "breadth_m=x,length_m=3"], "--bilge_keels breadth_m: found 'x'"),
-        ([*SECTIONS, "--amplitudes_deg", "0"], "amplitudes_rad: found 0"),
+        ([*SECTIONS, "--bilge-keels", "breadth_m=-1,length_m=30"], "bilge_keels.breadth_m: found -1"),
+        ([*SECTIONS, "--bilge-keels", "breadth=1"], "--bilge-keels: found 'breadth=1'"),
+        ([*SECTIONS, "--bilge-keels", "breadth_m=0.4"], "--bilge-keels: found 'breadth_m=0.4'"),
+        ([*SECTIONS, "--bilge-keels", "breadth_m=x,length_m=3"], "--bilge-keels breadth_m: found 'x'"),
+        ([*SECTIONS, "--amplitudes-deg", "0"], "amplitudes_rad: found 0"),
         ([*SECTIONS, "-o", "forces.txt"], "unknown ending"),
-        ([*DECAY, "--mass_kg", "3"], "--gm_m: found none, allowed: --mass_kg and --gm_m together"),
+        ([*DECAY, "--mass-kg", "3"], "--gm-m: found none, allowed: --mass-kg and --gm-m together"),
         (
-            [*DECAY, "--inertia_kg_m2", "3", "--mass_kg", "3"],
-            "--inertia_kg_m2: found --mass_kg or --gm_m too",
+            [*DECAY, "--inertia-kg-m2", "3", "--mass-kg", "3"],
+            "--inertia-kg-m2: found --mass-kg or --gm-m too",
         ),
-        ([*DECAY, "--inertia_kg_m2", "-3"], "--inertia_kg_m2: found -3"),
-        ([*DECAY, "--kg_m", "3"], "--database: found none"),
+        ([*DECAY, "--inertia-kg-m2", "-3"], "--inertia-kg-m2: found -3"),
+        ([*DECAY, "--kg-m", "3"], "--database: found none"),
         ([*DECAY, "--column", "sway"], "columns: found time_s, roll_rad"),
         (
-            [*DECAY, "--mass_kg", "nan", "--gm_m", "1"],
-            "--mass_kg: found nan, allowed: a number greater than 0",
+            [*DECAY, "--mass-kg", "nan", "--gm-m", "1"],
+            "--mass-kg: found nan, allowed: a number greater than 0",
         ),
         (["roll-damping", "decay", "none.csv"], "none.csv: found No such file"),
     ],
@@ -105,10 +105,10 @@ def test_the_forces_leave_out_what_the_hulls_database_radiates(tmp_path, capsys)
     time = np.arange(0, 150, 0.3)
     roll = 10 * np.exp(-0.02 * time) * np.cos(0.55 * time)
     path.write_text("time_s,roll_deg\n" + "\n".join(f"{t},{x}" for t, x in zip(time, roll, strict=True)))
-    words = ["roll-damping", "decay", str(path), "--inertia_kg_m2", "3e8", "--model", "linear"]
+    words = ["roll-damping", "decay", str(path), "--inertia-kg-m2", "3e8", "--model", "linear"]
     database = kingpost.gallery.folder() / "hydro" / "offshore_vessel.hydro.json"
     left = []
-    for more in ([], ["--database", str(database), "--kg_m", "6.5"]):
+    for more in ([], ["--database", str(database), "--kg-m", "6.5"]):
         assert cli.main([*words, *more]) == 0
         shown = capsys.readouterr().out
         left.append(float(re.search(r"angular_N_m_s: \[([\d.]+),", shown)[1]))

@@ -6,8 +6,8 @@ import kingpost
 import numpy as np
 import pytest
 from kingpost import gallery
+from kingpost.analysis.stable_step import stable_step
 from kingpost.cli import main
-from kingpost.stable_step import stable_step, warning
 
 STEP = "simulation.step_s"
 
@@ -35,7 +35,7 @@ def test_a_cylinder_is_stable_below_the_limit_and_not_beyond() -> None:
 def test_schemes_without_a_limit_have_none(scheme: str) -> None:
     scenario = kingpost.load("flexible_boom", {"simulation.integrator": scheme, STEP: 0.01})
     assert stable_step(scenario) is None
-    assert warning(kingpost.Simulation(scenario)) is None
+    assert kingpost.Simulation(scenario).model_warnings == []
 
 
 def test_a_damped_motion_has_the_limit_of_its_scheme() -> None:
@@ -50,7 +50,7 @@ def test_a_damped_motion_has_the_limit_of_its_scheme() -> None:
 
 
 def test_every_scenario_of_the_gallery_has_a_stable_step() -> None:
-    assert [name for name in gallery.names() if warning(kingpost.Simulation(name))] == []
+    assert [name for name in gallery.names() if kingpost.Simulation(name).model_warnings] == []
 
 
 def test_check_and_run_warn_of_a_step_that_is_too_long(capsys, tmp_path, monkeypatch) -> None:

@@ -1,14 +1,19 @@
 """Statistics of records: Gaussian processes of a known spectrum, Gumbel samples, the engine's own sea."""
 
 import json
+from pathlib import Path
 
 import kingpost
 import numpy as np
 import pandas
 import pytest
 import xarray
-from kingpost import KingpostError, statistics, statistics_report
+from kingpost import KingpostError
+from kingpost.analysis import statistics
 from kingpost.cli import main
+from kingpost.reports import statistics as statistics_report
+from kingpost.results import files
+from xarray.backends.h5netcdf_ import H5NetCDFArrayWrapper
 
 # A spectrum as broad as that of a sea, m0 = 1, about 0.8 rad/s.
 PEAK, WIDTH = 0.8, 0.2
@@ -51,7 +56,7 @@ def test_a_gaussian_process_of_a_known_spectrum_gives_its_variance_and_period() 
 def test_the_spectrum_comes_back_with_its_moments() -> None:
     records = xarray.concat([gaussian_process(np.random.default_rng(seed)) for seed in range(4)], "run")
     found = statistics.spectrum(records, segment_s=400.0)
-    assert found.dims == ("run", "frequency")
+    assert found.dims == ("run", "omega")
     assert found.attrs["units"] == "(m)^2 s/rad"
     # Fifty segments a record and four of them: 7 % of error by line, and the window's own smearing.
     mean = found.mean("run")
@@ -67,8 +72,8 @@ def test_a_sine_gives_all_of_its_power_to_its_line() -> None:
     time = 0.25 * np.arange(4000)
     wave = xarray.DataArray(3 * np.cos(2 * np.pi * time / 10), {"time": time}, ("time",), "roll")
     found = statistics.spectrum(wave, segment_s=100.0)
-    assert float(found.integrate("frequency")) == pytest.approx(4.5, rel=1e-3)
-    assert float(found.idxmax("frequency")) == pytest.approx(2 * np.pi / 10)
+    assert float(found.integrate("omega")) == pytest.approx(4.5, rel=1e-3)
+    assert float(found.idxmax("omega")) == pytest.approx(2 * np.pi / 10)
 
 
 def test_the_spectrum_is_that_of_scipy() -> None:
@@ -76,7 +81,7 @@ def test_the_spectrum_is_that_of_scipy() -> None:
     record = gaussian_process(np.random.default_rng(5), duration_s=1000.0)
     found = statistics.spectrum(record, segment_s=125.0)
     hertz, density = signal.welch(record.values - record.values.mean(), fs=4.0, nperseg=500, detrend=False)
-    assert np.allclose(found["frequency"], 2 * np.pi * hertz)
+    assert np.allclose(found["omega"], 2 * np.pi * hertz)
     assert np.allclose(found, density / (2 * np.pi), rtol=1e-12, atol=1e-14)
 
 
@@ -187,9 +192,9 @@ def test_the_command_prints_what_runs_show_after_the_ramp(tmp_path, capsys) -> N
     files = [recorded(tmp_path, seed) for seed in range(6)]
     table = tmp_path / "table.csv"
     assert main(["statistics", *files, "-o", str(table)]) == 0
-    shown = capsys.readouterr().out
+    shown, warned = capsys.readouterr()
     assert "20 to 1799.75 s of 6 runs, 3 h in all: means over them" in shown, "the barge's ramp is 20 s"
-    assert "of 6 runs these are rough: 10 or more" in shown
+    assert "warning: of 6 runs these are rough: 10 or more" in warned
     header = next(line for line in shown.splitlines() if line.startswith("channel"))
     assert header.split("  ")[-2:] == ["largest of all", "smallest of all"]
     roll = next(line.split() for line in shown.splitlines() if line.startswith("ship.roll"))
@@ -214,19 +219,19 @@ def test_the_command_reads_what_run_writes(tmp_path, capsys) -> None:
     settings = ["--set", "waves=on", "--set", "simulation.duration_s=3"]
     assert main(["run", "barge", "-o", file, *settings]) == 0
     capsys.readouterr()
-    assert main(["statistics", file, "--after_s", "1"]) == 0
+    assert main(["statistics", file, "--after-s", "1"]) == 0
     shown = capsys.readouterr().out
     assert all(name in shown for name in ("ship.position.z", "ship.roll", "wave_elevation", "pendant.first"))
     assert "arm.roll" not in shown
     assert "expected extremes of three hours need 10 runs or more" in shown
     assert "luff" not in shown, "it is held"
-    assert main(["statistics", file, "--after_s", "1", "--channels", "luff.*", "*force_z", "*moment_z"]) == 0
+    assert main(["statistics", file, "--after-s", "1", "--channels", "luff.*", "*force_z", "*moment_z"]) == 0
     shown = capsys.readouterr().out
     rows = {line.split()[0]: line.split()[1:] for line in shown.splitlines() if "." in line.split(" ")[0]}
     assert (rows["luff.joint_position"][0], rows["luff.joint_position"][2]) == ("deg", "0.0000")
-    assert rows["pendant.joint_reaction.force_z"][0] == "N"
-    assert rows["pendant.joint_reaction.moment_z"][:2] == ["N", "m"]
-    assert main(["statistics", file, "--after_s", "1", "--channels", "arm.ro*"]) == 0
+    assert rows["pendant.joint_reaction.force_z"][0] == "kN"
+    assert rows["pendant.joint_reaction.moment_z"][:2] == ["kN", "m"]
+    assert main(["statistics", file, "--after-s", "1", "--channels", "arm.ro*"]) == 0
     shown = capsys.readouterr().out
     assert "arm.roll" in shown
     assert "ship.roll" not in shown
@@ -239,12 +244,12 @@ def test_only_runs_that_differ_in_their_seeds_are_pooled(tmp_path, capsys) -> No
     short = recorded(tmp_path, 2, duration_s=600.0, significant_height_m=1)
     again = recorded(tmp_path, 0, significant_height_m=1)
     height = "sea.waves.wind_sea.jonswap.significant_height_m"
-    for files, message in [
+    for of_seeds, message in [
         ([first, higher], f"{higher}: found {height} 3.0, allowed: 1.0, as in {first}"),
         ([first, short], f"{short}: found 2400 records to 599.75 s, allowed: 7200 records to 1799.75 s"),
         ([first, again], f"{again}: found simulation.seed 0, which is that of {first}"),
     ]:
-        assert main(["statistics", *files]) == 2
+        assert main(["statistics", *of_seeds]) == 2
         assert message in capsys.readouterr().err
     assert main(["statistics", first, recorded(tmp_path, 3, significant_height_m=1)]) == 0
 
@@ -266,7 +271,7 @@ def test_only_runs_of_a_batch_that_differ_in_their_seeds_are_pooled(
     file = tmp_path / "batch.nc"
     found = kingpost.Batch("barge", parameters, {"simulation.duration_s": 1, "waves": True}).run()
     found.to_netcdf(file, engine="h5netcdf")
-    assert main(["statistics", str(file), "--after_s", "0"]) == (2 if message else 0)
+    assert main(["statistics", str(file), "--after-s", "0"]) == (2 if message else 0)
     assert message in capsys.readouterr().err
 
 
@@ -276,7 +281,7 @@ def test_the_command_names_what_is_wrong(tmp_path, capsys) -> None:
     text.write_text("time,roll")
     for arguments, message in [
         ([file, "--channels", "boat.roll"], "--channels: found 'boat.roll'"),
-        ([file, "--after_s", "5000"], "after_s: found 5000 s"),
+        ([file, "--after-s", "5000"], "after_s: found 5000 s"),
         ([str(tmp_path / "none.nc")], "none.nc: no such file, allowed: results in NetCDF"),
         (
             [str(text)],
@@ -297,8 +302,8 @@ def test_a_run_that_ended_early_is_told_of(tmp_path, capsys) -> None:
     results = kingpost.run("barge", {"simulation.duration_s": 3.0})
     results.attrs["status"] = "interrupted"
     results.to_netcdf(tmp_path / "part.nc", engine="h5netcdf")
-    assert main(["statistics", str(tmp_path / "part.nc"), "--after_s", "1"]) == 0
-    assert "warning: a run ended early, at 3 s: interrupted" in capsys.readouterr().out
+    assert main(["statistics", str(tmp_path / "part.nc"), "--after-s", "1"]) == 0
+    assert "warning: a run ended early, at 3 s: interrupted" in capsys.readouterr().err
 
 
 def _warned(values: list[float], **warnings: str) -> xarray.Dataset:
@@ -352,3 +357,78 @@ def test_so_are_those_of_a_batch() -> None:
 
 def _text(runs: list[xarray.Dataset]) -> str:
     return statistics_report.text(runs, pandas.DataFrame(), 0.0)
+
+
+def test_a_damaged_file_is_refused_in_one_line_and_none_keeps_the_program(tmp_path, capsys) -> None:
+    """Source: a file cut short, bytes of its headers overwritten by others, and a text."""
+    whole = Path(recorded(tmp_path, 0, duration_s=60.0)).read_bytes()
+    rng = np.random.default_rng(0)
+    damaged = {f"cut_{size}": whole[:size] for size in (8, len(whole) // 2)}
+    for _ in range(2):
+        at = int(rng.integers(8, min(6000, len(whole))))
+        damaged[f"at_{at}"] = whole[:at] + rng.bytes(24) + whole[at + 24 :]
+    for name, content in damaged.items():
+        file = tmp_path / f"{name}.nc"
+        file.write_bytes(content)
+        code = main(["statistics", str(file), "--after-s", "0"])
+        said = capsys.readouterr().err
+        assert code in (0, 2), name
+        assert (said == "") == (code == 0), "an error is one line"
+        assert said.count("\n") == (0 if code == 0 else 1)
+        if name.startswith("cut"):
+            assert code == 2
+            assert "allowed: results in NetCDF" in said
+
+
+def test_a_file_on_which_the_library_does_not_end_is_refused(tmp_path, monkeypatch) -> None:
+    file = recorded(tmp_path, 0, duration_s=60.0)
+    endless = tmp_path / "results" / "probe.py"
+    endless.parent.mkdir()
+    endless.write_text("while True: pass", encoding="utf-8")
+    monkeypatch.setattr(files, "__file__", str(endless.with_name("files.py")))
+    with pytest.raises(KingpostError, match="found a damaged file"):
+        files.open_all([file], time_limit_s=0.5)
+
+
+def test_all_columns_take_the_time_of_reading_them_once(tmp_path, monkeypatch) -> None:
+    """Each variable is read from a file once for all of its columns, and what is not asked for not at all."""
+    file = str(tmp_path / "run.nc")
+    kingpost.results.write(kingpost.run("paper", {"simulation.duration_s": 0.1}), file)
+    read: list[str] = []
+    numbers = H5NetCDFArrayWrapper._getitem
+    monkeypatch.setattr(
+        H5NetCDFArrayWrapper,
+        "_getitem",
+        lambda self, key: (read.append(self.variable_name), numbers(self, key))[1],
+    )
+    (run,) = kingpost.results.open_all([file])
+    read.clear()
+    found = statistics_report.frame([run], 0.0, ["*"])
+    assert len(found) > 100
+    assert len(read) == len(set(read)) == len(run.data_vars)
+    read.clear()
+    statistics_report.frame([run], 0.0, ["ship.roll"])
+    assert read == ["roll"]
+
+
+def test_runs_with_other_files_behind_them_are_not_pooled(tmp_path, capsys) -> None:
+    """Two databases of one name are two."""
+    names = []
+    for seed, digest in ((1, "a" * 64), (2, "b" * 64)):
+        path = recorded(tmp_path, seed)
+        found = xarray.load_dataset(path, engine="h5netcdf")
+        found.attrs["files"] = json.dumps({"hydro/ship.hydro.json": digest})
+        names.append(str(tmp_path / f"other_{seed}.nc"))
+        found.to_netcdf(names[-1], engine="h5netcdf")
+    assert main(["statistics", *names]) == 2
+    assert "found the file hydro/ship.hydro.json with SHA-256 bbbbbbbbbbbb" in capsys.readouterr().err
+
+
+def test_tables_are_in_the_units_of_engineers_with_heights_of_points_and_forces_of_lines() -> None:
+    run = kingpost.run("lowering_by_winch", {"simulation.duration_s": 2})
+    found = statistics_report.frame([run], 0.0).set_index("channel")
+    rope = next(name for name in found.index if name.endswith(".rope_tension"))
+    assert found.loc[rope, "unit"] == "kN"
+    largest = float(run["rope_tension"].sel(rope=rope.removesuffix(".rope_tension")).max())
+    assert found.loc[rope, "maximum"] == pytest.approx(largest / 1e3)
+    assert any(name.endswith(".point_position.z") for name in found.index)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kingpost import lift_rules
+from kingpost.analysis import lift_rules
 from studies import supply_boat_lifts as study
 
 STORED = json.loads(Path(study.__file__).with_suffix(".json").read_text(encoding="utf-8"))

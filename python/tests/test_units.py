@@ -10,10 +10,12 @@ import pint
 import pyarrow.parquet
 import pytest
 import xarray
-from kingpost import gallery, report, results
+from kingpost import gallery, results
+from kingpost.analysis.displacement_raos import SENSES
+from kingpost.analysis.statistics import spectrum, summary
 from kingpost.cli import main
-from kingpost.displacement_raos import SENSES
-from kingpost.statistics import summary
+from kingpost.hydro import read, to_dataset
+from kingpost.reports import run as report
 
 BODY = {"mass_kg": 9, "inertia": {"tensor": {"moments_kg_m2": [1, 1, 1]}}}
 JOINTS = {
@@ -77,6 +79,42 @@ def test_what_is_given_of_forces_drives_and_sensors_has_units_that_pint_parses(n
             UNITS.parse_units(fact["unit"])
             # A unit that is still in the name was not known.
             assert not fact["label"].endswith((" m", " N", " s", " rad", " kg", " m2", " Pa")), fact
+
+
+def test_other_data_sets_have_units_that_pint_parses_and_one_name_for_an_angular_frequency() -> None:
+    """Source: pint; omega is in rad/s, a frequency in Hz, in every data set."""
+    roll = kingpost.run("paper", {"simulation.duration_s": 0.5})["roll"].sel(body="ship")
+    found = [
+        kingpost.rao("barge", [0.0], [0.5, 1.0]),
+        kingpost.modes("chain"),
+        spectrum(roll, segment_s=0.25).to_dataset(),
+        to_dataset(read(gallery.folder() / "hydro" / "barge.hydro.json")),
+    ]
+    for name, variable in ((name, variable) for one in found for name, variable in one.variables.items()):
+        if "units" in variable.attrs:
+            unit = UNITS.parse_units(variable.attrs["units"])
+            assert name != "omega" or unit == UNITS.parse_units("rad/s")
+            assert name != "frequency" or unit == UNITS.parse_units("Hz")
+    assert ["omega" in one.variables for one in found] == [True, False, True, True]
+
+
+def test_names_of_the_cf_conventions_have_their_signs_and_dimensions() -> None:
+    """Source: the table of standard names, version 93, in degrees and metres; signs by turning a ship that is
+    alone: port up, bow down and bow to port are positive."""
+    scenario = kingpost.load("barge", {"simulation.duration_s": 0.1})
+    found = kingpost.run(scenario)
+    assert found.attrs["Conventions"] == "CF-1.11"
+    signs = {"roll": "starboard_down", "pitch": "fore_down", "yaw": "fore_port"}
+    for name, sign in signs.items():
+        assert found[name].attrs["standard_name"] == f"platform_{name}_{sign}"
+        UNITS.Quantity(1, found[name].attrs["units"]).to("degree")
+    elevation = found["wave_elevation"].attrs
+    assert elevation["standard_name"] == "sea_surface_height_above_mean_sea_level"
+    assert UNITS.parse_units(elevation["units"]) == UNITS.metre
+    said = {name: found[name].attrs["description"] for name in signs}
+    assert said["roll"].endswith("positive port side up")
+    assert said["pitch"].endswith("positive bow down")
+    assert said["yaw"].endswith("positive bow to port")
 
 
 def test_lengths_are_told_from_angles_by_the_engine_not_by_the_names_of_axes(joints) -> None:

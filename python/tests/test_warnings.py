@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import json
+import warnings as python_warnings
 
 import kingpost
+import pandas
+import pyarrow.parquet
 import pytest
+from kingpost import results
 from kingpost.cli import main
 
 PENDULUM = """\
@@ -47,8 +51,8 @@ forces: {{gravity: {{gravity: {{}}}}}}
 """
 
 
-def texts(results) -> list[str]:
-    return [f"{warning['name']}: {warning['text']}" for warning in json.loads(results.attrs["warnings"])]
+def texts(found) -> list[str]:
+    return [f"{warning['name']}: {warning['text']}" for warning in json.loads(found.attrs["warnings"])]
 
 
 @pytest.mark.parametrize("angle", [60, 122])
@@ -60,10 +64,7 @@ def test_a_pendant_that_goes_over_the_top_is_told_of(tmp_path, capsys, angle) ->
     assert any("pendant: the pendant of load pushes with" in text for text in found) == (angle > 90)
     assert any(f"pendant: load swings to {angle:.1f} deg" in text for text in found) == (angle > 90)
     assert main(["run", str(path)]) == 0
-    shown = capsys.readouterr().out
-    assert [line for line in shown.splitlines() if line.startswith("warning: pendant")] == [
-        f"warning: {text}" for text in found
-    ]
+    assert capsys.readouterr().err.splitlines() == [f"warning: {text}" for text in found]
 
 
 @pytest.mark.parametrize("height", [6.5, 12.5])
@@ -94,3 +95,77 @@ def test_a_simulation_that_is_stepped_and_a_batch_have_the_warnings_of_the_run(t
     angle = "bodies.load.joint.universal.first.initial_angle_rad"
     batch = kingpost.Batch(path, {angle: [1.0, 2.129301687433082, 1.1]}).run()
     assert json.loads(batch.attrs["warnings"]) == [[], recorded, []]
+
+
+STEP = "simulation.step_s"
+LIFT = {"waves": True, "significant_height_m": 4, "wave_direction_deg": 90, "peak_period_s": 6,
+        "simulation.duration_s": 32, "simulation.seed": 2}  # fmt: skip
+"""A barge that leans until her deck goes under water."""
+
+
+def told_by(work) -> list[str]:
+    """What Python warns of, as a notebook shows it."""
+    with python_warnings.catch_warnings(record=True) as caught:
+        python_warnings.simplefilter("always")
+        work()
+    ours = [one for one in caught if issubclass(one.category, kingpost.KingpostWarning)]
+    # The line that a reader is pointed at is his own.
+    assert {one.filename for one in ours} <= {__file__}
+    return [str(one.message) for one in ours]
+
+
+def test_a_notebook_a_command_line_and_files_have_the_same_warnings_of_a_run(tmp_path, capsys) -> None:
+    """Source: the definition; one run of a barge that leans far, and the same run as one of two seeds."""
+    found: list = []
+    told = told_by(lambda: found.append(kingpost.run("barge", LIFT)))
+    assert sum("the edge of its deck went" in text for text in told) == 1
+    assert told == texts(found[0])
+    assert told_by(lambda: kingpost.Simulation(kingpost.load("barge", LIFT)).run()) == told
+    assert told_by(lambda: kingpost.Batch("barge", {"simulation.seed": [2]}, LIFT).run()) == told
+    settings = [f"--set={name}={str(value).lower()}" for name, value in LIFT.items()]
+    for name in ("run.nc", "run.csv", "run.parquet"):
+        assert main(["run", "barge", *settings, "-o", str(tmp_path / name)]) == 0
+        shown = capsys.readouterr()
+        assert shown.err.splitlines() == [f"warning: {text}" for text in told]
+        assert "warning" not in shown.out
+    assert main(["run", "barge", *settings, "--seeds", "2", "-o", str(tmp_path / "run_*.nc")]) == 0
+    lines = capsys.readouterr().err.splitlines()
+    assert sum("the edge of its deck went" in line for line in lines) == 1
+    assert all(line.startswith("warning, in ") for line in lines)
+    for name in ("run.nc", "run_2.nc"):
+        assert texts(results.read(tmp_path / name)) == told
+    metadata = pyarrow.parquet.read_schema(tmp_path / "run.parquet").metadata
+    assert metadata[b"warnings"].decode() == found[0].attrs["warnings"]
+    beside = pandas.read_csv(tmp_path / "run.warnings.csv")
+    assert [f"{row.warning_name}: {row.warning_text}" for row in beside.itertuples()] == told
+
+
+def test_a_step_that_is_too_long_is_told_of_in_python_too(capsys) -> None:
+    """Source: the command line, which says the same of the same run."""
+    short = {STEP: 0.02, "simulation.duration_s": 0.04, "simulation.record_every_s": 0.02}
+    told = told_by(lambda: kingpost.run("vessel_knuckle_boom", short))
+    assert told[0].startswith("the step of 0.02 s is too long for rk4")
+    settings = [f"--set={name}={value}" for name, value in short.items()]
+    assert main(["run", "vessel_knuckle_boom", *settings]) == 0
+    assert capsys.readouterr().err.splitlines() == [f"warning: {text}" for text in told]
+
+
+def test_many_runs_tell_of_each_warning_once(tmp_path) -> None:
+    """Source: a pendulum that goes over the top in two of three runs."""
+    path = tmp_path / "pendulum.yaml"
+    path.write_text(PENDULUM.format(angle=60))
+    batch = kingpost.Batch(path, {"bodies.load.joint.universal.first.initial_angle_rad": [1.0, 2.1, 2.2]})
+    told = told_by(batch.run)
+    assert sum("swings to" in text for text in told) == 1
+    assert all(text.startswith("in 2 of 3 runs, from ") and "(run 2)" in text for text in told)
+
+
+def test_a_filter_of_python_stops_the_warnings_and_no_others(tmp_path) -> None:
+    path = tmp_path / "pendulum.yaml"
+    path.write_text(PENDULUM.format(angle=122))
+    with python_warnings.catch_warnings(record=True) as caught:
+        python_warnings.simplefilter("always")
+        python_warnings.simplefilter("ignore", kingpost.KingpostWarning)
+        kingpost.run(path)
+        python_warnings.warn("another's", UserWarning, stacklevel=1)
+    assert [str(one.message) for one in caught] == ["another's"]

@@ -87,7 +87,7 @@ describe("the session", () => {
       throw { kind: "input", message: "operation: found one in the scenario, allowed: operation.enabled: false" };
     };
     expect(await session.save()).toBeNull();
-    expect(session.fault?.kind).toBe("unsaved");
+    expect(session.fault?.kind).toBe("two_operations");
     await session.step();
     expect(session.status).toBe("paused");
   });

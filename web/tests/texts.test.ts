@@ -3,6 +3,7 @@ import { join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import ts from "typescript";
 import { describe, expect, it } from "vitest";
+import { isInEnglish, OF_PAGE } from "../src/engine/faults";
 import * as en from "../src/texts/en";
 import { languageOf } from "../src/texts/language";
 import * as nb from "../src/texts/nb";
@@ -160,4 +161,10 @@ it("has no text for a person outside the folder of the texts", () => {
   const found = sources(here("../src")).flatMap(readable);
   expect([...new Set(found)].filter((one) => !FOR_PROGRAMS.includes(one))).toEqual([]);
   expect(FOR_PROGRAMS.filter((one) => !found.includes(one))).toEqual([]);
+});
+
+it("has a heading for every kind of fault whose words are the page's own", () => {
+  expect(OF_PAGE.filter((kind) => !(kind in en.alert.headings))).toEqual([]);
+  expect(OF_PAGE.map((kind) => isInEnglish({ kind, message: "" }))).toEqual(OF_PAGE.map(() => false));
+  expect(["scenario", "diverged", "input", "internal"].map((kind) => isInEnglish({ kind, message: "" }))).toEqual([true, true, true, true]);
 });

@@ -62,7 +62,7 @@ def from_degrees(heel_deg: float | None, trim_deg: float | None) -> Inclination 
     >>> from_degrees(-90 / np.pi, None).roll_rad, from_degrees(0, None)
     (-0.5, None)
     """
-    angles = {"--heel_deg": heel_deg or 0.0, "--trim_deg": trim_deg or 0.0}
+    angles = {"--heel-deg": heel_deg or 0.0, "--trim-deg": trim_deg or 0.0}
     for name, angle in angles.items():
         # What is not a number compares as false.
         if not abs(angle) < BEYOND_DEG:

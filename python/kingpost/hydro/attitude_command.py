@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..errors import HydrodynamicsError
+from ..errors import HydrodynamicsError, flag
 from ..scenario import Scenario, load
 from .attitude import Inclination, from_degrees
 from .database import Attitude, Hull
@@ -27,11 +27,11 @@ SAME_ANGLE = 1e-6
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """Heel, trim, and the scenario that has them."""
-    command.add_argument("--heel_deg", metavar="A", type=float, help=(
+    command.add_argument("--heel-deg", metavar="A", type=float, help=(
         "the hull lists by so much, positive to starboard, at its upright displacement"))  # fmt: skip
-    command.add_argument("--trim_deg", metavar="A", type=float, help=(
+    command.add_argument("--trim-deg", metavar="A", type=float, help=(
         "the hull trims by so much, positive by the bow, at its upright displacement"))  # fmt: skip
-    command.add_argument("--attitude_of", metavar="SCENARIO", help=(
+    command.add_argument("--attitude-of", metavar="SCENARIO", help=(
         "the hull stands as in this scenario (a file or a gallery name) at rest in still water, as `kingpost "
         "check` prints: heel, trim and height"))  # fmt: skip
 
@@ -51,7 +51,7 @@ def parse(options: argparse.Namespace, hull: Particulars) -> Inclination | None:
         return from_degrees(options.heel_deg, options.trim_deg)
     for name in ("heel_deg", "trim_deg"):
         if getattr(options, name) is not None:
-            raise HydrodynamicsError(f"--{name}", "--attitude_of beside it", "one of the two")
+            raise HydrodynamicsError(flag(name), "--attitude-of beside it", "one of the two")
     found = of_scenario(load(options.attitude_of), hull)
     return found if found.roll_rad or found.pitch_rad or found.height_m else None
 
@@ -77,12 +77,12 @@ def of_scenario(scenario: Scenario, hull: Particulars) -> Inclination:
         others = [f"{one.name}, {_sizes(one.hull)}" for one in found] or scenario.hydrostatics["warnings"]
         which = f"a scenario with a hull afloat of {_sizes(hull)}"
         what = "; ".join(others) or "no hull that floats"
-        raise HydrodynamicsError("--attitude_of", f"{file} with {what}", which)
+        raise HydrodynamicsError("--attitude-of", f"{file} with {what}", which)
     stand = [_attitude(one.afloat, hull.draught_m) for one in same]
     if any(_apart(stand[0], one) > SAME_ANGLE for one in stand):
         names = ", ".join(one.name for one in same)
-        allowed = "one hull of these sizes, or hulls that stand alike: give --heel_deg and --trim_deg"
-        raise HydrodynamicsError("--attitude_of", f"{file} with {names} of other attitudes", allowed)
+        allowed = "one hull of these sizes, or hulls that stand alike: give --heel-deg and --trim-deg"
+        raise HydrodynamicsError("--attitude-of", f"{file} with {names} of other attitudes", allowed)
     first, afloat = stand[0], same[0].afloat
     # What is under water of a hull without a mesh is no more than an estimate.
     displaced = afloat["displacement_m3"] if afloat["by_mesh"] else None

@@ -174,8 +174,8 @@ def _remedy(hull: HullMeshes, has_lid: bool) -> str:
         why += ", without a lid (--lid) too"
     count = math.ceil(wanted / 100) * 100
     if count > MOST_PANELS * 2 ** len(hull.reflections):
-        return f"{why}: keep to lower frequencies (--frequencies_rad_s)"
-    return f"{why}: try --panels {count}, or lower frequencies (--frequencies_rad_s)"
+        return f"{why}: keep to lower frequencies (--frequencies-rad-s)"
+    return f"{why}: try --panels {count}, or lower frequencies (--frequencies-rad-s)"
 
 
 def database_hull(hull: HullMeshes) -> Hull:

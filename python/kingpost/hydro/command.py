@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from .. import progress
-from ..errors import HydrodynamicsError
+from ..errors import HydrodynamicsError, flag
 from . import attitude_command, demand, import_command, importers, inclined, resolution
 from .build import FREQUENCIES, MOST_PANELS, PANELS, build, choose_lid, default_frequencies
 from .database import Database, Radiation, Water
@@ -48,7 +48,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         f"box:length_m=20,beam_m=10,draught_m=2,depth_m=5; of {', '.join(SHAPES)}"))  # fmt: skip
     command.add_argument("-o", "--output", metavar="FILE", required=True, help="database, NAME.hydro.json")
     command.add_argument("--title", metavar="TEXT", help="title of the database (default: the hull)")
-    command.add_argument("--frequencies_rad_s", metavar="F", help=(
+    command.add_argument("--frequencies-rad-s", metavar="F", help=(
         f"from:to:n or a list a,b,c (default: {FREQUENCIES} that follow the hull's size)"))  # fmt: skip
     command.add_argument("--directions", metavar="N", type=int, help=(
         "wave directions round the circle; they resolve waves of 2 pi L / N and more (default: what the "
@@ -56,10 +56,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
         f"in steps of {resolution.STEP} from {resolution.FEWEST} to {resolution.MOST})"))  # fmt: skip
     command.add_argument("--panels", metavar="N", type=int,
                          help=f"about how many panels the wetted hull has (default: {PANELS})")  # fmt: skip
-    command.add_argument("--draught_m", metavar="T", type=float,
+    command.add_argument("--draught-m", metavar="T", type=float,
                          help="draught of a mesh file's hull (default: the water is at z = 0)")  # fmt: skip
-    command.add_argument("--water_depth_m", metavar="H", type=float, help="water depth (default: infinite)")
-    command.add_argument("--density_kg_m3", metavar="RHO", type=float,
+    command.add_argument("--water-depth-m", metavar="H", type=float, help="water depth (default: infinite)")
+    command.add_argument("--density-kg-m3", metavar="RHO", type=float,
                          help=f"density of the water (default: {Water.density_kg_m3:g})")  # fmt: skip
     command.add_argument("--lid", action=argparse.BooleanOptionalAction, default=None,
                          help="lid against irregular frequencies (default: if deep enough)")  # fmt: skip
@@ -68,15 +68,15 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "yaw_gyration_m=, and roll_damping_ratio= (default: 0.05 of the critical)"))  # fmt: skip
     attitude_command.add_options(command)
     command.add_argument(
-        "--flip_normals", action="store_true", default=None, help="turn a mesh file's normals round"
+        "--flip-normals", action="store_true", default=None, help="turn a mesh file's normals round"
     )
     command.add_argument(
-        "--highest_rad_s", "--highest-rad-s", metavar="W", type=float,
+        "--highest-rad-s", "--highest-rad-s", metavar="W", type=float,
         help="frequencies above it are left out: of another program's file before all else, of a hull's "
         "computed ones of the fit of the memory",
     )  # fmt: skip
     command.add_argument(
-        "--accept_fit", "--accept-fit", action="store_true",
+        "--accept-fit", "--accept-fit", action="store_true",
         help="where no fit of the memory meets 2 %%, take the best one and say which motions miss it",
     )  # fmt: skip
     import_command.add_options(command)
@@ -186,14 +186,14 @@ def _water(options: argparse.Namespace) -> Water:
     for name in ("density_kg_m3", "water_depth_m"):
         value = getattr(options, name)
         if value is not None and not (math.isfinite(value) and value > 0):
-            raise HydrodynamicsError(f"--{name}", f"{value:g}", "a number greater than 0")
+            raise HydrodynamicsError(flag(name), f"{value:g}", "a number greater than 0")
     given = options.density_kg_m3
     return Water(Water.density_kg_m3 if given is None else given, depth_m=options.water_depth_m)
 
 
 def _count(name: str, given: int | None, limits: tuple[int, int]) -> int | None:
     if given is not None and not limits[0] <= given <= limits[1]:
-        raise HydrodynamicsError(f"--{name}", str(given), f"a whole number from {limits[0]} to {limits[1]}")
+        raise HydrodynamicsError(flag(name), str(given), f"a whole number from {limits[0]} to {limits[1]}")
     return given
 
 
@@ -202,7 +202,7 @@ def _refuse_for_a_file(options: argparse.Namespace) -> None:
     for name in OF_A_HULL:
         if getattr(options, name) is not None:
             allowed = "a hull, whose waves are computed; another program's are taken as they are"
-            raise HydrodynamicsError(f"--{name}", options.hull, allowed)
+            raise HydrodynamicsError(flag(name), options.hull, allowed)
 
 
 def parse_frequencies(text: str) -> np.ndarray:
@@ -222,10 +222,10 @@ def parse_frequencies(text: str) -> np.ndarray:
         else:
             found = np.array([float(part) for part in text.split(",")])
     except (ValueError, MemoryError):
-        raise HydrodynamicsError("--frequencies_rad_s", repr(text), allowed) from None
+        raise HydrodynamicsError("--frequencies-rad-s", repr(text), allowed) from None
     fits = FEWEST_FREQUENCIES <= len(found) <= MOST_FREQUENCIES
     if not fits or not np.isfinite(found).all() or found[0] <= 0 or (np.diff(found) <= 0).any():
-        raise HydrodynamicsError("--frequencies_rad_s", repr(text), allowed)
+        raise HydrodynamicsError("--frequencies-rad-s", repr(text), allowed)
     return found
 
 
@@ -246,7 +246,7 @@ def _hull(options: argparse.Namespace, panels: int) -> HullMeshes:
         raise HydrodynamicsError("hull", "no such file", allowed, options.hull)
     if options.draught_m is not None:
         allowed = "a mesh file; a parametric hull has its own draught"
-        raise HydrodynamicsError("--draught_m", "a parametric hull", allowed)
+        raise HydrodynamicsError("--draught-m", "a parametric hull", allowed)
     shape = parse_shape(options.hull)
     upright = parametric(shape, options.hull, panels)
     asked = attitude_command.parse(options, upright.particulars)

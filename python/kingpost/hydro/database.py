@@ -19,7 +19,6 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import numpy as np
-    import xarray
     from numpy.typing import NDArray
 
 
@@ -170,9 +169,3 @@ class Database:
     def excitation(self) -> NDArray[np.complex128]:
         """Froude-Krylov and diffraction together."""
         return self.froude_krylov + self.diffraction
-
-    def to_dataset(self) -> xarray.Dataset:
-        """The database as a labelled data set, with units and long names."""
-        from .dataset import dataset
-
-        return dataset(self)

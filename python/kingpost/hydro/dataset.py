@@ -8,6 +8,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     import xarray
+    from numpy.typing import NDArray
 
     from .database import Database
 
@@ -17,47 +18,83 @@ LEVEL = "level: x forward, y to port, z up, origin on the water plane, above or 
 """The frame of the coefficients of a hull that lists or trims; x is along its heading."""
 
 
-def dataset(database: Database) -> xarray.Dataset:
-    """Label a database.
+def to_dataset(database: Database) -> xarray.Dataset:
+    """Label a database, by the names of Capytaine, whose post-processing takes it.
+
+    Parameters
+    ----------
+    database
+        Of one hull.
 
     Returns
     -------
     xarray.Dataset
-        Dimensions ``frequency`` (rad/s), ``wave_direction`` (rad, to where waves go), ``force`` and
-        ``motion`` (surge to yaw); complex excitation is per metre of amplitude, for exp(-i w t). Of a hull
-        that lists or trims the attributes have ``roll_rad``, ``pitch_rad`` and ``height_m``.
+        ``added_mass`` and ``radiation_damping`` along ``omega`` (rad/s), ``influenced_dof`` and
+        ``radiating_dof`` (Surge to Yaw), ``added_mass_infinite`` without ``omega``; ``Froude_Krylov_force``,
+        ``diffraction_force`` and ``excitation_force`` along ``omega``, ``wave_direction`` (rad, to where
+        waves go) and ``influenced_dof``, complex, for each metre of amplitude, for exp(-i w t);
+        ``mean_drift``, where it is known. The variable ``<variable>_unit`` has the units, which differ by the
+        motions. Of a hull that lists or trims the attributes have ``roll_rad``, ``pitch_rad`` and
+        ``height_m``.
+
+    >>> from kingpost import gallery
+    >>> from kingpost.hydro import read
+    >>> found = to_dataset(read(gallery.folder() / "hydro" / "barge.hydro.json"))
+    >>> found["added_mass"].dims
+    ('omega', 'influenced_dof', 'radiating_dof')
+    >>> str(found["added_mass_unit"].sel(influenced_dof="Roll", radiating_dof="Roll").item())
+    'kg m^2'
     """
     import xarray
 
-    by_motion, by_wave = ("frequency", "force", "motion"), ("frequency", "wave_direction", "force")
+    by_motion, by_wave = ("influenced_dof", "radiating_dof"), ("omega", "wave_direction", "influenced_dof")
     rows = [
-        ("added_mass", by_motion, database.added_mass, "kg, kg m, kg m2", "added mass"),
-        ("radiation_damping", by_motion, database.radiation_damping, "kg/s, kg m/s, kg m2/s",
-         "radiation damping"),
-        ("added_mass_infinite", ("force", "motion"), database.added_mass_infinite, "kg, kg m, kg m2",
-         "added mass at infinite frequency"),
-        ("froude_krylov", by_wave, database.froude_krylov, "N/m, N", "Froude-Krylov force"),
-        ("diffraction", by_wave, database.diffraction, "N/m, N", "diffraction force"),
-        ("excitation", by_wave, database.excitation, "N/m, N", "wave excitation force"),
-    ]  # fmt: skip
+        ("added_mass", ("omega", *by_motion), database.added_mass, "added mass"),
+        ("radiation_damping", ("omega", *by_motion), database.radiation_damping, "radiation damping"),
+        ("added_mass_infinite", by_motion, database.added_mass_infinite, "added mass at infinite frequency"),
+        ("Froude_Krylov_force", by_wave, database.froude_krylov, "Froude-Krylov force"),
+        ("diffraction_force", by_wave, database.diffraction, "diffraction force"),
+        ("excitation_force", by_wave, database.excitation, "wave excitation force"),
+    ]
     if database.mean_drift is not None:
-        dims = ("frequency", "wave_direction", "drift")
-        rows.append(("mean_drift", dims, database.mean_drift, "N/m2, N/m", "mean drift force"))
+        rows.append(
+            ("mean_drift", ("omega", "wave_direction", "drift"), database.mean_drift, "mean drift force")
+        )
     frame = FRAME if database.hull.attitude is None else LEVEL
     variables = {
-        name: (dims, values, {"units": units, "long_name": long_name, "frame": frame})
-        for name, dims, values, units, long_name in rows
+        name: (dims, values, {"long_name": long_name, "frame": frame})
+        for name, dims, values, long_name in rows
     }
+    variables |= {f"{name}_unit": _units(name, dims) for name, dims, *_ in rows}
     return xarray.Dataset(variables, _coordinates(database), _attributes(database))
+
+
+def _units(name: str, dims: tuple[str, ...]) -> tuple[tuple[str, ...], NDArray[np.str_], dict[str, str]]:
+    """Units of a variable by its motions; no coordinate, which Capytaine would carry along."""
+    # Powers of a length by which an entry differs from that of translations alone.
+    lever = np.repeat([0, 1], 3)
+    kept, units = {
+        "added_mass": (dims[-2:], np.array(["kg", "kg m", "kg m^2"])[lever[:, None] + lever]),
+        "radiation_damping": (dims[-2:], np.array(["kg/s", "kg m/s", "kg m^2/s"])[lever[:, None] + lever]),
+        "mean_drift": (dims[-1:], np.array(["N/m^2", "N/m^2", "N/m"])),
+    }.get(name.removesuffix("_infinite"), (dims[-1:], np.array(["N/m", "N"])[lever]))
+    return kept, units, {"long_name": f"units of {name}"}
 
 
 def _coordinates(database: Database) -> dict[str, object]:
     circle = {"units": "rad", "long_name": "direction to which waves go, from +x counter-clockwise"}
+    dofs = np.array([motion.capitalize() for motion in MOTIONS], str)
+    water = database.water
+    depth_m = np.inf if water.depth_m is None else water.depth_m
     coordinates: dict[str, object] = {
-        "frequency": ("frequency", database.frequencies_rad_s, {"units": "rad/s", "long_name": "frequency"}),
+        "omega": ("omega", database.frequencies_rad_s, {"units": "rad/s", "long_name": "angular frequency"}),
         "wave_direction": ("wave_direction", database.wave_directions_rad, circle),
-        "force": np.array(MOTIONS, str),
-        "motion": np.array(MOTIONS, str),
+        "influenced_dof": dofs,
+        "radiating_dof": dofs,
+        "rho": ((), water.density_kg_m3, {"units": "kg/m^3", "long_name": "density of the water"}),
+        "g": ((), water.gravity_m_s2, {"units": "m/s^2", "long_name": "acceleration of gravity"}),
+        "water_depth": ((), depth_m, {"units": "m", "long_name": "depth of the water"}),
+        "forward_speed": ((), 0.0, {"units": "m/s", "long_name": "forward speed"}),
     }
     if database.mean_drift is not None:
         coordinates["drift"] = np.array(["surge", "sway", "yaw"], str)
@@ -65,15 +102,13 @@ def _coordinates(database: Database) -> dict[str, object]:
 
 
 def _attributes(database: Database) -> dict[str, object]:
-    water, hull = database.water, database.hull
+    hull = database.hull
     attitude = {} if hull.attitude is None else vars(hull.attitude)
     return {
+        "Conventions": "CF-1.11",
         "title": database.title,
         "solver": database.provenance.solver,
         "source": database.provenance.source,
-        "density_kg_m3": water.density_kg_m3,
-        "gravity_m_s2": water.gravity_m_s2,
-        "depth_m": float("inf") if water.depth_m is None else water.depth_m,
         "draught_m": hull.draught_m,
         "volume_m3": hull.volume_m3,
         "centre_of_buoyancy_m": hull.centre_of_buoyancy_m,

@@ -84,7 +84,7 @@ class HullFile:
         if lowest > -tolerance:
             raise HydrodynamicsError(
                 "hull", f"a hull above the water, its lowest point at z = {lowest:.4g} m",
-                "a hull that reaches below the water plane z = 0: give its draught with --draught_m", file,
+                "a hull that reaches below the water plane z = 0: give its draught with --draught-m", file,
             )  # fmt: skip
         edges = open_edges(surface)
         at_water = np.abs(surface.vertices[edges, 2]).max(initial=0.0) < tolerance
@@ -95,7 +95,7 @@ class HullFile:
         if highest < tolerance:
             raise HydrodynamicsError(
                 "hull", f"a hull that cannot float: all of it is under water, its top at z = {highest:.4g} m",
-                f"a draught less than its depth of {highest - lowest:.4g} m, set with --draught_m", file,
+                f"a draught less than its depth of {highest - lowest:.4g} m, set with --draught-m", file,
             )  # fmt: skip
         return True
 
@@ -142,6 +142,14 @@ def _as_written(path: Path) -> Surface:
     surface = _read_gdf(path) if path.suffix.lower() == ".gdf" else _read_meshio(path)
     if len(surface.triangles) == 0:
         raise HydrodynamicsError("hull", "no triangles and no quadrangles", "a surface mesh", str(path))
+    wrong = surface.triangles[(surface.triangles < 0) | (surface.triangles >= len(surface.vertices))]
+    if wrong.size:
+        raise HydrodynamicsError(
+            "hull", "a face with a point that is not in the file",
+            f"faces of the {len(surface.vertices)} points that it lists", str(path),
+        )  # fmt: skip
+    if not (np.diff(np.sort(surface.triangles, axis=1), axis=1) > 0).all(axis=1).any():
+        raise HydrodynamicsError("hull", "faces without an area only", "a surface mesh", str(path))
     if not np.isfinite(surface.vertices).all():
         raise HydrodynamicsError("hull", "a point that is not finite", "finite coordinates", str(path))
     return surface.welded()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from dataclasses import fields
 
-from ..errors import HydrodynamicsError
+from ..errors import HydrodynamicsError, flag
 from . import importers
 from .database import Database
 
@@ -22,7 +22,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )
     for field in fields(importers.Options):
         if field.name not in SHARED:
-            group.add_argument(f"--{field.name}", metavar="V", help=importers.ALLOWED[field.name])
+            group.add_argument(flag(field.name), metavar="V", help=importers.ALLOWED[field.name])
 
 
 def run(options: argparse.Namespace) -> Database:
@@ -43,7 +43,7 @@ def refuse(options: argparse.Namespace) -> None:
     allowed = f"another program's file: {importers.KINDS}"
     for field in fields(importers.Options):
         if field.name not in SHARED and getattr(options, field.name) is not None:
-            raise HydrodynamicsError(f"--{field.name}", "a hull", allowed)
+            raise HydrodynamicsError(flag(field.name), "a hull", allowed)
 
 
 def parsed(name: str, text: object) -> object:
@@ -59,5 +59,5 @@ def parsed(name: str, text: object) -> object:
     try:
         numbers = tuple(float(part) for part in text.split(","))
     except ValueError:
-        raise HydrodynamicsError(f"--{name}", repr(text), importers.ALLOWED[name]) from None
+        raise HydrodynamicsError(flag(name), repr(text), importers.ALLOWED[name]) from None
     return numbers if name in importers.VECTORS else numbers[0] if len(numbers) == 1 else text

@@ -56,7 +56,7 @@ def of_file(file: HullFile, upright: HullMeshes, panels: int, asked: Inclination
     hull = file.placed()
     if not file.check(hull):
         found = "a mesh that ends at the water line, to be inclined"
-        allowed = "a closed hull with its deck, or none of --heel_deg, --trim_deg, --attitude_of"
+        allowed = "a closed hull with its deck, or none of --heel-deg, --trim-deg, --attitude-of"
         raise HydrodynamicsError("hull", found, allowed, str(file.path))
     attitude, wetted, remarks = _afloat(hull, upright, asked)
     kept, part = file_panels(wetted, panels, _kept((0, 1), attitude))
@@ -81,7 +81,7 @@ def _afloat(
     wetted = stands.below()
     if len(wetted.triangles) == 0:
         found = f"{described(attitude)}: a hull that is dry"
-        raise HydrodynamicsError("--attitude_of", found, "a hull that floats")
+        raise HydrodynamicsError("--attitude-of", found, "a hull that floats")
     if asked.displaced_m3 is not None:
         _check_displaced(asked, particulars(wetted).volume_m3)
     return attitude, wetted, (*asked.remarks, *_remarks(hull, stands))
@@ -90,7 +90,7 @@ def _afloat(
 def _check_displaced(asked: Inclination, found_m3: float) -> None:
     if abs(found_m3 - asked.displaced_m3) > SAME_VOLUME * asked.displaced_m3:
         raise HydrodynamicsError(
-            "--attitude_of",
+            "--attitude-of",
             f"a hull that displaces {asked.displaced_m3:.6g} m3 {asked.source}",
             f"one that displaces what this hull does there, {found_m3:.6g} m3, to {SAME_VOLUME:.0%}",
         )

@@ -32,6 +32,11 @@ class Shape(ABC):
     stretched: ClassVar[tuple[int, ...]] = (2,)
     """Axes along which a mesh of it is stretched to give back the volume that its chords cut off."""
 
+    if TYPE_CHECKING:
+        # A field of some, a property of others.
+        @property
+        def draught_m(self) -> float: ...
+
     def __post_init__(self) -> None:
         for field in fields(self):
             value = getattr(self, field.name)

@@ -35,6 +35,7 @@ On a box of 20 x 10 m, below its irregular frequencies, a lid at 0.4 panel sizes
 0.1 by 9 %."""
 PANELS_PER_WAVE = 4
 """Panels that the shortest wave needs along its length."""
+LOG = logging.getLogger(__name__)
 INSTALL = 'pip install "capytaine>=3"'
 
 
@@ -61,7 +62,6 @@ def capytaine() -> Any:
     version = capytaine.__version__
     if int(version.split(".")[0]) < 3:
         raise HydrodynamicsError("capytaine", f"version {version}", f"3 or later: `{INSTALL}`")
-    logging.getLogger("capytaine").setLevel(logging.ERROR)
     return capytaine
 
 
@@ -113,6 +113,7 @@ def solve(
         if row is None:
             row = problem.at(frequency, angles)
             partial.put(str(done), row)
+            LOG.info("%d of %d frequencies solved: %g rad/s", done + 1, len(frequencies_rad_s), frequency)
         rows.append(row)
         update(done + 2)
     parts = (np.array(part) for part in zip(*rows, strict=True))

@@ -226,7 +226,7 @@ def check_outward(surface: Surface, volume: float, file: str | None) -> None:
         raise HydrodynamicsError(
             "hull",
             f"normals that point inwards: a volume of {volume:g} m3",
-            "outward normals: turn them with --flip_normals",
+            "outward normals: turn them with --flip-normals",
             file,
         )
 

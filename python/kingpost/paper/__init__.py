@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from .. import output, progress, report
+from .. import output, progress
 from ..errors import KingpostError
+from ..reports.tables import table as rows_of
 from . import comparison, figures, integrators, measured, page, summary, table
 
 RUNS = 2 * len(figures.CASES) + len(integrators.ORDERS)
@@ -20,7 +21,7 @@ def command(folder: str | Path) -> int:
     folder = Path(folder)
     written, tables = write(folder)
     for rows in tables:
-        print(*report.table(rows), "", sep="\n")
+        print(*rows_of(rows), "", sep="\n")
     print(f"{folder / 'index.html'}: the page, with all of it")
     print(f"{folder}: {', '.join(path.name for path in written if path.name != 'index.html')}")
     return 0

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import KingpostError
-from ..simulate import Simulation
+from ..simulation.simulate import Simulation
 from ..teach import skew
 
 if TYPE_CHECKING:

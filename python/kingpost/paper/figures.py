@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import output
 from ..scenario import load
-from ..simulate import Simulation
+from ..simulation.simulate import Simulation
 from .style import DAMPED, UNDAMPED, plotting, save
 
 if TYPE_CHECKING:

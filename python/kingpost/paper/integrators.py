@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import RunError
 from ..scenario import load
-from ..simulate import Simulation
+from ..simulation.simulate import Simulation
 from .figures import AT_CENTRE
 
 DURATION_S = 0.5

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..scenario import load
-from ..simulate import Simulation
+from ..simulation.simulate import Simulation
 from . import figures
 from .equations import arm_velocity
 

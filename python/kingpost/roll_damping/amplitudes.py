@@ -88,7 +88,7 @@ def averaged(found: Swings, frequency_rad_s: float, terms: int) -> Array:
     Mitropolsky, *Asymptotic Methods*, 1961): least squares over the amplitudes lost.
     """
     a, speed = found.between_rad, found.between_rad * frequency_rad_s
-    columns = np.stack([a, QUADRATIC * speed * a, CUBIC * speed**2 * a][:terms], axis=1)
+    columns: Array = np.stack([a, QUADRATIC * speed * a, CUBIC * speed**2 * a][:terms], axis=1)
     return np.linalg.lstsq(columns, found.decay_per_s * a, rcond=None)[0]
 
 

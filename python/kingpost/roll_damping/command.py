@@ -6,7 +6,7 @@ import argparse
 import math
 from pathlib import Path
 
-from ..errors import RollDampingError
+from ..errors import RollDampingError, flag
 from ..hydro.database_file import ENDING, read
 from ..output import check as check_output
 from ..output import write_text
@@ -46,25 +46,25 @@ def _add_sections(way: argparse.ArgumentParser) -> None:
         "a table of sections .csv (x_m,beam_m,draught_m,area_m2 or area_coefficient, bilge_radius_m), a "
         f"database {ENDING} with its hull's mesh, a mesh file, or a parametric hull as `kingpost hydro` "
         "takes it"))  # fmt: skip
-    way.add_argument("--kg_m", metavar="KG", type=float, required=True,
+    way.add_argument("--kg-m", metavar="KG", type=float, required=True,
                      help="centre of gravity, and the roll axis, above the keel")  # fmt: skip
-    way.add_argument("--period_s", metavar="T", type=float, required=True, help="of the roll")
+    way.add_argument("--period-s", metavar="T", type=float, required=True, help="of the roll")
     usual = ", ".join(f"{angle:g}" for angle in AMPLITUDES_DEG)
-    way.add_argument("--amplitudes_deg", metavar="A", type=float, nargs="+", default=list(AMPLITUDES_DEG),
+    way.add_argument("--amplitudes-deg", metavar="A", type=float, nargs="+", default=list(AMPLITUDES_DEG),
                      help=f"of the roll (default: {usual})")  # fmt: skip
-    way.add_argument("--bilge_keels", metavar="K", help=(
+    way.add_argument("--bilge-keels", metavar="K", help=(
         "breadth_m=,length_m= of each, and centre_m= along the ship (default: its middle)"))  # fmt: skip
-    way.add_argument("--speed_m_s", metavar="U", type=float, default=0.0, help="forward speed (default: 0)")
-    way.add_argument("--draught_m", metavar="D", type=float,
+    way.add_argument("--speed-m-s", metavar="U", type=float, default=0.0, help="forward speed (default: 0)")
+    way.add_argument("--draught-m", metavar="D", type=float,
                      help="draught of a mesh file's hull (default: the water is at z = 0)")  # fmt: skip
     way.add_argument("--sharpness", choices=SHARPNESS, default=SHARPNESS[0], help=(
         "of the bilges to the eddies, by their radius or, as the formula is printed, by the area of the "
         "section (default: %(default)s)"))  # fmt: skip
     way.add_argument("--stations", metavar="N", type=int, default=STATIONS,
                      help="sections that a mesh is cut into (default: %(default)s)")  # fmt: skip
-    way.add_argument("--density_kg_m3", metavar="RHO", type=float, default=SEA_WATER_KG_M3,
+    way.add_argument("--density-kg-m3", metavar="RHO", type=float, default=SEA_WATER_KG_M3,
                      help="density of the water (default: %(default)g)")  # fmt: skip
-    way.add_argument("--viscosity_m2_s", metavar="NU", type=float, default=SEA_WATER_M2_S,
+    way.add_argument("--viscosity-m2-s", metavar="NU", type=float, default=SEA_WATER_M2_S,
                      help="its kinematic viscosity (default: %(default)g)")  # fmt: skip
 
 
@@ -73,18 +73,18 @@ def _add_decay(way: argparse.ArgumentParser) -> None:
     way.add_argument("--column", metavar="NAME", help="of the roll, where there are several")
     way.add_argument("--model", choices=tuple(MODELS), default="quadratic",
                      help="the highest term of the damping (default: %(default)s)")  # fmt: skip
-    way.add_argument("--after_s", metavar="T", type=float,
+    way.add_argument("--after-s", metavar="T", type=float,
                      help="leave out what is before, s (default: the largest angle)")  # fmt: skip
-    way.add_argument("--until_s", metavar="T", type=float, help="leave out what is after, s")
-    way.add_argument("--inertia_kg_m2", metavar="I", type=float, help="in roll, with that of the water")
+    way.add_argument("--until-s", metavar="T", type=float, help="leave out what is after, s")
+    way.add_argument("--inertia-kg-m2", metavar="I", type=float, help="in roll, with that of the water")
     way.add_argument(
-        "--mass_kg", metavar="M", type=float, help="with --gm_m: the inertia is m g GM / omega^2"
+        "--mass-kg", metavar="M", type=float, help="with --gm-m: the inertia is m g GM / omega^2"
     )
-    way.add_argument("--gm_m", metavar="GM", type=float, help="metacentric height")
+    way.add_argument("--gm-m", metavar="GM", type=float, help="metacentric height")
     way.add_argument("--database", metavar="FILE", help=(
         f"the hull's {ENDING}: what its waves take is not put into the scenario's forces again"))  # fmt: skip
     way.add_argument(
-        "--kg_m", metavar="KG", type=float, help="with --database: centre of gravity above the keel"
+        "--kg-m", metavar="KG", type=float, help="with --database: centre of gravity above the keel"
     )
 
 
@@ -129,7 +129,7 @@ def of_decay(options: argparse.Namespace) -> str | None:
     waves = _waves(options, found)
     print(report.decay(found, Path(options.record).name, inertia))
     if inertia is None:
-        print("\nfor the forces of a scenario: --inertia_kg_m2, or --mass_kg and --gm_m")
+        print("\nfor the forces of a scenario: --inertia-kg-m2, or --mass-kg and --gm-m")
         return None
     without = ""
     if options.database is not None:
@@ -145,17 +145,17 @@ def _check(options: argparse.Namespace) -> None:
     """Refuse options that do not go together, before the fit."""
     by_height = options.mass_kg is not None or options.gm_m is not None
     if options.inertia_kg_m2 is not None and by_height:
-        raise RollDampingError("--inertia_kg_m2", "--mass_kg or --gm_m too", "one or the other")
+        raise RollDampingError("--inertia-kg-m2", "--mass-kg or --gm-m too", "one or the other")
     for pair in (("mass_kg", "gm_m"), ("database", "kg_m")):
         missing = [name for name in pair if getattr(options, name) is None]
         if len(missing) == 1:
-            raise RollDampingError(f"--{missing[0]}", "none", f"--{pair[0]} and --{pair[1]} together")
+            raise RollDampingError(flag(missing[0]), "none", f"{flag(pair[0])} and {flag(pair[1])} together")
     for name in ("inertia_kg_m2", "mass_kg", "gm_m", "kg_m"):
         value = getattr(options, name)
         if value is not None and not (math.isfinite(value) and value > 0):
-            raise RollDampingError(f"--{name}", f"{value:g}", "a number greater than 0")
+            raise RollDampingError(flag(name), f"{value:g}", "a number greater than 0")
     if options.output is not None and options.inertia_kg_m2 is None and not by_height:
-        allowed = "--inertia_kg_m2, or --mass_kg and --gm_m: forces want the inertia"
+        allowed = "--inertia-kg-m2, or --mass-kg and --gm-m: forces want the inertia"
         raise RollDampingError("--output", "no inertia", allowed)
 
 
@@ -182,11 +182,11 @@ def parse_keels(text: str) -> BilgeKeels:
     for assignment in filter(None, text.split(",")):
         name, _, value = assignment.partition("=")
         if name not in KEELS or name in values:
-            raise RollDampingError("--bilge_keels", repr(assignment), form)
+            raise RollDampingError("--bilge-keels", repr(assignment), form)
         try:
             values[name] = float(value)
         except ValueError:
-            raise RollDampingError(f"--bilge_keels {name}", repr(value), "a number") from None
+            raise RollDampingError(f"--bilge-keels {name}", repr(value), "a number") from None
     if not {"breadth_m", "length_m"} <= values.keys():
-        raise RollDampingError("--bilge_keels", repr(text), form)
+        raise RollDampingError("--bilge-keels", repr(text), form)
     return BilgeKeels(**values)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -110,7 +110,11 @@ def from_sections(
         keels = np.array(of_keels).T
     flat = np.ones_like(amplitudes)
     naked = [friction * flat, Coefficients(0.0, eddies).equivalent(frequency, amplitudes), lift * flat]
-    about = given | {"speed_m_s": speed_m_s, "frequency_rad_s": frequency, "sharpness": sharpness}
+    about: dict[str, Any] = given | {
+        "speed_m_s": speed_m_s,
+        "frequency_rad_s": frequency,
+        "sharpness": sharpness,
+    }
     if warning := _of_sharpness(sections, depth):
         about["warning"] = warning
     return _dataset(amplitudes, np.array([*naked, *keels]), about)
@@ -157,7 +161,7 @@ def _amplitudes(given: Sequence[float] | Array | None) -> Array:
     return found
 
 
-def _dataset(amplitudes: Array, damping: Array, about: dict[str, float | str]) -> xarray.Dataset:
+def _dataset(amplitudes: Array, damping: Array, about: dict[str, Any]) -> xarray.Dataset:
     import xarray
 
     total = damping.sum(axis=0)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..hydro.database import Water
-from ..report import table
+from ..reports.tables import table
 from . import simplified
 from .coefficients import Coefficients
 from .ikeda import COMPONENTS

@@ -49,9 +49,9 @@ def eddy(form: HullForm, frequency: float, amplitude_rad: float) -> float:
     cb, cm, ratio, depth = (form.block_coefficient, form.midship_coefficient, form.beam_over_draught,
                             form.axis_depth_over_draught)  # fmt: skip
     size = (-0.0182 * cb + 0.0155) * (ratio - 1.8) ** 3
-    size += np.polyval([-79.414, 215.695, -215.883, 93.894, -14.848], cb)
+    size += float(np.polyval([-79.414, 215.695, -215.883, 93.894, -14.848], cb))
     first = (3.98 * cb - 5.1525) * (-0.2 * ratio + 1.6) * depth
-    first *= np.polyval([0.9717, -1.55, 0.723], cb) * depth + 0.04567 * cb + 0.9408
+    first *= float(np.polyval([0.9717, -1.55, 0.723], cb)) * depth + 0.04567 * cb + 0.9408
     second = (0.25 * depth + 0.95) * depth + np.polyval([-219.2, 443.7, -283.3, 59.6], cb)
     power = -15 * cb * ratio + 46.5 * cb + 11.2 * ratio - 28.6
     coefficient = size * np.exp(first + second * cm**power)

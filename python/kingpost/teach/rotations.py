@@ -112,5 +112,5 @@ def vector_of_three(values: ArrayLike) -> NDArray[np.float64]:
     """Three finite numbers as an array."""
     vector = np.asarray(values, dtype=np.float64)
     if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise KingpostError(f"found {values}, allowed: three finite numbers")
+        raise KingpostError(f"found {values!r}, allowed: three finite numbers")
     return vector

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..scenario import Overrides, Scenario, load
-from ..simulate import run
+from ..simulation.simulate import run
 
 if TYPE_CHECKING:
     import xarray

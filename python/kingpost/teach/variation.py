@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
-    from ..simulate import Simulation
+    from ..simulation.simulate import Simulation
 
 EPSILONS = tuple(np.geomspace(0.1, 1e-3, 7))
 # First derivative from five samples a step apart; its error is of the fourth order in the step.

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import KingpostError
-from ..results import unit_coordinate
+from ..results.columns import unit_coordinate
 
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
-    from ..simulate import Simulation
+    from ..simulation.simulate import Simulation
 
 
 def virtual_work(simulation: Simulation, displacement: Mapping[str, float]) -> xarray.Dataset:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..simulate import Simulation
-from ..vibration import equilibrium, modes
+from ..analysis.vibration import equilibrium, modes
+from ..simulation.simulate import Simulation
 from .models import scenario
 from .rows import Compared, check
 

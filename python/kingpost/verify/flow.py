@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..simulate import Simulation, run
+from ..simulation.simulate import Simulation, run
 from .models import GRAVITY, G, scenario, settings, value
 from .rows import Compared, check, worst
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..vibration import modes
+from ..analysis.vibration import modes
 from .models import GRAVITY, G, scenario
 from .rows import Compared, check, worst
 

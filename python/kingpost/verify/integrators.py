@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..simulate import Simulation
+from ..simulation.simulate import Simulation
 from .closed_forms import complete_elliptic, jacobi
 from .models import GRAVITY, G, rod, scenario, slider
 from .rows import Compared, check

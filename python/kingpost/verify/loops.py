@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..simulate import run
-from ..vibration import modes
+from ..analysis.vibration import modes
+from ..simulation.simulate import run
 from .models import GRAVITY, G, scenario, settings
 from .rows import Compared, check, worst
 

@@ -8,10 +8,10 @@ from functools import cache
 
 import numpy as np
 
+from ..analysis.vibration import modes
 from ..hydro.database import Water
 from ..hydro.meshes import parametric
-from ..simulate import run
-from ..vibration import modes
+from ..simulation.simulate import run
 from .hydrostatics import BM, DRAUGHT, barge
 from .models import crossings
 from .rows import Compared, NotInstalledError, check

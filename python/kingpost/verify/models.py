@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import gallery
 from ..scenario import Scenario
-from ..simulate import Simulation
+from ..simulation.simulate import Simulation
 
 G = 9.80665
 """Acceleration of gravity unless a scenario says another, m/s2."""

@@ -7,8 +7,8 @@ import math
 
 import numpy as np
 
-from ..simulate import Simulation
-from ..vibration import modes
+from ..analysis.vibration import modes
+from ..simulation.simulate import Simulation
 from .models import scenario, slider, value
 from .rows import Compared, NotInstalledError, check
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..simulate import Simulation, run
-from ..vibration import modes
+from ..analysis.vibration import modes
+from ..simulation.simulate import Simulation, run
 from .closed_forms import complete_elliptic, jacobi
 from .models import GRAVITY, G, crossings, free_body, rod, scenario, settings, slider, value
 from .rows import Compared, check

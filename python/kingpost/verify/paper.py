@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..scenario import load
-from ..simulate import Simulation
+from ..simulation.simulate import Simulation
 from .models import value
 from .rows import Compared, check
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..simulate import Simulation
+from ..simulation.simulate import Simulation
 from .measured import OES, decay
 from .models import GRAVITY, G, scenario
 from .rows import Compared, NotInstalledError, check, worst

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from .. import output, response
+from .. import output
+from ..analysis import response
 from ..paper.style import plotting
 from . import pictures
 from .hydrodynamics import HULME, SOLVED, heave
@@ -77,8 +78,8 @@ def _hemisphere(pyplot: Any) -> Any:
         left.semilogx(SOLVED, found[:, i], label=f"{name}, Kingpost", **ours)
     left.set(xlabel="k a", ylabel="over what it displaces")
     ka, fine = [one for one in HULME if one <= 3.0], np.linspace(0.1, 3.0, 120)
-    found = response.rao("floating_hemisphere", [0.0], np.sqrt(G * fine / RADIUS), ["hemisphere"])
-    heaves = found.displacement.sel(point="hemisphere", axis="z").values[0]
+    answer = response.rao("floating_hemisphere", [0.0], np.sqrt(G * fine / RADIUS), ["hemisphere"])
+    heaves = answer.displacement.sel(point="hemisphere", axis="z").values[0]
     right.plot(fine, heaves, label="Kingpost", **(OURS | {"marker": None}))
     right.plot(
         ka, [abs(hulme_heave(one)) for one in ka], label="Hulme's table with Haskind's force", **OTHERS

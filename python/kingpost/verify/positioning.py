@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..simulate import run
-from ..vibration import equilibrium, modes
+from ..analysis.vibration import equilibrium, modes
+from ..simulation.simulate import run
 from .models import scenario, settings
 from .rows import Compared, check, worst
 

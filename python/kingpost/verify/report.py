@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from itertools import groupby
 
 from .. import __version__
-from ..report import table
+from ..reports.tables import table
 from .rows import ABSENT, AREAS, FAILED, PASSED, Row
 
 

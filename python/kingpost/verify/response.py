@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from .. import response
+from ..analysis import response
 from ..hydro.memory import smooth
 from .hydrodynamics import HULME
 from .measured import decay

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..roll_damping import Coefficients, Sections, from_sections
 from ..roll_damping.eddies import eddy_coefficient
-from ..simulate import run
+from ..simulation.simulate import run
 from .models import GRAVITY, crossings, scenario
 from .rows import Compared, check, worst
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..scenario import Scenario
-from ..simulate import Simulation
+from ..simulation.simulate import Simulation
 from .models import scenario, settings, slider, value
 from .peers import AREA
 from .rows import Compared, check, worst

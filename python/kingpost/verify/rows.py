@@ -123,6 +123,33 @@ def check(
 ) -> Callable[[Callable[[], Compared]], Callable[[], Compared]]:
     """Add a function that measures to the list of rows.
 
+    Parameters
+    ----------
+    name
+        Of the row, one of its own.
+    what
+        What is measured.
+    area
+        One of `AREAS`.
+    unit
+        Of both numbers.
+    source
+        Where the number beside ours is from.
+    tolerance
+        Of the difference, as a share of the number beside ours.
+    why
+        What the tolerance follows from.
+
+    Returns
+    -------
+    Callable
+        A decorator, which gives back the function.
+
+    Raises
+    ------
+    KingpostError
+        When there is no such area, or the name is taken.
+
     >>> @check("two", "one and one", area="multibody", source="Peano", tolerance=1e-15, why="exact")
     ... def one_and_one():
     ...     return Compared(1.0 + 1.0, 2.0)

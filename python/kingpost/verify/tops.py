@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..simulate import run
+from ..simulation.simulate import run
 from .closed_forms import complete_elliptic, jacobi
 from .models import GRAVITY, G, crossings, free_body, scenario, settings
 from .rows import Compared, check, worst

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..hydro.airy import group_ratio, wave_number
 from ..hydro.database import Water
-from ..simulate import Simulation, run
+from ..simulation.simulate import Simulation, run
 from .models import GRAVITY, G, scenario, settings
 from .rows import Compared, check, worst
 

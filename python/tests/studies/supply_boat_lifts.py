@@ -13,7 +13,7 @@ from typing import Any
 import kingpost
 import numpy as np
 import xarray
-from kingpost import lift_rules
+from kingpost.analysis import lift_rules
 
 COMMAND = "python python/tests/studies/supply_boat_lifts.py -o python/tests/studies/supply_boat_lifts.json"
 SCENARIO = "supply_boat_lift"

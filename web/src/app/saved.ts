@@ -44,7 +44,7 @@ function differenceOf({ parameters }: Replay): string | null {
 export function faultOfSaving(fault: Fault): Fault {
   if (isOfEngine(fault)) return fault;
   if (!fault.message.startsWith("operation:")) return { ...fault, kind: "unsaved" };
-  return { kind: "unsaved", message: words.two_operations };
+  return { kind: "two_operations", message: words.two_operations };
 }
 
 function nameOf(opened: string): string {

@@ -2,7 +2,7 @@ import { texts } from "../texts";
 import type { Fault } from "./engine";
 
 /** Kinds of faults whose message is the page's own, in its language; those of the engine are in English. */
-const OF_PAGE = ["database", "engine", "file", "link", "network", "restarted", "saved", "setting"];
+export const OF_PAGE = ["database", "engine", "file", "link", "network", "restarted", "saved", "setting", "two_operations"];
 
 /** What went wrong between the page and the engine, in words. The kind `engine`: there is no engine any more. */
 export function isOfEngine(fault: unknown): boolean {

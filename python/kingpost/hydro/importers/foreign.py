@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...errors import HydrodynamicsError
+from ...errors import HydrodynamicsError, flag
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -89,7 +89,7 @@ class Options:
         value = getattr(self, name)
         if value is None:
             raise HydrodynamicsError(
-                name, "nothing in the file", f"{ALLOWED[name]}; give it as --{name}", file
+                name, "nothing in the file", f"{ALLOWED[name]}; give it as {flag(name)}", file
             )
         return value
 
@@ -104,7 +104,9 @@ class Options:
         missing = [name for name in names if getattr(self, name) is None]
         if len(missing) > 1:
             found = f"no {', '.join(missing)} in the file"
-            allowed = f"each as an option, --{missing[0]} and so on; `kingpost hydro --help` says what it is"
+            allowed = (
+                f"each as an option, {flag(missing[0])} and so on; `kingpost hydro --help` says what it is"
+            )
             raise HydrodynamicsError("", found, allowed, file)
 
     def preferred(self, name: str, said: object, file: str) -> object:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from ...errors import HydrodynamicsError
+from ...errors import HydrodynamicsError, flag
 from .foreign import reading_error
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def load(path: str) -> tuple[Entry, str]:
     try:
         import yaml
     except ImportError:
-        needed = "PyYAML, which comes with pip install kingpost[hydro]"
+        needed = "PyYAML, which `pip install pyyaml` installs"
         raise reading_error("YAML", needed, path) from None
     try:
         text = Path(path).read_text(encoding="utf-8-sig")
@@ -117,7 +117,7 @@ class Entry:
             if not listed:
                 raise self.error(name, "nothing", ALLOWED)
             found = repr(wanted) if wanted is not None else f"{len(listed)} in {name}"
-            allowed = f"one of {', '.join(repr(each) for each in names)}, given as --{option}"
+            allowed = f"one of {', '.join(repr(each) for each in names)}, given as {flag(option)}"
             raise HydrodynamicsError(option, found, allowed, self.file)
         place = f"{self.place}.{name}.{names[chosen[0]]}".lstrip(".")
         return Entry(listed[chosen[0]].value, place, self.file)

@@ -43,7 +43,7 @@ def up_to(foreign: Foreign, highest_rad_s: float | None, notes: list[str]) -> Fo
     if not kept.any():
         lowest = foreign.frequencies_rad_s[0]
         found = f"{highest_rad_s:g}, below all {len(kept)} frequencies of the file"
-        raise HydrodynamicsError("--highest_rad_s", found, f"more than {lowest:.4g}", foreign.file)
+        raise HydrodynamicsError("--highest-rad-s", found, f"more than {lowest:.4g}", foreign.file)
     if not kept.all():
         notes.append(f"{(~kept).sum()} frequencies above {highest_rad_s:g} rad/s left out, as asked")
     return at_frequencies(foreign, kept)
@@ -129,7 +129,7 @@ def _symmetric(
             f"the same both ways, to {USELESS:g} of the diagonal's largest; check units and the hull's parts"
         )
         raise HydrodynamicsError(
-            field, found, f"{allowed}, or leave it out with --highest_rad_s", foreign.file
+            field, found, f"{allowed}, or leave it out with --highest-rad-s", foreign.file
         )
     if change[k, i, j] > WORTH_SAYING:
         name = field.replace("_", " ")
@@ -155,7 +155,7 @@ def _taking_energy(damping: NDArray[np.float64], foreign: Foreign, notes: list[s
             f"an eigenvalue of {lowest:.3g} of its symmetric part, over the diagonal's largest, "
             f"at {at:.4g} rad/s"
         )
-        allowed = f"{-USELESS:g} or more; check units, or leave such frequencies out with --highest_rad_s"
+        allowed = f"{-USELESS:g} or more; check units, or leave such frequencies out with --highest-rad-s"
         raise HydrodynamicsError("radiation_damping", found, allowed, foreign.file)
     if lowest < -WORTH_SAYING:
         count = int((values[:, 0] < -WORTH_SAYING).sum())
@@ -180,7 +180,7 @@ def _advice(lowest: NDArray[np.float64], omega: NDArray[np.float64]) -> list[str
         return []
     last = omega[wrong[0] - 1]
     return [
-        f"above {last:.4g} rad/s the panels seem too large for the waves: --highest_rad_s "
+        f"above {last:.4g} rad/s the panels seem too large for the waves: --highest-rad-s "
         f"{last:.4g} cuts there"
     ]
 

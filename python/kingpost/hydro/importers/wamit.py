@@ -283,9 +283,9 @@ def _waves(
         k, d, _ = np.argwhere(count != count[:1, :1])[0] if (count != count[:1, :1]).any() else (0, 0, 0)
         place = f"{frequencies[k]:.5g} rad/s and {directions[d]:g} deg"
         raise reading_error(f"other entries at {place}", "the same, once, at each", path)
-    found = np.zeros(count.shape, complex)
-    found[w, b, motion] = table[:, 5] + 1j * table[:, 6]
-    return directions, (found.conj() if scale.conjugated else found) * scale.force
+    waves = np.zeros(count.shape, complex)
+    waves[w, b, motion] = table[:, 5] + 1j * table[:, 6]
+    return directions, (waves.conj() if scale.conjugated else waves) * scale.force
 
 
 def _check_parts(

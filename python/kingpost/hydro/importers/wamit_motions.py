@@ -151,5 +151,5 @@ def note(name: str, motions: NDArray[np.complex128], weighed: Loading | None, fo
     worst = ("surge", "sway", "heave", "roll", "pitch", "yaw")[int(found.argmax())]
     return (
         f"motions of {name} are not taken; they differ by {found.max():.1%} of the largest in {worst} from "
-        "those of what was read and the .frc file's mass: look at --density_kg_m3, --reference_m, --time_sign"
+        "those of what was read and the .frc file's mass: look at --density-kg-m3, --reference-m, --time-sign"
     )

@@ -20,6 +20,7 @@ export const alert = {
     saved: "Saved, but a run of the file differs",
     link: "This link does not open",
     followed: "A change of the link cannot be made again",
+    two_operations: "The scenario cannot be saved",
     unsaved: "The scenario cannot be saved",
   } as Record<string, string>,
   its_database: "Open the scenario and its database together: choose both files, or drop both here.",

@@ -22,6 +22,7 @@ export const alert: Texts["alert"] = {
     saved: "Lagret, men en kjøring av filen blir en annen",
     link: "Lenken lar seg ikke åpne",
     followed: "En endring fra lenken kan ikke gjøres igjen",
+    two_operations: "Scenarioet kan ikke lagres",
     unsaved: "Scenarioet kan ikke lagres",
   },
   its_database: "Åpne scenarioet og databasen sammen: velg begge filene, eller slipp begge her.",

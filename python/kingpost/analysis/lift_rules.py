@@ -1,0 +1,270 @@
+"""What standards ask of a crane that lifts, to stand beside what a run finds: the hook's speed, offlead and
+sidelead from another vessel, and the ship's stability when she loses the load on her hook.
+
+The formulas of the hook are those of EN 13852-1, *Offshore cranes: general-purpose offshore cranes*, annex B,
+for lifts from a supply vessel, as public calculations of others quote them (C. Kunte, ``ckunte/m-one``, file
+``inc/crane.typ``; C. Kunte, *Crane*, 2016). The standard's own text was not at hand: check them against it
+before a lift rests on them. Its table of the crane tip's speeds was not found; that speed is yours to give.
+
+The areas of righting arms are those of the International Code on Intact Stability, 2008, part B, section
+2.9.5 (resolution MSC.415(97), 2016), for ships whose keel was laid from 2020 on. The text of that section and
+its figure were not at hand either: check them too.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..errors import KingpostError
+from ..scenario import Scenario
+
+# K_H at the rated capacity, by whether the hook hangs on one fall or on several.
+SINGLE_FALL = 0.50
+SEVERAL_FALLS = 0.28
+
+
+def deck_speed_m_s(significant_height_m: float) -> float:
+    """V_D = 6 Hs / (Hs + 8): speed of the deck of a supply vessel, m/s.
+
+    Parameters
+    ----------
+    significant_height_m
+        Hs of the waves, m.
+
+    Returns
+    -------
+    float
+        m/s.
+
+    Raises
+    ------
+    KingpostError
+        When the wave height is negative or no number.
+
+    >>> round(deck_speed_m_s(2.7), 3)
+    1.514
+    """
+    height = _not_negative("significant_height_m", significant_height_m)
+    return 6.0 * height / (height + 8.0)
+
+
+def hoisting_speed_m_s(
+    significant_height_m: float, tip_speed_m_s: float = 0.0, factor: float = SINGLE_FALL
+) -> float:
+    """V_H = K_H sqrt(V_D^2 + V_C^2): the least speed of the hook at the rated capacity, m/s.
+
+    Parameters
+    ----------
+    significant_height_m
+        Hs of the waves, m.
+    tip_speed_m_s
+        V_C, vertical speed of the crane's tip, m/s; 0 for a crane on a fixed platform.
+    factor
+        K_H: `SINGLE_FALL` or `SEVERAL_FALLS`.
+
+    Returns
+    -------
+    float
+        m/s.
+
+    Raises
+    ------
+    KingpostError
+        When a number is negative or none.
+
+    >>> [round(hoisting_speed_m_s(height), 3) for height in (1.4, 2.7, 3.6)]
+    [0.447, 0.757, 0.931]
+    """
+    tip, factor = _not_negative("tip_speed_m_s", tip_speed_m_s), _not_negative("factor", factor)
+    return factor * math.hypot(deck_speed_m_s(significant_height_m), tip)
+
+
+def offlead_m(significant_height_m: float) -> float:
+    """2.5 m + 1.5 Hs: how far the hook may be off the tip in the plane of the boom, m, when it lifts.
+
+    Parameters
+    ----------
+    significant_height_m
+        Hs of the waves, m.
+
+    Returns
+    -------
+    float
+        m.
+
+    Raises
+    ------
+    KingpostError
+        When the wave height is negative or no number.
+
+    >>> offlead_m(1.0)
+    4.0
+    """
+    return 2.5 + 1.5 * _not_negative("significant_height_m", significant_height_m)
+
+
+def sidelead_m(significant_height_m: float) -> float:
+    """Half of the offlead, m: across the plane of the boom.
+
+    Parameters
+    ----------
+    significant_height_m
+        Hs of the waves, m.
+
+    Returns
+    -------
+    float
+        m.
+
+    Raises
+    ------
+    KingpostError
+        When the wave height is negative or no number.
+
+    >>> sidelead_m(1.0)
+    2.0
+    """
+    return 0.5 * offlead_m(significant_height_m)
+
+
+# Area 2 over area 1 that is asked for, in waters that are exposed and in others.
+EXPOSED_WATERS = 1.4
+UNEXPOSED_WATERS = 1.0
+
+
+@dataclass(frozen=True)
+class HookLoadLoss:
+    """The righting arms of a ship whose hook has lost its load, from the heel that she had with it.
+
+    She rolls to `side`. Area 1 drives her from `heel_before_deg` to her new rest, `heel_after_deg`; area 2
+    stops her from there to `end_deg`, where her arm vanishes, water enters, or her curve ends at 60 degrees.
+    Heel counts towards `side`.
+    """
+
+    side: str
+    heel_before_deg: float
+    heel_after_deg: float
+    end_deg: float
+    area_1_m_rad: float
+    area_2_m_rad: float
+    required: float
+
+    @property
+    def held(self) -> bool:
+        """Whether area 2 is larger than area 1 by the factor that is asked for."""
+        return self.area_2_m_rad > self.required * self.area_1_m_rad
+
+
+def hook_load_loss(
+    before: Scenario,
+    after: Scenario,
+    *,
+    body: str | None = None,
+    flooding_deg: float = 90.0,
+    required: float = EXPOSED_WATERS,
+) -> HookLoadLoss:
+    """Area 2 > 1.4 area 1: whether a ship that loses the load on her hook does not capsize, by righting arms.
+
+    On the side of the load the arms are by the symmetry of the hull: with GZ the arms to one side and a that
+    at no heel, ``GZ(-phi) = 2 a cos(phi) - GZ(phi)``. Areas are trapezia of 5 degrees.
+
+    Parameters
+    ----------
+    before
+        The ship with the load on her hook.
+    after
+        The same without it, her counter ballast as it was.
+    body
+        The hull's body, where there are several.
+    flooding_deg
+        Heel at which water enters, deg.
+    required
+        Area 2 over area 1 that is asked for: `EXPOSED_WATERS` or `UNEXPOSED_WATERS`.
+
+    Returns
+    -------
+    HookLoadLoss
+        Both areas, m rad, with the heels between which they stand.
+
+    Raises
+    ------
+    KingpostError
+        When there is no such hull or it has no mesh, or the ship does not come to rest at any heel.
+
+    >>> from kingpost import load
+    >>> before = load("loss_of_hook_load")
+    >>> after = before.with_overrides({"bodies.lift.enabled": False, "operation.enabled": False})
+    >>> found = hook_load_loss(before, after)
+    >>> found.side, found.held
+    ('starboard', True)
+    """
+    rest, heel, arm = _righting_arms(after, body)
+    start, *_ = _righting_arms(before, body)
+    way = 1.0 if rest >= start else -1.0
+    rest, start = way * rest, way * start
+    heel, arm = (way * one[:: int(way)] for one in (heel, arm))
+    stop = min(_vanishing(heel, arm, rest), math.radians(_not_negative("flooding_deg", flooding_deg)))
+    return HookLoadLoss(
+        "starboard" if way > 0.0 else "port",
+        math.degrees(start),
+        math.degrees(rest),
+        math.degrees(stop),
+        max(-_area(heel, arm, start, rest), 0.0),
+        max(_area(heel, arm, rest, stop), 0.0),
+        _not_negative("required", required),
+    )
+
+
+def _hull(scenario: Scenario, body: str | None) -> dict[str, Any]:
+    """The hull of a body, or the only one."""
+    hulls = scenario.hydrostatics["hulls"]
+    found = [hull for hull in hulls if body in (None, hull["body"])]
+    if len(found) != 1:
+        names = ", ".join(hull["body"] for hull in hulls) or "none in this scenario"
+        raise KingpostError(f"body: found {body}, allowed: a hull in the water, {names}")
+    return found[0]
+
+
+def _righting_arms(scenario: Scenario, body: str | None) -> tuple[float, np.ndarray, np.ndarray]:
+    """Heel at rest, heel and arms of a hull to both sides, rad and m, positive to starboard."""
+    hull = _hull(scenario, body)
+    curve = hull["righting_arm"]
+    if curve is None:
+        found = "found no mesh in its database, allowed: a mesh"
+        raise KingpostError(f"righting arms of {hull['body']}: {found}")
+    if curve["equilibrium_rad"] is None:
+        found = "found none that rises through 0, allowed: a heel at rest"
+        raise KingpostError(f"righting arms of {hull['body']}: {found}")
+    heel, arm = (np.array([point[name] for point in curve["points"]]) for name in ("heel_rad", "arm_m"))
+    mirrored = 2.0 * arm[0] * np.cos(heel[:0:-1]) - arm[:0:-1]
+    heel, arm = np.concatenate([-heel[:0:-1], heel]), np.concatenate([mirrored, arm])
+    if curve["side"] == "port":
+        return -curve["equilibrium_rad"], -heel[::-1], -arm[::-1]
+    return curve["equilibrium_rad"], heel, arm
+
+
+def _vanishing(heel: np.ndarray, arm: np.ndarray, rest: float) -> float:
+    """The heel beyond rest at which the arms fall through 0, or the last one."""
+    beyond = np.flatnonzero((heel[1:] > rest) & (arm[:-1] > 0.0) & (arm[1:] <= 0.0))
+    if beyond.size == 0:
+        return float(heel[-1])
+    k = beyond[0]
+    return float(heel[k] + (heel[k + 1] - heel[k]) * arm[k] / (arm[k] - arm[k + 1]))
+
+
+def _area(heel: np.ndarray, arm: np.ndarray, start: float, end: float) -> float:
+    """Under the arms from one heel to another, m rad."""
+    if end <= start:
+        return 0.0
+    at = np.unique([start, *heel[(heel > start) & (heel < end)], end])
+    return float(np.trapezoid(np.interp(at, heel, arm), at))
+
+
+def _not_negative(name: str, value: float) -> float:
+    if not (math.isfinite(value) and value >= 0.0):
+        raise KingpostError(f"{name}: found {value}, allowed: a number not less than 0")
+    return float(value)

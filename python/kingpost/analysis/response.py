@@ -1,0 +1,313 @@
+"""Response amplitude operators: how ship and crane answer small regular waves about rest."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import output, results
+from ..errors import KingpostError
+from ..scenario import Overrides, Scenario, as_scenario
+from ..simulation.simulate import Simulation
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from numpy.typing import ArrayLike, NDArray
+
+ENDINGS = (".nc", ".csv", ".png")
+DIRECTIONS_DEG = tuple(range(0, 360, 45))
+PRINTED_RAD_S = 0.5e-4 * (1 + 1e-9)
+"""Half of the last digit of a frequency in messages."""
+FULL_TURN_RAD = 2 * np.pi
+AXES, ANGLES = ("x", "y", "z"), ("roll", "pitch", "yaw")
+PHASE = "_phase"
+"""Ends the name of a phase."""
+
+QUANTITIES = {
+    "displacement": ("point", "m/m", "displacement of a point in the world"),
+    "velocity": ("point", "m/s/m", "velocity of a point in the world"),
+    "acceleration": ("point", "m/s^2/m", "acceleration of a point in the world"),
+    "rotation": ("body", "rad/m", "roll, pitch and yaw of a body"),
+    "joint_position": ("coordinate", "", "joint angle or extension"),
+}
+
+
+def rao(
+    scenario_or_simulation: Scenario | Simulation | str | Path,
+    directions_rad: ArrayLike | None = None,
+    frequencies_rad_s: ArrayLike | None = None,
+    points: Sequence[str] | None = None,
+    overrides: Overrides | None = None,
+    **parameters: Any,
+) -> xarray.Dataset:
+    """Response amplitude operators by the exact linearisation about rest in still water.
+
+    All degrees of freedom of ship and crane answer; held and prescribed joints stand where they are.
+
+    Parameters
+    ----------
+    scenario_or_simulation
+        A scenario, with the crane as a run begins; or a simulation, with the crane as it stands.
+    directions_rad
+        That the waves go to, from the world's x counter-clockwise, rad: at heading 0, pi is a head sea.
+        Every 45 degrees unless given.
+    frequencies_rad_s
+        Angular frequencies; unless given those of the first hull's database and three between each two, from
+        the lowest to the highest that the databases of all hulls cover.
+    points
+        Bodies, for their centres of mass, and named points as ``arm.tip``; all unless given.
+    overrides, parameters
+        Set over a scenario.
+
+    Returns
+    -------
+    xarray.Dataset
+        By ``direction`` (rad) and ``omega`` (rad/s): amplitudes for each metre of wave amplitude of
+        ``displacement``, ``velocity`` and ``acceleration`` (of ``point``, along ``axis``), ``rotation`` (of
+        ``body``, by ``angle``) and ``joint_position`` (of ``coordinate``); beside each its phase, such as
+        ``displacement_phase``: the lag behind the crest at the origin of the first hull's data, rad.
+        ``place`` of each point at rest, and as attributes the hull's ``reference_m`` and ``heading_rad``.
+
+    Raises
+    ------
+    KingpostError
+        When nothing comes to rest, no waves act, or a database does not cover a frequency.
+
+    >>> found = rao("offshore_vessel", directions_rad=[np.pi], frequencies_rad_s=[0.3])
+    >>> round(float(found.displacement.sel(point="hull", axis="z").item()), 2)
+    0.99
+    """
+    if isinstance(scenario_or_simulation, Simulation):
+        if overrides or parameters:
+            raise KingpostError("overrides: found some for a simulation, allowed: for a scenario only")
+        simulation = scenario_or_simulation
+    else:
+        simulation = Simulation(as_scenario(scenario_or_simulation, overrides, parameters))
+    given = np.deg2rad(DIRECTIONS_DEG) if directions_rad is None else np.atleast_1d(directions_rad)
+    directions = _within_one_turn(np.asarray(given, float))
+    covered = _frequencies_that_all_cover(simulation.scenario)
+    frequencies_rad_s = covered if frequencies_rad_s is None else _onto_ends(frequencies_rad_s, covered)
+    found = simulation.wave_response(directions, np.atleast_1d(np.asarray(frequencies_rad_s, float)))
+    return _dataset(simulation, found, points)
+
+
+def _frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
+    """Those of the first hull's database and three between each two, since resonances are narrower than what
+    data need, within the databases of all hulls in waves; none where these have no frequency in common."""
+    fields = (of_kind for force in scenario.resolved.get("forces", {}).values() for of_kind in force.values())
+    hulls = (given for given in fields if given.get("enabled") and given.get("excitation"))
+    names = [hull["database"] for hull in hulls if "database" in hull]
+    grids = [np.array(json.loads(scenario.files[name])["frequencies_rad_s"], float) for name in names]
+    if not grids:
+        return np.array([])
+    first = grids[0]
+    ends = max(grid[0] for grid in grids), min(grid[-1] for grid in grids)
+    between = first[:-1, None] + 0.25 * np.arange(4) * np.diff(first)[:, None]
+    refined = np.concatenate([between.ravel(), first[-1:], ends])
+    return np.unique(refined[(ends[0] <= refined) & (refined <= ends[1])])
+
+
+def _onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Frequencies as they are; those that are the lowest or the highest of the data but for the digits that
+    are printed of it are that."""
+    asked = np.atleast_1d(np.asarray(frequencies_rad_s, float))
+    for end in covered[[0, -1]] if covered.size else ():
+        asked = np.where(np.abs(asked - end) <= PRINTED_RAD_S, end, asked)
+    return asked
+
+
+def _within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Directions as they are: beyond one turn they were meant in other units."""
+    beyond = directions_rad[~(np.abs(directions_rad) <= FULL_TURN_RAD * (1 + 1e-9))]
+    if beyond.size:
+        raise KingpostError(
+            f"directions: found {beyond[0]:g} rad ({np.degrees(beyond[0]):g} deg), allowed: one turn at "
+            "most, 2 pi rad or 360 deg to either side"
+        )
+    return directions_rad
+
+
+def _dataset(simulation: Simulation, found: dict[str, Any], points: Sequence[str] | None) -> xarray.Dataset:
+    import xarray
+
+    omega = np.array(found["frequencies_rad_s"])
+    h = np.array(found["real"], complex) + 1j * np.array(found["imaginary"])
+    h = h.reshape(len(found["directions_rad"]), len(omega), -1)
+    places, bodies = found["places"], found["bodies"]
+    displacement = h[..., : 3 * len(places)].reshape(*h.shape[:2], len(places), 3)
+    rotation = h[..., 3 * len(places) : 3 * (len(places) + len(bodies))]
+    chosen = [_place(places, point) for point in points] if points is not None else range(len(places))
+    displacement = displacement[..., chosen, :]
+    rate = -1j * omega[:, None, None]
+    # Those of a floating body are its place and angles.
+    unit_of = _joint_units(simulation)
+    joints = [i for i, name in enumerate(found["coordinates"]) if name in unit_of]
+    names = [found["coordinates"][i] for i in joints]
+    values = {
+        "displacement": displacement,
+        "velocity": rate * displacement,
+        "acceleration": rate**2 * displacement,
+        "rotation": rotation.reshape(*h.shape[:2], len(bodies), 3),
+        "joint_position": h[..., 3 * (len(places) + len(bodies)) :][..., joints],
+    }
+    across = {"point": ("point", "axis"), "body": ("body", "angle"), "coordinate": ("coordinate",)}
+    variables: dict[str, Any] = {}
+    for name, (dim, units, long_name) in QUANTITIES.items():
+        dims = ("direction", "omega", *across[dim])
+        columns = [
+            ".".join([f"{{{dim}}}", of, *(f"{{{k}}}" for k in across[dim][1:])])
+            for of in (name, name + PHASE)
+        ]
+        about = {"units": units} if units else {}
+        about |= {"long_name": f"amplitude of the {long_name}", "column": columns[0]}
+        variables[name] = (dims, np.abs(values[name]), about)
+        about = {
+            "units": "rad",
+            "long_name": f"lag of the {long_name} behind the crest",
+            "column": columns[1],
+        }
+        variables[name + PHASE] = (dims, np.angle(values[name]), about)
+    attributes = results.attributes(simulation.scenario, "about rest in still water")
+    attributes["reference_m"] = found["reference_m"]
+    attributes["heading_rad"] = found["heading_rad"]
+    if found["warnings"]:
+        attributes["warning"] = "; ".join(found["warnings"])
+    rad_s = {"units": "rad/s", "long_name": "angular frequency"}
+    rad = {"units": "rad", "long_name": "direction that the waves go to, from x counter-clockwise"}
+    metre = {"units": "m", "long_name": "place of a point at rest, world"}
+    coordinates = {
+        "direction": ("direction", np.array(found["directions_rad"]), rad),
+        "omega": ("omega", omega, rad_s),
+        "point": np.array([places[i] for i in chosen], str),
+        "axis": list(AXES),
+        "body": np.array(bodies, str),
+        "angle": list(ANGLES),
+        "place": (("point", "axis"), np.array(found["places_m"])[chosen], metre),
+        "coordinate": np.array(names, str),
+        results.unit_coordinate("joint_position"): (
+            "coordinate",
+            np.array([f"{unit_of[k]}/m" for k in names], str),
+        ),
+    }
+    return xarray.Dataset(variables, coordinates, attributes)
+
+
+def _place(places: Sequence[str], point: str) -> int:
+    if point not in places:
+        raise KingpostError(f"points: found {point!r}, allowed: {', '.join(places)}")
+    return places.index(point)
+
+
+def _joint_units(simulation: Simulation) -> dict[str, str]:
+    """The unit of each coordinate of the joints, as the engine has it in its channels."""
+    channel = next((one for one in simulation.channels if one["variable"] == "joint_position"), None)
+    return dict(zip(channel["labels"][0], channel["units"], strict=True)) if channel else {}
+
+
+def complex_amplitude(found: xarray.Dataset, quantity: str) -> xarray.DataArray:
+    """H of ``Re{a H e^(-i w t)}`` from an amplitude and its phase.
+
+    >>> found = rao("barge", directions_rad=[0.0], frequencies_rad_s=[1.0])
+    >>> complex_amplitude(found, "rotation").dtype
+    dtype('complex128')
+    """
+    return found[quantity] * np.exp(1j * found[quantity + PHASE])
+
+
+def frame(found: xarray.Dataset) -> pandas.DataFrame:
+    """A row for each direction (deg) and frequency (rad/s); columns with their units, such as
+    ``arm.tip.displacement.z [m/m]``, ``ship.rotation.roll [deg/m]`` and ``ship.rotation_phase.roll [deg]``.
+
+    Angles are in degrees, as in what is printed; the data set and NetCDF have radians, as their units say.
+    """
+    import pandas
+
+    directions, frequencies = np.meshgrid(found["direction"], found["omega"], indexing="ij")
+    columns: dict[str, NDArray] = {
+        "direction_deg": np.rad2deg(directions).ravel(),
+        "frequency_rad_s": frequencies.ravel(),
+    }
+    for values in found.data_vars.values():
+        dims = [dim for dim in values.dims if dim not in ("direction", "omega")]
+        flat = values.stack(entry=dims)
+        for entry in range(flat.sizes["entry"]):
+            labels = {dim: flat[dim].values[entry] for dim in dims}
+            column = flat.isel(entry=entry)
+            unit = results.unit_of(column)
+            turned = np.rad2deg(column.values) if unit.startswith("rad") else column.values
+            heading = f"{results.column_name(values, labels)} [{unit.replace('rad', 'deg')}]"
+            columns[heading] = turned.ravel()
+    return pandas.DataFrame(columns)
+
+
+def write(found: xarray.Dataset, path: str | Path) -> Path:
+    """Write by the file's ending: ``.nc`` (NetCDF), ``.csv``, or a picture, ``.png``."""
+    path = output.check(path, ENDINGS)
+    ending = path.suffix.lower()
+    if ending == ".nc":
+        return output.write_netcdf(found, path)
+    if ending == ".csv":
+        return output.write_csv(frame(found), path)
+    with output.whole(path) as beside:
+        _plot(found, beside)
+    return path
+
+
+def _plot(found: xarray.Dataset, path: Path) -> None:
+    """Displacement of each point and rotation of each body that floats, against the frequency."""
+    from matplotlib.figure import Figure
+
+    rows = [("displacement", "point", point, "axis") for point in found["point"].values]
+    floating = results.floating_bodies(found)
+    rows += [("rotation", "body", body, "angle") for body in found["body"].values if body in floating]
+    figure = Figure(figsize=(10, 2.4 * len(rows)), layout="constrained")
+    axes = figure.subplots(len(rows), 3, sharex=True, squeeze=False)
+    for row, (quantity, dim, label, across) in zip(axes, rows, strict=True):
+        for axis, name in zip(row, found[across].values, strict=True):
+            for direction in found["direction"].values:
+                values = found[quantity].sel({dim: label, across: name, "direction": direction})
+                values = values * (180 / np.pi) if quantity == "rotation" else values
+                axis.plot(found["omega"], values, label=f"{np.rad2deg(direction):.0f} deg")
+            axis.set_title(f"{label} {name}, {'deg/m' if quantity == 'rotation' else 'm/m'}", fontsize=9)
+            axis.set_ylim(bottom=0)
+            axis.grid(alpha=0.3)
+    for axis in axes[-1]:
+        axis.set_xlabel("rad/s")
+    axes[0, 0].legend(fontsize=7, title="waves to", title_fontsize=7)
+    figure.suptitle(found.attrs["title"], fontsize=11)
+    figure.savefig(path, dpi=120)
+
+
+def parse_range(text: str) -> list[float]:
+    """Frequencies as the command line writes them: ``from:to:n``.
+
+    >>> parse_range("0.5:1:3")
+    [0.5, 0.75, 1.0]
+    """
+    try:
+        start, stop, count = text.split(":")
+        spaced = np.linspace(float(start), float(stop), int(count)).tolist()
+    except ValueError:
+        spaced = []
+    if not (spaced and np.isfinite(spaced).all()):
+        raise KingpostError(f"--frequencies-rad-s: found {text!r}, allowed: from:to:n, as 0.3:2:18")
+    return spaced
+
+
+def main_points(scenario: Scenario) -> list[str]:
+    """The bodies that float, and all named points.
+
+    >>> from kingpost import load
+    >>> main_points(load("barge"))
+    ['ship', 'tower.top', 'arm.tip']
+    """
+    bodies = scenario.resolved["bodies"]
+    floating = [body["name"] for body in scenario.model["bodies"] if body["floats"]]
+    return floating + [
+        f"{name}.{point}" for name, body in bodies.items() for point in body.get("points") or {}
+    ]

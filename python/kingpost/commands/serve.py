@@ -1,0 +1,22 @@
+"""`kingpost serve`: the app in a browser."""
+
+from __future__ import annotations
+
+import argparse
+
+HELP = "serve the browser app"
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """The command's options."""
+    command.add_argument("scenario", nargs="?", metavar="SCENARIO", help="a file or a gallery name")
+    command.add_argument("--port", type=int, metavar="N", help="port (default: 8000, or the next free)")
+    command.add_argument("--host", metavar="H", help="address to listen on (default: this machine only)")
+    command.add_argument("--check", action="store_true", help="start, fetch the app once, and end")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Serve until Ctrl-C."""
+    from ..server import serve
+
+    return serve.command(options.scenario, options.port, options.host, options.check)

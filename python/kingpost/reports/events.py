@@ -1,0 +1,56 @@
+"""What the command line prints of what happened in a run: what matters, then what repeats."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from typing import TYPE_CHECKING, Any
+
+from ..simulation.batch import FINISHED
+from ..simulation.records import REPEATING
+from .tables import table
+
+if TYPE_CHECKING:
+    import xarray
+
+# What happens to one thing more often is counted too, whatever it is: a load leaves the water in every wave.
+MOST_OF_ONE = 4
+
+Event = dict[str, Any]
+
+
+def events(results: xarray.Dataset) -> list[str]:
+    """What happened in a run: a row for each event that matters, in order of time, then a row for each
+    thing of which events repeat."""
+    found: list[Event] = json.loads(results.attrs.get("events", "[]"))
+    often = Counter((event["element"], event["what"]) for event in found)
+    repeats = {kind for kind, count in often.items() if kind[1] in REPEATING or count > MOST_OF_ONE}
+    single = [event for event in found if (event["element"], event["what"]) not in repeats]
+    repeated = [event for event in found if (event["element"], event["what"]) in repeats]
+    if results.attrs.get("status", FINISHED) != FINISHED:
+        end_s = float(results["time"].values[-1])
+        single.append({"time_s": end_s, "element": "", "what": "the run ends early"})
+    tables = [lines for lines in (_in_order(single), _counted(repeated)) if lines]
+    return [line for lines in tables for line in ("", *lines)][1:]
+
+
+def _in_order(events: list[Event]) -> list[str]:
+    rows = [(f"{event['time_s']:.2f}", event["element"], event["what"]) for event in events]
+    return table([("at, s", "", "what happened"), *rows], "><<") if rows else []
+
+
+def _counted(events: list[Event]) -> list[str]:
+    """A row for each thing: how often each of its events was, the first and the last time of them."""
+    of_things: dict[str, list[Event]] = {}
+    for event in events:
+        of_things.setdefault(event["element"], []).append(event)
+    rows = [("what repeats", "", "first at, s", "last at, s")]
+    for thing, own in of_things.items():
+        often = Counter(event["what"] for event in own)
+        words = ", ".join(f"{what} {_times(count)}" for what, count in often.items())
+        rows.append((thing, words, f"{own[0]['time_s']:.2f}", f"{own[-1]['time_s']:.2f}"))
+    return table(rows, "<<>>") if events else []
+
+
+def _times(count: int) -> str:
+    return "once" if count == 1 else f"{count} times"

@@ -1,0 +1,159 @@
+"""What the command line prints of a model."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..results.units import engineering
+from . import hydrostatics, sea
+from .run import steps
+from .tables import kilograms, table
+
+if TYPE_CHECKING:
+    from ..scenario import Scenario
+
+WORLD = "world"
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+
+
+def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
+    """What a scenario builds: bodies, joints, closed loops, parameters, drives, forces and
+    sensors, and how its hulls float."""
+    described = scenario.model
+    settings = scenario.resolved["simulation"]
+    mass = sum(body["mass_kg"] for body in described["bodies"])
+    sections = [
+        [scenario.title],
+        _parts(described["parts"]),
+        _bodies(described),
+        [
+            f"total mass: {kilograms(mass)}",
+            f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}",
+        ],
+        _loops(described["loops"]),
+        _parameters(described["parameters"]),
+        _elements(described, "drives"),
+        _prescribed(described["joints"]),
+        _elements(described, "forces"),
+        _elements(described, "sensors"),
+        sea.lines(scenario),
+        *hydrostatics.sections(scenario),
+        [f"warning: {words}" for words in described["warnings"]],
+        [
+            f"{settings['integrator']}, {settings['duration_s']:g} s {steps(settings)}, "
+            f"recorded every {settings['record_every_s']:g} s"
+        ],
+    ]
+    return "\n\n".join("\n".join(lines) for lines in sections if lines)
+
+
+def data(scenario: Scenario, coordinates: Sequence[str]) -> dict[str, Any]:
+    """The same as `text` says, in SI units: what the engine describes, the settings, and how hulls float."""
+    given = scenario.resolved
+    return {
+        "title": scenario.title,
+        "coordinates": list(coordinates),
+        "model": scenario.model,
+        "sea": given.get("sea"),
+        "wind": given.get("wind"),
+        "simulation": given["simulation"],
+        "hydrostatics": scenario.hydrostatics,
+    }
+
+
+def is_unstable(scenario: Scenario) -> bool:
+    """Whether a hull capsizes: in still water its metacentric height is negative, or it rests keel up."""
+    return any(
+        min(hull["metacentric_height_m"]) < 0 or abs(hull["heel_rad"]) > math.pi / 2
+        for hull in scenario.hydrostatics["hulls"]
+    )
+
+
+def _parts(parts: list[dict[str, Any]]) -> list[str]:
+    """What the scenario is made of, and where each part stands."""
+    rows = [("part", "is", "on", "at")]
+    for part in parts:
+        at = ", ".join(f"{x:g}" for x in part["position_m"])
+        rows.append((part["name"], part["part"], part["on"], f"{at} m"))
+    return table(rows, "<<<<") if parts else []
+
+
+def _bodies(described: dict[str, Any]) -> list[str]:
+    joints = {joint["body"]: joint for joint in described["joints"]}
+    rows = [("body", "mass", "parent", "joint")]
+    for body in described["bodies"]:
+        joint = joints.get(body["name"])
+        how = f"{joint['kind']} {joint['name']}" if joint else ""
+        rows.append((body["name"], kilograms(body["mass_kg"]), body.get("parent") or WORLD, how))
+    return table(rows, "<><<")
+
+
+def _loops(loops: list[dict[str, Any]]) -> list[str]:
+    if not loops:
+        return []
+    rows = [("closed loop", "between", "constraints")]
+    for loop in loops:
+        between = f"{loop['first']['body']} and {loop['second']['body']}"
+        rows.append((loop["name"], between, ", ".join(loop["constraints"])))
+    return table(rows, "<<<")
+
+
+def _parameters(parameters: list[dict[str, Any]]) -> list[str]:
+    if not parameters:
+        return []
+    rows = [("parameter", "value", "", "")]
+    for parameter in parameters:
+        rows.append((parameter["name"], written(parameter["value"]), parameter.get("unit") or "",
+                     parameter.get("label") or ""))  # fmt: skip
+    return table(rows, "<><<")
+
+
+def _elements(described: dict[str, Any], group: str) -> list[str]:
+    """Forces, drives or sensors, with what is given of them. A model without sensors says nothing of them."""
+    rows = [(group, "", "", "")]
+    for element in described["elements"]:
+        if element["group"] == group:
+            on = "on" if element["enabled"] else "off"
+            rows.append((element["name"], element["kind"], on, facts(element["facts"])))
+    if len(rows) > 1:
+        return table(rows, "<<<<")
+    return [] if group == "sensors" else [f"{group}: none"]
+
+
+def facts(given: list[dict[str, str]]) -> str:
+    """Facts in a line, in the units of engineers.
+
+    >>> facts([{"label": "target", "value": "1.5708", "unit": "rad"},
+    ...        {"label": "joint", "value": "luff", "unit": ""}])
+    'target 90 deg, joint luff'
+    """
+    return ", ".join(_fact(fact) for fact in given)
+
+
+def _fact(fact: dict[str, str]) -> str:
+    shown, size = engineering(fact["unit"])
+    value = fact["value"]
+    if size != 1.0:
+        value = NUMBER.sub(lambda found: f"{float(found.group()) / size:.5g}", value)
+    return f"{fact['label']} {value} {shown}".rstrip()
+
+
+def _prescribed(joints: list[dict[str, Any]]) -> list[str]:
+    """The joints that a given rate moves, or that go a given way."""
+    rows = [("prescribed", "")]
+    rows += [(joint["name"], facts(joint["prescribed"])) for joint in joints if joint["prescribed"]]
+    return table(rows, "<<") if len(rows) > 1 else []
+
+
+def written(value: Any) -> str:
+    """The value of a parameter as a scenario writes it.
+
+    >>> written(True), written(-10.0), written("pulse")
+    ('true', '-10', 'pulse')
+    """
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f"{value:g}" if isinstance(value, int | float) else str(value)

@@ -1,0 +1,108 @@
+"""What the command line prints of what came of runs: how limits held and what the engine warned of.
+
+Of several runs, which differ in their seeds, each limit and each warning stands once.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..analysis import pooling
+from ..simulation.outcomes import Outcome, in_words, of_run, with_partings
+from .tables import table
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
+    """What came of recorded runs; a data set may be of a `Batch`."""
+    found = []
+    for run in runs:
+        seeds = pooling.seeds(run)
+        if "run" not in run.sizes:
+            found.append(of_run(run.attrs, seeds[0]))
+            continue
+        # Each is a list for each run.
+        limits, warnings = (json.loads(run.attrs.get(name, "[]")) for name in ("limits", "warnings"))
+        each = zip(seeds, limits or [[]] * len(seeds), warnings or [[]] * len(seeds), strict=True)
+        found += [with_partings(*one) for one in each]
+    return found
+
+
+def blocks(outcomes: Sequence[Outcome]) -> list[list[str]]:
+    """What parted, the limits and the other warnings, as lines, where there are any."""
+    of_parting, others = warnings(outcomes)
+    return [lines for lines in (of_parting, limits(outcomes), others) if lines]
+
+
+def limits(outcomes: Sequence[Outcome]) -> list[str]:
+    """How the scenario's limits held: a table, a row each, with the worst value of all runs."""
+    several = len(outcomes) > 1
+    judged = [outcome for outcome in outcomes if outcome.limits]
+    if not judged:
+        return []
+    rows = [
+        _in_runs(("limit", "held", "in runs", "worst", "unit", "seed", "at, s", "allowed", "column"), several)
+    ]
+    for same in zip(*(outcome.limits for outcome in judged), strict=True):
+        with_row = [
+            (limit, one.seed) for limit, one in zip(same, judged, strict=True) if limit["held"] is not None
+        ]
+        worst, seed = min(with_row, key=lambda one: _margin(one[0]), default=(same[0], "-"))
+        count = sum(limit["held"] for limit, _ in with_row)
+        held = ("yes" if count == len(with_row) else "NO") if with_row else "no row"
+        value, time = (
+            "-" if worst[key] is None else f"{worst[key]:.4g}" for key in ("worst", "worst_time_s")
+        )
+        row = (worst["name"], held, f"{count} of {len(with_row)}", value, worst["unit"], str(seed), time,
+               _allowed(worst), worst["column"])  # fmt: skip
+        rows.append(_in_runs(row, several))
+    return [*_distrust(outcomes), *table(rows, "".join(_in_runs("<<<><>><<", several)))]
+
+
+def _distrust(outcomes: Sequence[Outcome]) -> list[str]:
+    """The heading of limits that are not to be trusted, else none."""
+    off = [str(outcome.seed) for outcome in outcomes if outcome.is_off_balance]
+    of = (
+        f" of {len(off)} of {len(outcomes)} runs, of the seeds {', '.join(off)}," if len(outcomes) > 1 else ""
+    )
+    return [f"limits, NOT to be trusted: the energy{of} is off its balance"] if off else []
+
+
+def _in_runs(cells: Sequence[str], several: bool) -> tuple[str, ...]:
+    """The cells of a limit; of one run without those of the count of runs and of the seed."""
+    return tuple(cells) if several else (*cells[:2], *cells[3:5], *cells[6:])
+
+
+def _margin(limit: Mapping[str, Any]) -> float:
+    """How far the worst value is inside of its bounds; negative: beyond one.
+
+    >>> _margin({"worst": 5.5, "at_least": None, "at_most": 5.0})
+    -0.5
+    """
+    least = -math.inf if limit["at_least"] is None else limit["at_least"]
+    most = math.inf if limit["at_most"] is None else limit["at_most"]
+    return min(limit["worst"] - least, most - limit["worst"])
+
+
+def _allowed(limit: Mapping[str, Any]) -> str:
+    """The bounds of a limit.
+
+    >>> _allowed({"at_least": None, "at_most": 5.0}), _allowed({"at_least": -2.0, "at_most": 2.0})
+    ('at most 5', '-2 to 2')
+    """
+    least, most = limit["at_least"], limit["at_most"]
+    if least is None:
+        return f"at most {most:g}"
+    return f"at least {least:g}" if most is None else f"{least:g} to {most:g}"
+
+
+def warnings(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
+    """What the engine warned of, a line each, of ropes that parted and of the rest."""
+    begin = "warning, " if len(outcomes) > 1 else "warning: "
+    of_parting, others = in_words(outcomes)
+    return [begin + words for words in of_parting], [begin + words for words in others]

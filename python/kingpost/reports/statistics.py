@@ -1,0 +1,220 @@
+"""What the command line prints of the statistics of recorded runs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..analysis import pooling, statistics
+from ..errors import KingpostError
+from ..results.units import engineering
+from ..simulation.batch import FINISHED
+from . import outcomes
+from .selection import chosen, of_time
+from .tables import fixed, table
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+FEWEST_RUNS, ENOUGH_RUNS = 5, 10
+"""Runs that an extreme is fitted to, and those that give an error worth having."""
+SMALLEST_MOTION = 1e-12
+"""What varies by less than this share of its size stands still but for rounding."""
+DEVIATIONS = ("standard_deviation", "significant_amplitude", "significant_double_amplitude")
+HEADINGS = {
+    "mean": "mean",
+    "standard_deviation": "deviation",
+    "significant_double_amplitude": "sig. double",
+    "zero_up_crossing_period": "period, s",
+    "maximum": "largest of all",
+    "minimum": "smallest of all",
+}
+
+
+def start_s(results: xarray.Dataset, after_s: float | None) -> float:
+    """From when on records count: as asked, else the end of the waves' ramp."""
+    if after_s is not None:
+        return after_s
+    sea = json.loads(results.attrs.get("scenario", "{}")).get("sea")
+    return float(sea["ramp_s"]) if sea else 0.0
+
+
+def exposure_s(results: xarray.Dataset, after_s: float | None) -> float:
+    """How long the extremes are of: as long as the record where an operation steers, which is done once; else
+    three hours."""
+    operation = json.loads(results.attrs.get("scenario", "{}")).get("operation")
+    if operation and operation.get("enabled", True):
+        return float(results["time"].values[-1]) - start_s(results, after_s)
+    return statistics.THREE_HOURS_S
+
+
+def frame(
+    runs: Sequence[xarray.Dataset], after_s: float | None, patterns: Sequence[str] = ()
+) -> pandas.DataFrame:
+    """A row for each channel: its unit (deg, kN, t), its statistics and, from five runs on, the expected
+    largest and smallest value of three hours, or of one operation, with their standard errors.
+
+    Of several runs mean, deviation, double amplitude and period are the means over them, the largest and the
+    smallest value those of all. Where no channels are asked for, those that stand still are left out.
+
+    Raises
+    ------
+    KingpostError
+        When the runs are not realisations of one scenario, each with a seed of its own.
+    """
+    import pandas
+
+    pooling.check(runs)
+    first = start_s(runs[0], after_s)
+    exposure = exposure_s(runs[0], after_s)
+    names = chosen(runs[0], patterns)
+    pooled = _pooled(runs, list(names), first)
+    record_s = float(runs[0]["time"].values[-1]) - first
+    rows = []
+    for name, unit in names.items():
+        of_runs = pooled[name]
+        if not patterns and of_runs["still"].all():
+            continue
+        shown, size = engineering(unit)
+        rows.append({"channel": name, "unit": shown, **_row(of_runs, record_s, exposure, 1 / size)})
+    return pandas.DataFrame(rows)
+
+
+def _pooled(
+    runs: Sequence[xarray.Dataset], names: Sequence[str], after_s: float
+) -> dict[str, dict[str, np.ndarray]]:
+    """By column and statistic the values of all runs; one run's numbers are in memory at a time."""
+    found: dict[str, list[dict[str, float]]] = {name: [] for name in names}
+    for run in runs:
+        for side_by_side in _tables(run, names):
+            for name, one in zip(names, _summaries(side_by_side, after_s), strict=True):
+                found[name].append(one)
+    return {
+        name: {key: np.array([one[key] for one in of_runs]) for key in of_runs[0]}
+        for name, of_runs in found.items()
+    }
+
+
+def _tables(run: xarray.Dataset, names: Sequence[str]) -> Iterator[xarray.DataArray]:
+    """The columns side by side, over time: one table for each run of a data set."""
+    import xarray
+
+    every = of_time(run)
+    for name in names:
+        if name not in every:
+            file = pooling.file_of(run)
+            raise KingpostError(f"{file}: found no channel {name}, allowed: runs of one scenario")
+    loaded = run[list({every[name].variable: None for name in names})].compute()
+    series = [every[name].of(loaded) for name in names]
+    for k in range(run.sizes.get("run", 1)):
+        alone = [one.isel(run=k) if "run" in one.dims else one for one in series]
+        values = np.stack([one.values for one in alone], axis=-1)
+        yield xarray.DataArray(values, {"time": run["time"].values}, ("time", "column"))
+
+
+def _summaries(table: xarray.DataArray, after_s: float) -> Iterator[dict[str, float]]:
+    kept = statistics.after(table, after_s)
+    found = statistics.summary(kept).transpose("column", "statistic").values
+    for values, row in zip(kept.values.T, found, strict=True):
+        one = dict(zip(statistics.STATISTICS, map(float, row), strict=True))
+        still = _stands_still(values)
+        if still:
+            one |= dict.fromkeys(DEVIATIONS, 0.0)
+        yield {**one, "still": still}
+
+
+def text(runs: Sequence[xarray.Dataset], found: pandas.DataFrame, after_s: float | None) -> str:
+    """The statistics as a table, with what they are of."""
+    first, time = start_s(runs[0], after_s), runs[0]["time"].values
+    count = sum(run.sizes.get("run", 1) for run in runs)
+    hours = f"{count * (time[-1] - first) / 3600:.2g} h in all"
+    of = (
+        f"{count} runs, {hours}: means over them, but for the largest and the smallest"
+        if count > 1
+        else "one run"
+    )
+    came_of = outcomes.blocks(outcomes.of_runs(runs))
+    lines = [
+        str(runs[0].attrs.get("title", "")),
+        f"{first:g} to {time[-1]:g} s of {of}",
+        *_unfinished(runs),
+        *(line for block in came_of for line in ["", *block]),
+        "",
+    ]
+    rows = [("channel", "", *HEADINGS.values())]
+    for row in found.to_dict("records"):
+        rows.append((row["channel"], row["unit"], *(_number(row[name]) for name in HEADINGS)))
+    lines += table(rows, "<<" + ">" * len(HEADINGS))
+    exposure = exposure_s(runs[0], after_s)
+    of = "three hours" if exposure == statistics.THREE_HOURS_S else f"one operation of {exposure:g} s"
+    return "\n".join([*lines, "", *_extremes(found, count, of)])
+
+
+def _extremes(found: pandas.DataFrame, count: int, of: str) -> list[str]:
+    """Expected extremes with their standard errors, where there are runs enough."""
+    if count < FEWEST_RUNS:
+        return [f"expected extremes of {of} need {ENOUGH_RUNS} runs or more, each of another seed"]
+    rows = [(f"expected of {of}", "", "largest", "", "smallest", "")]
+    for row in found.to_dict("records"):
+        cells = [(_number(row[side]), f"+- {_number(row[f'{side}_error'])}" if np.isfinite(row[side]) else "")
+                 for side in ("extreme_largest", "extreme_smallest")]  # fmt: skip
+        rows.append((row["channel"], row["unit"], *cells[0], *cells[1]))
+    lines = [*table(rows, "<<><><"), "+- one standard error, by the scatter of the runs"]
+    if count < ENOUGH_RUNS:
+        lines.append(f"warning: of {count} runs these are rough: {ENOUGH_RUNS} or more, each of another seed")
+    return lines
+
+
+def _unfinished(runs: Sequence[xarray.Dataset]) -> list[str]:
+    """Of the runs that Ctrl-C or a divergence ended early."""
+    ends = [(run, str(run.attrs.get("status", FINISHED))) for run in runs if "run" not in run.sizes]
+    return [f"warning: a run ended early, at {run['time'].values[-1]:g} s: {status}"
+            for run, status in ends if status != FINISHED]  # fmt: skip
+
+
+def _stands_still(values: np.ndarray) -> bool:
+    return bool(np.ptp(values) <= SMALLEST_MOTION * np.abs(values).max())
+
+
+def _row(of_runs: dict[str, np.ndarray], record_s: float, exposure: float, scale: float) -> dict[str, float]:
+    row = {
+        name: float(of_runs[name].mean()) * (1.0 if name == "zero_up_crossing_period" else scale)
+        for name in statistics.STATISTICS
+    }
+    # The largest is that of all runs.
+    row["maximum"] = scale * float(of_runs["maximum"].max())
+    row["minimum"] = scale * float(of_runs["minimum"].min())
+    if len(of_runs["maximum"]) >= FEWEST_RUNS:
+        for side, sign, values in (
+            ("largest", 1, of_runs["maximum"]),
+            ("smallest", -1, of_runs["minimum"]),
+        ):
+            row |= _extreme(side, scale, sign, values, record_s, exposure)
+    return row
+
+
+def _extreme(
+    side: str, scale: float, sign: int, values: np.ndarray, record_s: float, exposure: float
+) -> dict[str, float]:
+    """Expected extreme of the exposure, s, and its standard error; not a number where nothing moves."""
+    if not np.isfinite(values).all() or _stands_still(values):
+        return {f"extreme_{side}": np.nan, f"extreme_{side}_error": np.nan}
+    found = statistics.extreme(sign * values, record_s, exposure)
+    return {
+        f"extreme_{side}": sign * scale * found.expected,
+        f"extreme_{side}_error": scale * found.expected_error,
+    }
+
+
+def _number(value: float) -> str:
+    """Four digits or more, without an exponent where none is needed."""
+    if not np.isfinite(value):
+        return "-"
+    size = abs(value)
+    if 1e4 <= size < 1e7:
+        return f"{value:.0f}"
+    return f"{value:.4g}" if size >= 1e4 or 0 < size < 1e-3 else fixed(value, 4 if size < 10 else 2)

@@ -1,0 +1,78 @@
+"""Rows of text in columns, and numbers as they stand in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+LARGEST_IN_KG = 2e4
+"""Larger masses are in t."""
+
+
+def table(rows: Iterable[Sequence[str]], align: str = "") -> list[str]:
+    """Cells in columns; `align` has ``<`` or ``>`` for each (default: the first ``<``).
+
+    >>> table([("ship", "1"), ("arm", "10")])
+    ['ship   1', 'arm   10']
+    >>> table([("ship", "1"), ("arm", "10")], "><")
+    ['ship  1', ' arm  10']
+    """
+    rows = list(rows)
+    if not rows:
+        return []
+    align = align or "<".ljust(len(rows[0]), ">")
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    formats = [f"{{:{side}{width}}}" for side, width in zip(align, widths, strict=True)]
+    form = "  ".join(formats)
+    return [form.format(*row).rstrip() for row in rows]
+
+
+def fixed(value: float, places: int) -> str:
+    """A number with a fixed count of decimals, and no sign on a zero.
+
+    >>> fixed(-0.00001, 4), fixed(-0.0617, 4)
+    ('0.0000', '-0.0617')
+    """
+    return f"{value:z.{places}f}"
+
+
+def significant(value: float, scale: float) -> str:
+    """A number with five digits; 0 where it is rounding beside `scale`.
+
+    >>> significant(17922.43, 2e4), significant(1e-8, 2e4)
+    ('17922', '0')
+    """
+    return f"{0.0 if abs(value) < 1e-12 * scale else value:.5g}"
+
+
+def joules(value: float) -> str:
+    """An energy with the prefix that suits its size.
+
+    >>> joules(171588.0), joules(-0.0)
+    ('171.588 kJ', '0 J')
+    """
+    for size, unit in ((1e9, "GJ"), (1e6, "MJ"), (1e3, "kJ")):
+        if abs(value) >= size:
+            return f"{value / size:.6g} {unit}"
+    return f"{value + 0.0:.6g} J"
+
+
+def kilograms(value: float) -> str:
+    """A mass, large ones in t.
+
+    >>> kilograms(1.19e7), kilograms(500.0), kilograms(10000.0)
+    ('11900 t', '500 kg', '10000 kg')
+    """
+    if abs(value) > LARGEST_IN_KG:
+        return f"{value / 1000:.7g} t"
+    return f"{value:.6g} kg"
+
+
+def largest(values: np.ndarray) -> float:
+    """The value that is largest in size, with its sign.
+
+    >>> float(largest(np.array([1.0, -3.0, 2.0])))
+    -3.0
+    """
+    return values[np.argmax(np.abs(values))]

@@ -1,0 +1,239 @@
+"""Flat columns of a data set: their names, their units, and a table of all."""
+
+from __future__ import annotations
+
+import difflib
+import json
+from collections.abc import Hashable, Iterator, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+from ..errors import KingpostError
+from .units import IN_ENGINEERING, NAMES, engineering
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+
+def unit_coordinate(variable: Hashable | None) -> str:
+    """Name of the coordinate that has the units of a variable's numbers, where they differ.
+
+    Parameters
+    ----------
+    variable
+        Its name.
+
+    Returns
+    -------
+    str
+        Name of the coordinate.
+
+    >>> unit_coordinate("joint_position")
+    'joint_position_unit'
+    """
+    return "unit" if variable is None else f"{variable}_unit"
+
+
+def unit_of(column: xarray.DataArray) -> str:
+    """The unit of a variable, or of one of its columns where they differ in their units.
+
+    Parameters
+    ----------
+    column
+        Of a data set of a run.
+
+    Returns
+    -------
+    str
+        SI.
+
+    >>> from kingpost import run
+    >>> found = run("paper", {"simulation.duration_s": 0.001})
+    >>> unit_of(found["velocity"]), unit_of(found["joint_reaction"].sel(joint="slew", component="moment_x"))
+    ('m/s', 'N m')
+    """
+    name = unit_coordinate(column.name)
+    return str(column.coords[name].item()) if name in column.coords else str(column.attrs.get("units", ""))
+
+
+def frame(results: xarray.Dataset, patterns: Sequence[str] = (), units: str = NAMES) -> pandas.DataFrame:
+    """Results as a flat table, one column per number.
+
+    Columns are ``time`` and then such as ``ship.angular_velocity.x``, ``slew.joint_position``,
+    ``arm.tip.point_position.z`` or ``kinetic_energy``.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+    patterns
+        Columns to take, whose names are like one, as ``ship.*``; all unless given.
+    units
+        ``names``: SI units, and names alone; ``si``: a name ends with its unit, as ``ship.roll [rad]``;
+        ``engineering``: so it does, ``ship.roll [deg]``, and the numbers are in that.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Shape (records, 1 + columns).
+
+    >>> from kingpost import run
+    >>> frame(run("paper", {"simulation.duration_s": 0.1})).shape[0]
+    11
+    """
+    import pandas
+
+    flat = {}
+    for name, series in [("time", results["time"]), *columns(results)]:
+        if name == "time" or not patterns or any(fnmatchcase(name, pattern) for pattern in patterns):
+            unit = unit_of(series)
+            shown, size = engineering(unit) if units == IN_ENGINEERING else (unit, 1.0)
+            heading = name if units == NAMES else f"{name} [{shown}]"
+            flat[heading] = series.values if size == 1.0 else series.values / size
+    return pandas.DataFrame(flat)
+
+
+def columns(
+    results: xarray.Dataset, along: Sequence[str] = ("time",)
+) -> Iterator[tuple[str, xarray.DataArray]]:
+    """The flat columns with their names: each goes along time, and along what else is asked for.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+    along
+        Dimensions that a column keeps.
+
+    Yields
+    ------
+    tuple of str and xarray.DataArray
+        Name and numbers.
+
+    >>> from kingpost import run
+    >>> next(columns(run("paper", {"simulation.duration_s": 0.1})))[0]
+    'ship.position.x'
+    """
+    for name, place in places(results, along).items():
+        yield name, place.of(results)
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a flat column is in a data set: its variable, and its index in each dimension but time."""
+
+    variable: Hashable
+    at: dict[Hashable, int]
+
+    def of(self, results: xarray.Dataset) -> xarray.DataArray:
+        """The column."""
+        return results[self.variable].isel(self.at)
+
+
+def places(results: xarray.Dataset, along: Sequence[str] = ("time",)) -> dict[str, Place]:
+    """Where each flat column is, by name; no number is read for it."""
+    found: dict[str, Place] = {}
+    for variable in results.data_vars.values():
+        dims = [dim for dim in variable.dims if dim not in along]
+        labels = [list(enumerate(results[dim].values)) for dim in dims]
+        for entry in product(*labels):
+            at = dict(zip(dims, entry, strict=True))
+            name = column_name(variable, {dim: label for dim, (_, label) in at.items()})
+            found[name] = Place(variable.name, {dim: index for dim, (index, _) in at.items()})
+    return found
+
+
+def column(
+    results: xarray.Dataset, name: str, period_s: tuple[float, float] | None = None
+) -> xarray.DataArray:
+    """A flat column by its name, over a period.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+    name
+        Of the column, as ``ship.roll``.
+    period_s
+        From and to, s, both included; the whole run without.
+
+    Returns
+    -------
+    xarray.DataArray
+        Along ``time``, of a `Batch` along ``run`` too, with its ``units``.
+
+    Raises
+    ------
+    KingpostError
+        When there is no such column, or no record in the period.
+
+    >>> from kingpost import run
+    >>> found = run("paper", {"simulation.duration_s": 0.5})
+    >>> column(found, "ship.roll", (0.2, 0.3)).sizes["time"]
+    11
+    """
+    every = places(results, along=("time", "run"))
+    if name not in every:
+        near = difflib.get_close_matches(name, every, n=3) or list(every)[:3]
+        raise KingpostError(f"column: found {name!r}, allowed: a column of the run, as {', '.join(near)}")
+    found = every[name].of(results)
+    found.attrs["units"] = unit_of(found)
+    if period_s is None:
+        return found
+    first, last = period_s
+    kept = found.sel(time=(results["time"] >= first) & (results["time"] <= last))
+    if not kept.sizes["time"]:
+        times = results["time"].values
+        raise KingpostError(
+            f"period_s: found {first:g} to {last:g}, allowed: within {times[0]:g} to {times[-1]:g} s"
+        )
+    return kept
+
+
+def column_name(variable: xarray.DataArray, labels: dict[Any, Any]) -> str:
+    """Name of a flat column, by the variable's attribute ``column``; labels that it leaves out are last.
+
+    Parameters
+    ----------
+    variable
+        With the attribute ``column``.
+    labels
+        By dimension.
+
+    Returns
+    -------
+    str
+        As in files and in the app.
+
+    >>> import xarray
+    >>> rate = xarray.DataArray(0.0, name="angular_velocity")
+    >>> rate.attrs["column"] = "{body}.angular_velocity.{axis}"
+    >>> column_name(rate, {"body": "ship", "axis": "x", "run": 3})
+    'ship.angular_velocity.x.3'
+    """
+    pattern = str(variable.attrs.get("column", variable.name))
+    left_out = [str(label) for dim, label in labels.items() if f"{{{dim}}}" not in pattern]
+    return ".".join([pattern.format_map(labels), *left_out])
+
+
+def floating_bodies(results: xarray.Dataset) -> list[str]:
+    """Names of the ships and of whatever floats as they do.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+
+    Returns
+    -------
+    list of str
+        In the order of the model.
+
+    >>> from kingpost import run
+    >>> floating_bodies(run("paper", {"simulation.duration_s": 0.001}))
+    ['ship']
+    """
+    return json.loads(results.attrs.get("floating_bodies", "[]"))

@@ -1,0 +1,141 @@
+"""Recorded rows as a labelled data set."""
+
+from __future__ import annotations
+
+import json
+import platform
+from collections.abc import Iterable, Sequence
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..engine import engine
+from . import xarrays
+from .columns import unit_coordinate
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
+    from ..scenario import Scenario
+
+CONVENTIONS = "CF-1.11"
+STANDARD_NAMES = {
+    "roll": "platform_roll_starboard_down",
+    "pitch": "platform_pitch_fore_down",
+    "yaw": "platform_yaw_fore_port",
+    "wave_elevation": "sea_surface_height_above_mean_sea_level",
+}
+"""Of the variables that the table of the CF conventions has, of version 93; the still water stands for the
+mean sea level."""
+AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port"
+
+
+def dataset(
+    scenario: Scenario, channels: Iterable[dict[str, Any]], rows: NDArray[np.float64], status: str
+) -> xarray.Dataset:
+    """Label recorded rows.
+
+    Parameters
+    ----------
+    scenario
+        What was run; stored resolved in the attributes.
+    channels
+        The channel table: variable, units, names, frame, dimensions and their labels, offset, length.
+    rows
+        One row per record, shape (records, values); or of many runs, shape (runs, records, values),
+        where a run that ended early has NaN.
+    status
+        ``finished``, or why the run ended.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dimension ``time`` (s), before it ``run`` where there are many, and those of the channels;
+        every variable carries ``units``, ``standard_name`` where the CF conventions have one,
+        ``long_name``, as short as an axis of a plot wants it, ``description``, ``frame``, ``column``, how its
+        flat columns are named, and ``of_elements``, 1 where forces and drives show it. Where its numbers
+        differ in their units, as forces and moments do, the coordinate ``<variable>_unit`` has them in the
+        place of ``units`` (`unit_of`).
+
+    >>> from kingpost import Simulation
+    >>> simulation = Simulation("paper")
+    >>> found = dataset(simulation.scenario, simulation.channels, simulation.row()[None, :], "finished")
+    >>> found["roll"].dims, found["roll"].attrs["units"]
+    (('time', 'body'), 'rad')
+    """
+    xarray = xarrays.load()
+    coordinates: dict[str, Any] = {}
+    variables: dict[str, Any] = {}
+    for channel in channels:
+        start, length = channel["offset"], channel["len"]
+        labels = dict(zip(channel["dims"], channel["labels"], strict=True))
+        shape = (*rows.shape[:-1], *(len(names) for names in labels.values()))
+        values = rows[..., start : start + length].reshape(shape)
+        about = {key: channel[key] for key in ("long_name", "description", "frame", "column")}
+        about["of_elements"] = int(channel["of_elements"])
+        if standard := STANDARD_NAMES.get(channel["variable"]):
+            about["standard_name"] = standard
+        if channel["unit"] is None:
+            units = np.array(channel["units"], str).reshape(shape[rows.ndim - 1 :])
+            coordinates[unit_coordinate(channel["variable"])] = _where_they_differ(units, channel["dims"])
+        else:
+            about = {"units": channel["unit"], **about}
+        if channel["variable"] == "time":
+            longest = values if rows.ndim == 2 else np.nanmax(values, axis=0)
+            coordinates["time"] = ("time", longest.ravel(), about)
+        else:
+            coordinates |= {dim: np.array(names, dtype=str) for dim, names in labels.items()}
+            dims = ("time", *labels) if rows.ndim == 2 else ("run", "time", *labels)
+            variables[channel["variable"]] = (dims, values, about)
+    return xarray.Dataset(variables, coordinates, attributes(scenario, status))
+
+
+def _where_they_differ(units: NDArray[np.str_], dims: Sequence[str]) -> tuple[list[str], NDArray[np.str_]]:
+    """Units without the dimensions along which they are the same."""
+    kept = list(dims)
+    for axis in reversed(range(units.ndim)):
+        if (units == units.take([0], axis)).all():
+            units = np.asarray(units.take(0, axis))
+            kept.pop(axis)
+    return kept, units
+
+
+def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
+    """What every data set says of the run that it comes from.
+
+    Parameters
+    ----------
+    scenario
+        What was run.
+    status
+        ``finished``, or why the run ended.
+
+    Returns
+    -------
+    dict
+        Texts and numbers; lists and dictionaries as JSON.
+
+    >>> from kingpost import load
+    >>> attributes(load("paper"), "finished")["Conventions"]
+    'CF-1.11'
+    """
+    described, sea = scenario.model, scenario.model["sea"]
+    versions = {name: version(name) for name in ("numpy", "xarray")}
+    versions |= {"kingpost": engine.__version__, "python": platform.python_version()}
+    return {
+        "Conventions": CONVENTIONS,
+        "title": scenario.title,
+        "status": status,
+        "source": scenario.file,
+        "scenario": scenario.json,
+        "files": json.dumps(scenario.digests),
+        "versions": json.dumps(versions),
+        "seed": scenario.resolved["simulation"]["seed"],
+        "gravity_m_s2": described["gravity_m_s2"],
+        "water_density_kg_m3": sea["density_kg_m3"] if sea else 0.0,
+        "floating_bodies": json.dumps([body["name"] for body in described["bodies"] if body["floats"]]),
+        "model_warnings": json.dumps(described["warnings"]),
+        "axes": AXES,
+    }

@@ -1,0 +1,85 @@
+"""What happened in a run and what was warned of, as tables."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def events(results: xarray.Dataset) -> xarray.Dataset:
+    """What happened in a run, in order of time: ``event_time`` (s), ``event_element`` and ``event_what``.
+
+    It reads the attribute ``events``, so that a data set that comes back from a NetCDF file has the same.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+
+    Returns
+    -------
+    xarray.Dataset
+        Along ``event``.
+
+    >>> from kingpost import run
+    >>> events(run("paper", {"simulation.duration_s": 0.001})).sizes["event"]
+    0
+    """
+    import xarray
+
+    rows = json.loads(results.attrs.get("events", "[]"))
+    texts = {name: np.array([row[name] for row in rows], dtype=str) for name in ("element", "what")}
+    about = {
+        "event_time": {"units": "s", "long_name": "time", "description": "when it happened"},
+        "event_element": {"long_name": "element", "description": "what watched for it, or the parameter"},
+        "event_what": {"long_name": "event", "description": "what happened"},
+    }
+    values = [np.array([row["time_s"] for row in rows], dtype=float), texts["element"], texts["what"]]
+    columns = {name: ("event", value, about[name]) for name, value in zip(about, values, strict=True)}
+    return xarray.Dataset(columns, attrs={"title": results.attrs.get("title", "")})
+
+
+def warnings(results: xarray.Dataset) -> xarray.Dataset:
+    """What one should know of a run: ``warning_time`` (s), ``warning_name`` and ``warning_text``.
+
+    First what was known before the run, which has no time and no name. Of a `Batch` ``warning_run`` says
+    which run it was.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+
+    Returns
+    -------
+    xarray.Dataset
+        Along ``warning``.
+
+    >>> from kingpost import run
+    >>> warnings(run("paper", {"simulation.duration_s": 0.001})).sizes["warning"]
+    0
+    """
+    import xarray
+
+    known = [{"text": text} for text in json.loads(results.attrs.get("model_warnings", "[]"))]
+    told = json.loads(results.attrs.get("warnings", "[]"))
+    if "run" in results.sizes:
+        told = [one | {"run": run} for run, of_run in enumerate(told) for one in of_run]
+    rows = known + told
+    columns = {
+        "warning_time": ("warning", np.array([row.get("time_s", np.nan) for row in rows], float),
+                         {"units": "s", "long_name": "time", "description": "when it was so"}),
+        "warning_name": ("warning", np.array([row.get("name", "") for row in rows], str),
+                         {"long_name": "name", "description": "a joint, closed loop, body, force or drive"}),
+        "warning_text": ("warning", np.array([row["text"] for row in rows], str),
+                         {"long_name": "warning", "description": "what was so"}),
+    }  # fmt: skip
+    if "run" in results.sizes:
+        of_runs = np.array([row.get("run", -1) for row in rows], int)
+        columns["warning_run"] = ("warning", of_runs, {"long_name": "run", "description": "-1 is every run"})
+    return xarray.Dataset(columns, attrs={"title": results.attrs.get("title", "")})

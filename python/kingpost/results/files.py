@@ -1,0 +1,309 @@
+"""Files of results: NetCDF, CSV, Parquet."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import output
+from ..errors import KingpostError
+from . import xarrays
+from .columns import columns, frame, places, unit_of
+from .events import events, warnings
+from .units import IN_ENGINEERING, NAMES, engineering
+
+if TYPE_CHECKING:
+    import xarray
+
+PARQUET = ".parquet"
+ENDINGS = (".nc", ".csv", PARQUET)
+ALLOWED = "allowed: results in NetCDF, as kingpost run -o FILE.nc writes them"
+DAMAGED = "found a damaged file"
+HDF5 = b"\x89HDF\r\n\x1a\n"
+"""How a file of NetCDF begins."""
+TIME_LIMIT_S = 60.0
+"""Time in which a file is read."""
+JSON_ATTRIBUTES = {
+    "scenario": dict,
+    "files": dict,
+    "versions": dict,
+    "events": list,
+    "warnings": list,
+    "limits": list,
+    "model_warnings": list,
+    "floating_bodies": list,
+}
+"""Attributes that are JSON, and what they hold."""
+
+
+def check_output(path: str | Path) -> Path:
+    """Make sure, before a run, that results can be written to `path`.
+
+    Parameters
+    ----------
+    path
+        With the ending ``.nc``, ``.csv`` or ``.parquet``.
+
+    Returns
+    -------
+    pathlib.Path
+        The same.
+
+    Raises
+    ------
+    KingpostError
+        Another ending, a folder that is not there, or Parquet where pyarrow is not installed.
+
+    >>> check_output("run.nc").name
+    'run.nc'
+    """
+    path = output.check(path, ENDINGS)
+    check_parquet(path)
+    return path
+
+
+def check_parquet(path: Path) -> None:
+    """Make sure that pyarrow is there, where a file is to be of Parquet.
+
+    Parameters
+    ----------
+    path
+        Of any ending.
+
+    Raises
+    ------
+    KingpostError
+        With the extra that brings it.
+
+    >>> check_parquet(Path("run.nc"))
+    """
+    if path.suffix.lower() == PARQUET and importlib.util.find_spec("pyarrow") is None:
+        raise KingpostError(f'{path}: found no pyarrow, allowed: after pip install "kingpost[parquet]"')
+
+
+def write(
+    results: xarray.Dataset, path: str | Path, patterns: Sequence[str] = (), units: str = NAMES
+) -> Path:
+    """Write results by the file's ending: ``.nc`` (NetCDF), ``.csv`` or ``.parquet``.
+
+    A CSV holds the numbers alone; units and attributes are in the other two: in Parquet the unit of a
+    column is in the metadata of its field. Where anything happened, its table (`events`) stands beside a
+    CSV, as ``<name>.events.csv``, and so does that of the warnings (`warnings`), ``<name>.warnings.csv``; one
+    of an earlier run that is there is written anew in any case.
+
+    Parameters
+    ----------
+    results
+        A data set of a run.
+    path
+        With the ending ``.nc``, ``.csv`` or ``.parquet``.
+    patterns
+        Columns to write, as ``ship.roll`` or ``load.*``; all unless given. NetCDF has whole variables.
+    units
+        How a CSV or a Parquet file says its units: ``names``, ``si`` or ``engineering`` (`frame`).
+
+    Returns
+    -------
+    pathlib.Path
+        The file that was written.
+
+    Raises
+    ------
+    KingpostError
+        Another ending, a file that cannot be written, a pattern that no column has, or units in NetCDF,
+        which has its own.
+
+    >>> import tempfile
+    >>> from kingpost import run
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write(run("paper", {"simulation.duration_s": 0.1}), f"{folder}/run.csv").name
+    'run.csv'
+    """
+    path = check_output(path)
+    ending = path.suffix.lower()
+    check_patterns(results, patterns)
+    if ending == ".nc":
+        if units != NAMES:
+            raise KingpostError(
+                f"{path}: found the units {units}, allowed: of .csv and .parquet; NetCDF has SI"
+            )
+        return output.write_netcdf(_variables(results, patterns), path)
+    if ending == ".csv":
+        output.write_csv(frame(results, patterns, units), path)
+        for of, table in (("event", events(results)), ("warning", warnings(results))):
+            beside = path.with_suffix(f".{of}s.csv")
+            if table.sizes[of] or beside.exists():
+                output.write_csv(table.to_dataframe(), beside)
+    else:
+        with output.whole(path) as beside:
+            _write_parquet(results, beside, patterns, units)
+    return path
+
+
+def check_patterns(results: xarray.Dataset, patterns: Sequence[str]) -> None:
+    """Make sure that each pattern is like the name of a column."""
+    names = list(places(results))
+    for pattern in patterns:
+        if not any(fnmatchcase(name, pattern) for name in names):
+            raise KingpostError(f"--record: found {pattern!r}, allowed: columns as ship.roll, or ship.*")
+
+
+def _variables(results: xarray.Dataset, patterns: Sequence[str]) -> xarray.Dataset:
+    """The variables of which a column is like one of the patterns."""
+    if not patterns:
+        return results
+    every = places(results).items()
+    wanted = {of.variable for name, of in every if any(fnmatchcase(name, pattern) for pattern in patterns)}
+    return results[[name for name in results.data_vars if name in wanted]]
+
+
+def _write_parquet(results: xarray.Dataset, path: Path, patterns: Sequence[str], units: str) -> None:
+    import pyarrow
+    import pyarrow.parquet
+
+    table = pyarrow.Table.from_pandas(frame(results, patterns, units), preserve_index=False)
+    si = {"time": unit_of(results["time"]), **{name: unit_of(series) for name, series in columns(results)}}
+    fields = []
+    for field in table.schema:
+        unit = si[field.name.partition(" [")[0]]
+        shown = engineering(unit)[0] if units == IN_ENGINEERING else unit
+        fields.append(field.with_metadata({"units": shown}))
+    attributes = {key: str(value) for key, value in results.attrs.items()}
+    metadata = {**(table.schema.metadata or {}), **attributes}
+    pyarrow.parquet.write_table(table.cast(pyarrow.schema(fields, metadata)), path)
+
+
+def read(path: str | Path) -> xarray.Dataset:
+    """A data set that `kingpost run -o FILE.nc` wrote, or `Batch`.
+
+    Parameters
+    ----------
+    path
+        A NetCDF file.
+
+    Returns
+    -------
+    xarray.Dataset
+        All of it, in memory.
+
+    Raises
+    ------
+    KingpostError
+        When there is no such file, or it is damaged, or something else.
+
+    >>> import tempfile
+    >>> from kingpost import run
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = write(run("paper", {"simulation.duration_s": 0.1}), f"{folder}/run.nc")
+    ...     read(path).sizes["time"]
+    11
+    """
+    xarray = xarrays.load()
+    with _told(path):
+        return _checked(xarray.load_dataset(path, engine="h5netcdf"), path)
+
+
+def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) -> list[xarray.Dataset]:
+    """Data sets of files, of which numbers are read only when they are asked for.
+
+    The files are first read to the end in a process of its own, since the HDF5 library does not end, or
+    crashes, on some that are damaged: `time_limit_s` is what one file may take, s.
+
+    Parameters
+    ----------
+    paths
+        NetCDF files.
+    time_limit_s
+        What reading one may take, s.
+
+    Returns
+    -------
+    list of xarray.Dataset
+        One for each file.
+
+    Raises
+    ------
+    KingpostError
+        As `read`, and when a file cannot be read to its end.
+
+    >>> import tempfile
+    >>> from kingpost import run
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = write(run("paper", {"simulation.duration_s": 0.1}), f"{folder}/run.nc")
+    ...     with open_all([path])[0] as found:
+    ...         found.sizes["time"]
+    11
+    """
+    xarray = xarrays.load()
+    for path in paths:
+        with _told(path):
+            Path(path).open("rb").close()
+    _probe([str(path) for path in paths], time_limit_s)
+    found = []
+    for path in paths:
+        with _told(path):
+            found.append(_checked(xarray.open_dataset(path, engine="h5netcdf", cache=False), path))
+    return found
+
+
+def _probe(paths: Sequence[str], time_limit_s: float) -> None:
+    command = [sys.executable, "-P", str(Path(__file__).with_name("probe.py")), *paths]
+    try:
+        # What the HDF5 library says of damage is for its authors.
+        done = subprocess.run(
+            command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=time_limit_s * len(paths)
+        )
+        through = done.stdout
+    except subprocess.TimeoutExpired as late:
+        through = late.stdout or b""
+    said = [*through.decode().split(), "stopped"]
+    for path, of_path in zip(paths, said, strict=False):
+        if of_path != "read":
+            raise _unreadable(path)
+
+
+@contextmanager
+def _told(path: str | Path) -> Iterator[None]:
+    """Where a file cannot be read, say so in one line."""
+    try:
+        if not Path(path).is_file():
+            what = "is a folder" if Path(path).is_dir() else "no such file"
+            raise KingpostError(f"{path}: {what}, {ALLOWED}")
+        yield
+    except KingpostError:
+        raise
+    except PermissionError as error:
+        raise KingpostError(f"{path}: {error.strerror}, {ALLOWED}") from None
+    except Exception as error:
+        # Of a damaged file the libraries that read it raise whatever they stumble over.
+        raise _unreadable(path) from error
+
+
+def _unreadable(path: str | Path) -> KingpostError:
+    with Path(path).open("rb") as file:
+        is_hdf5 = file.read(len(HDF5)) == HDF5
+    return KingpostError(f"{path}: {DAMAGED if is_hdf5 else 'found a file that is not NetCDF'}, {ALLOWED}")
+
+
+def _checked(found: xarray.Dataset, path: str | Path) -> xarray.Dataset:
+    """A data set with a time, and attributes that can be read."""
+    if "time" not in found.dims or "time" not in found.coords:
+        raise KingpostError(f"{path}: found no dimension time, {ALLOWED}")
+    time = found["time"].values
+    if not (time.dtype.kind == "f" and time.size and np.isfinite(time).all()):
+        raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
+    for name, kind in JSON_ATTRIBUTES.items():
+        if name in found.attrs and not isinstance(json.loads(found.attrs[name]), kind):
+            raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
+    for key, variable in found.variables.items():
+        str(variable.attrs.get("column", key)).format_map(dict.fromkeys(map(str, variable.dims), ""))
+    return found

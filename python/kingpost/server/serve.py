@@ -1,0 +1,198 @@
+"""The browser app, served from the package: which files, at which address."""
+
+from __future__ import annotations
+
+import errno
+import json
+import re
+import threading
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+from urllib.request import urlopen
+
+from .. import gallery
+from ..engine import engine
+from ..errors import KingpostError
+from ..scenario import load
+from .application import Application
+from .bodies import content_type
+from .listening import LOOPBACK, Server, from_here, reachable
+
+FIRST_PORT = 8000
+PORTS_TRIED = 100
+
+
+def command(scenario: str | None, port: int | None, host: str | None, check: bool) -> int:
+    """Serve the app until Ctrl-C; with `check`, fetch it once over HTTP and end."""
+    host = host or None
+    files, chosen = scenarios(scenario)
+    server = open_server(app_folder(), files, host or LOOPBACK, port, databases(scenario), chosen)
+    query = f"?scenario={quote(chosen)}" if chosen else ""
+    address = f"http://{reachable(host)}:{server.server_port}/{query}"
+    with server:
+        if check:
+            return _check(server, query, chosen)
+        try:
+            print(f"Kingpost is at {address}", flush=True)
+            if host:
+                print(qr_code(address))
+            print("Ctrl-C ends it.", flush=True)
+            server.serve_forever()
+        except KeyboardInterrupt:
+            print()
+    return 0
+
+
+def app_folder() -> Path:
+    """Folder of the built app: the package's own, or the repository's in a development install."""
+    package = Path(__file__).parents[1]
+    for folder in (package / "app", package.parents[1] / "web" / "dist"):
+        if (folder / "index.html").is_file():
+            return folder
+    raise KingpostError("the browser app is not built; run: make web")
+
+
+def scenarios(given: str | None) -> tuple[dict[str, str], str | None]:
+    """Texts of the scenarios to serve by file name, and the name of the one to open.
+
+    The given one is validated first; when it is no gallery file it joins the gallery.
+    """
+    files = {entry.path.name: gallery.read_text(entry.path) for entry in gallery.entries()}
+    if given is None:
+        return files, None
+    scenario = load(given)
+    # In an address some characters of a file name would mean something else.
+    name = re.sub(r"[^\w.-]", "-", Path(scenario.file).name)
+    files[name] = scenario.text
+    return files, Path(name).stem
+
+
+def databases(given: str | None) -> dict[str, str]:
+    """Texts of parts, hydrodynamic databases and tables of RAOs, by their paths below the scenarios' folder.
+
+    Those of the gallery, and what the given scenario names; one name stands for one file.
+    """
+    below = gallery.folder()
+    named = ("parts/*.yaml", "hydro/*.json", "hydro/*.csv")
+    paths = [path for pattern in named for path in sorted(below.glob(pattern))]
+    texts = {path.relative_to(below).as_posix(): gallery.read_text(path) for path in paths}
+    if given is None:
+        return texts
+    own = {name: text for name, text in load(given).files.items() if not name.startswith(gallery.GALLERY)}
+    for name in own.keys() & texts.keys():
+        if own[name] != texts[name]:
+            raise KingpostError(
+                f"{given}: {name}: found another file than the gallery's, allowed: another name"
+            )
+    return texts | own
+
+
+def index(
+    files: dict[str, str], databases: dict[str, str], chosen: str | None = None
+) -> list[dict[str, str | bool]]:
+    """What `scenarios/index.json` says of each scenario: name, title, file, description, the group of the
+    gallery that it is in, and whether the bare address opens it; in the order of the groups."""
+    groups = gallery.groups()
+    order = {name: place for place, name in enumerate(groups)}
+    ordered = sorted(files.items(), key=lambda item: (order.get(Path(item[0]).stem, len(order)), item[0]))
+    known = databases | {f"{gallery.GALLERY}{name}": text for name, text in databases.items()}
+    read = ((file, json.loads(engine.read(text, file, "[]", known))) for file, text in ordered)
+    return [_listed(file, resolved, groups, chosen) for file, resolved in read]
+
+
+def _listed(
+    file: str, resolved: dict[str, Any], groups: dict[str, str], chosen: str | None
+) -> dict[str, str | bool]:
+    name = Path(file).stem
+    entry = {"name": name, "title": resolved.get("title") or name, "file": file}
+    entry["description"] = resolved.get("description") or ""
+    in_group = {"group": groups[name]} if name in groups else {}
+    return entry | in_group | ({"opens": True} if name == chosen else {})
+
+
+def open_server(
+    folder: Path,
+    files: dict[str, str],
+    host: str,
+    port: int | None,
+    databases: dict[str, str] | None = None,
+    chosen: str | None = None,
+) -> Server:
+    """Listen on `port`; without one on the first free port from 8000.
+
+    Serves the folder, and under `scenarios/` the scenarios and the databases that they name; the page opens
+    the chosen scenario.
+
+    Raises
+    ------
+    KingpostError
+        When the port is busy or not allowed, or the host is not this machine's.
+    """
+    databases = databases or {}
+    pages = {f"/scenarios/{file}": text.encode() for file, text in (files | databases).items()}
+    pages["/offline.js"] = _leaving(folder)
+    pages["/scenarios/index.json"] = json.dumps(index(files, databases, chosen)).encode()
+    ports = range(FIRST_PORT, FIRST_PORT + PORTS_TRIED) if port is None else [port]
+    for candidate in ports:
+        try:
+            return Server((host, candidate), Application(folder, pages, host))
+        except OverflowError:
+            raise KingpostError(f"--port: found {port}, allowed: 0 to 65535") from None
+        except OSError as error:
+            if error.errno != errno.EADDRINUSE:
+                raise KingpostError(f"cannot listen on {host}:{candidate}: {error.strerror}") from None
+    if port is None:
+        raise KingpostError(f"no free port from {ports[0]} to {ports[-1]}; give one with --port")
+    raise KingpostError(f"port {port} is busy; choose another, or --port 0 for any free one")
+
+
+def _leaving(folder: Path) -> bytes:
+    """In the place of the app's service worker one that takes away what a browser has kept of the app.
+
+    What is served here can be another with every start.
+    """
+    script = folder / "offline-leave.js"
+    return script.read_bytes() if script.is_file() else b""
+
+
+def qr_code(address: str) -> str:
+    """A QR code of the address, for a terminal."""
+    import io
+
+    import segno
+
+    drawn = io.StringIO()
+    segno.make(address, micro=False).terminal(drawn, compact=True)
+    return drawn.getvalue()
+
+
+def _check(server: Server, query: str, chosen: str | None) -> int:
+    """Fetch the page, the engine and the scenarios over HTTP and print what came."""
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    try:
+        for path, kind in _expected(server, chosen):
+            address = f"http://{from_here(server.host)}:{server.server_port}/{path}"
+            with urlopen(address + (query if not path else ""), timeout=30) as answer:
+                size, found = len(answer.read()), answer.headers.get_content_type()
+            if found != kind or not size:
+                raise KingpostError(f"{address}: found {found} of {size} bytes, allowed: {kind}")
+            print(f"{address}: {found}, {size} bytes")
+    except OSError as error:
+        raise KingpostError(f"the app does not answer: {error}") from None
+    finally:
+        server.shutdown()
+        thread.join()
+    return 0
+
+
+def _expected(server: Server, chosen: str | None) -> list[tuple[str, str]]:
+    """Paths to fetch and the type of each: the page, the engine, the scenarios."""
+    folder, pages = server.application.folder, server.application.pages
+    engines = sorted(folder.rglob("*.wasm"))
+    if not engines:
+        raise KingpostError(f"{folder}: the built app has no engine (.wasm); run: make web")
+    paths = ["scenarios/index.json", *(path.relative_to(folder).as_posix() for path in engines)]
+    paths += [page.lstrip("/") for page in pages if chosen and Path(page).stem == chosen]
+    return [("", "text/html"), *((path, content_type(path).split(";")[0]) for path in paths)]

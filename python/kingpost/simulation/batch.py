@@ -1,0 +1,181 @@
+"""Many runs at once: variants of one scenario over SIMD lanes and threads."""
+
+from __future__ import annotations
+
+import json
+import logging
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import results
+from ..engine import engine
+from ..errors import KingpostError
+from ..scenario import Overrides, Scenario, as_scenario
+from .outcomes import in_words, with_partings
+from .simulate import Progress, Simulation
+from .telling import tell
+
+if TYPE_CHECKING:
+    import xarray
+
+LOG = logging.getLogger(__name__)
+FINISHED = "finished"
+SEED = "simulation.seed"
+
+MOST_MEMORY_GB = 2.0
+"""What the rows of all runs may take; their data set takes as much again while it is put together."""
+LARGEST_MEMORY_GB = 1e6
+"""No machine has so much; above it lies nothing but infinity."""
+
+
+class Batch:
+    """Variants of one scenario, run together.
+
+    Four variants of one structure go side by side in SIMD lanes, groups of them over threads; each
+    run has the bits that it has alone. A run that diverges is marked, the others go on.
+
+    Parameters
+    ----------
+    scenario
+        What all variants start from.
+    parameters
+        By parameter name, or dotted path of a field, one value a run. All lists have one length.
+
+    >>> batch = Batch("paper", {"crane_x_m": [-10, 0, 10]}, {"simulation.duration_s": 0.1})
+    >>> len(batch)
+    3
+    >>> found = batch.run()
+    >>> found.angular_velocity.dims
+    ('run', 'time', 'body', 'axis')
+    >>> found.status.values.tolist()
+    ['finished', 'finished', 'finished']
+    """
+
+    def __init__(
+        self,
+        scenario: Scenario | str | Path,
+        parameters: Mapping[str, Sequence[Any]],
+        overrides: Overrides | None = None,
+    ) -> None:
+        self.scenario = as_scenario(scenario, overrides, {})
+        self.parameters = {str(name): np.asarray(values).tolist() for name, values in parameters.items()}
+        lengths = {name: len(values) for name, values in self.parameters.items()}
+        if len(set(lengths.values())) != 1:
+            found = ", ".join(f"{length} of {name}" for name, length in lengths.items()) or "no parameters"
+            raise KingpostError(f"parameters: found {found}, allowed: lists of one length")
+
+    def __len__(self) -> int:
+        return len(next(iter(self.parameters.values())))
+
+    def run(
+        self, threads: int = 0, progress: Progress | None = None, memory_gb: float = MOST_MEMORY_GB
+    ) -> xarray.Dataset:
+        """Run every variant from start to end.
+
+        Parameters
+        ----------
+        threads
+            How many to take; 0 takes as many as the machine has.
+        progress
+            Called now and then with the number of runs that are done.
+        memory_gb
+            What the rows of all runs may take; their data set takes as much again while it is put
+            together.
+
+        Returns
+        -------
+        xarray.Dataset
+            The variables of `kingpost.run` with a first dimension ``run``; along it the values of
+            the parameters and ``status``, which is ``finished`` or why the run ended. A run that
+            ended early has NaN from there on. The attributes ``warnings`` and
+            ``limits`` are a list for each run, as JSON. What is known before, ``model_warnings``, is that
+            of the first run. Each warning, of many runs once, is a `KingpostWarning` too.
+
+        Raises
+        ------
+        ScenarioError
+            When a variant is wrong; nothing ran.
+        KingpostError
+            When the variants differ in their bodies, or in the times at which rows are recorded;
+            when they would record more than `memory_gb`.
+        KeyboardInterrupt
+            On Ctrl-C, within a second; nothing is kept.
+
+        >>> found = Batch("paper", {"crane_x_m": [0, 5]}, {"simulation.duration_s": 0.1}).run()
+        >>> found.sizes["run"]
+        2
+        """
+        if threads < 0:
+            raise KingpostError(f"threads: found {threads}, allowed: 0 or more")
+        if not 0 < memory_gb < LARGEST_MEMORY_GB:
+            raise KingpostError(
+                f"memory_gb: found {memory_gb}, allowed: more than 0, and less than {LARGEST_MEMORY_GB:g}"
+            )
+        variants = [self.scenario.overrides + variant for variant in self._variants()]
+        known = self._known()
+        rows, errors, published = engine.batch(
+            self.scenario.text,
+            self.scenario.file,
+            self.scenario.files,
+            json.dumps(variants),
+            threads,
+            int(1e9 * memory_gb),
+            progress,
+        )
+        status = [FINISHED if error is None else str(error) for error in errors]
+        summed_up = f"{status.count(FINISHED)} of {len(status)} runs finished"
+        channels, warnings, limits = json.loads(published)
+        LOG.info("%s: %s", self.scenario.title, summed_up)
+        found = results.dataset(self.scenario, channels, _stacked(rows), summed_up)
+        found.attrs["warnings"] = json.dumps(warnings)
+        found.attrs["limits"] = json.dumps(limits)
+        found.attrs["model_warnings"] = json.dumps(known)
+        tell([*known, *self._came_of(limits, warnings)])
+        along = {name: ("run", np.array(values)) for name, values in self.parameters.items()}
+        about = {"run": np.arange(len(status)), "status": ("run", np.array(status, str))}
+        return found.assign_coords({**about, **along})
+
+    def _known(self) -> list[str]:
+        """What one should know before the first run."""
+        for variant in self._variants()[:1]:
+            try:
+                return Simulation(self.scenario.with_overrides(dict(variant))).model_warnings
+            except KingpostError:
+                # The engine says better which variant is wrong.
+                break
+        return []
+
+    def _came_of(self, limits: list[list[dict[str, Any]]], warnings: list[list[dict[str, Any]]]) -> list[str]:
+        """What the engine warned of, of runs that differ in their seeds alone by their seeds."""
+        seeds = self.parameters.get(SEED) if len(self.parameters) == 1 else None
+        counted_by = "run" if seeds is None else "seed"
+        runs = zip(seeds or range(len(warnings)), limits, warnings, strict=True)
+        of_parting, others = in_words([with_partings(*run, counted_by=counted_by) for run in runs])
+        return [*of_parting, *others]
+
+    def _variants(self) -> list[tuple[tuple[str, Any], ...]]:
+        by_run = zip(*self.parameters.values(), strict=True)
+        return [tuple(zip(self.parameters, values, strict=True)) for values in by_run]
+
+
+def _stacked(rows: list[np.ndarray]) -> np.ndarray:
+    """Runs over one axis of time; those that ended early are filled up with NaN."""
+    if not rows:
+        return np.empty((0, 0, 0))
+    longest = max(rows, key=len)
+    stacked = np.full((len(rows), *longest.shape), np.nan)
+    for run, of_run in enumerate(rows):
+        stacked[run, : len(of_run)] = of_run
+        # The row at which a run diverged stands at the last good time, beside the grid.
+        on_grid = of_run[:, 0] == longest[: len(of_run), 0]
+        if not on_grid[:-1].all():
+            raise KingpostError(
+                f"run {run}: found rows at other times than in the longest run, "
+                "allowed: the same simulation.record_every_s and simulation.step_s in all"
+            )
+        if not on_grid.all():
+            stacked[run, len(of_run) - 1] = np.nan
+    return stacked

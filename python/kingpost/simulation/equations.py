@@ -1,0 +1,204 @@
+"""A simulation where it stands: matrices, accelerations, linearisation, rest, waves, hydrostatics."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .linear import Equilibrium, Linearization, labelled
+from .matrices import MovingFrame
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    from ..engine import engine
+
+
+class Equations:
+    """What `kingpost.Simulation` computes where it stands, without a step."""
+
+    _engine: engine.Simulation
+
+    def acceleration(self, tau: ArrayLike | None = None) -> NDArray[np.float64]:
+        """Accelerations of the free coordinates now (m/s2 or rad/s2).
+
+        `tau` adds a generalized force per free coordinate (N or N m) to the loads that act.
+
+        Parameters
+        ----------
+        tau
+            A generalized force for each free coordinate, shape (coordinates,), N or N m.
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (coordinates,), m/s2 or rad/s2.
+
+        Raises
+        ------
+        KingpostError
+            When `tau` has another length.
+
+        >>> from kingpost import Simulation, load
+        >>> Simulation(load("paper")).acceleration().shape
+        (5,)
+        """
+        return self._engine.acceleration(None if tau is None else vector(tau))
+
+    def mass_matrix(self) -> NDArray[np.float64]:
+        """Reduced mass matrix M* = B^T M B of the free coordinates (kg, kg m, kg m2).
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (coordinates, coordinates), symmetric.
+
+        >>> from kingpost import Simulation, load
+        >>> Simulation(load("paper")).mass_matrix().shape
+        (5, 5)
+        """
+        return self._engine.mass_matrix()
+
+    def constraint_matrix(self) -> NDArray[np.float64]:
+        """J of the closed loops over the free coordinates: J v = 0. Shape (constraints, coordinates).
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (constraints, coordinates).
+
+        >>> from kingpost import Simulation, load
+        >>> Simulation(load("paper")).constraint_matrix().shape
+        (0, 5)
+        """
+        return self._engine.constraint_matrix()
+
+    def bias_force(self) -> NDArray[np.float64]:
+        """Bias force N* v of the free coordinates (N or N m).
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (coordinates,).
+
+        >>> from kingpost import Simulation, load
+        >>> Simulation(load("paper")).bias_force().shape
+        (5,)
+        """
+        return self._engine.bias_force()
+
+    def moving_frame(self) -> MovingFrame:
+        """The matrices of the moving frame method now, by name.
+
+        Frame connection matrices ``E_ship`` and ``E_tower/ship``, their rates ``Omega_..``,
+        rotations ``R_..``, then ``B``, ``B_dot``, ``X_dot``, ``M``, ``D``, ``F``, ``q_dot``,
+        ``M_star``, ``N_star`` and ``F_star``, and where there are any ``q_ddot_given`` of prescribed
+        motions and ``J`` of closed loops, with labels and units by row and column; their LaTeX,
+        their formulas and their CSV files (`MovingFrame`).
+
+        Returns
+        -------
+        MovingFrame
+            The matrices by name.
+
+        >>> from kingpost import Simulation, load
+        >>> matrices = Simulation(load("paper")).moving_frame()
+        >>> matrices["M_star"].sel(row="slew", column="slew")["unit"].item()
+        'kg m^2'
+        """
+        return MovingFrame(self._engine.moving_frame(), self._engine.symbols_json)
+
+    def linearize(self) -> Linearization:
+        """A and B of the linearised system here, exact to rounding.
+
+        Returns
+        -------
+        Linearization
+            A, B and the rates, with names and units.
+
+        >>> from kingpost import Simulation, load
+        >>> linear = Simulation(load("paper")).linearize()
+        >>> linear.states[:2], linear.inputs
+        (['ship.roll', 'ship.pitch'], [])
+        """
+        return labelled(*self._engine.linearize())
+
+    def settle(self) -> Equilibrium:
+        """Move to an equilibrium near here, all rates zero, and begin the ledger anew there.
+
+        Returns
+        -------
+        Equilibrium
+            How it was found.
+
+        Raises
+        ------
+        KingpostError
+            When there is none; the state stays as it was.
+
+        >>> from kingpost import Simulation, load
+        >>> simulation = Simulation(load("chain"))
+        >>> simulation.settle().residual < 1e-6
+        True
+        """
+        return Equilibrium(*self._engine.settle())
+
+    def wave_response(self, directions_rad: ArrayLike, frequencies_rad_s: ArrayLike) -> dict[str, Any]:
+        """What `kingpost.rao` labels: complex amplitudes of all motions by direction and frequency, with
+        the crane as it stands now; no frequencies ask for those of the hull's database, refined.
+
+        Parameters
+        ----------
+        directions_rad
+            That the waves go to, rad.
+        frequencies_rad_s
+            Angular frequencies; none ask for those of the database.
+
+        Returns
+        -------
+        dict
+            ``real`` and ``imaginary`` parts of all motions, flat, with the names of what moves.
+
+        Raises
+        ------
+        KingpostError
+            When nothing comes to rest, or a database does not cover a frequency.
+
+        >>> from kingpost import Simulation, load
+        >>> found = Simulation(load("barge")).wave_response([0.0], [1.0])
+        >>> found["places"]
+        ['ship', 'tower', 'arm', 'load', 'tower.top', 'arm.tip']
+        """
+        waves = {
+            "directions_rad": np.asarray(directions_rad, float).tolist(),
+            "frequencies_rad_s": np.asarray(frequencies_rad_s, float).tolist(),
+        }
+        return json.loads(self._engine.wave_response_json(json.dumps(waves)))
+
+    def hydrostatics(self) -> dict[str, Any]:
+        """As the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed
+        coordinates stay, the rest comes to rest in still water. The simulation itself does not move.
+
+        Returns
+        -------
+        dict
+            As `Scenario.hydrostatics`.
+
+        Raises
+        ------
+        KingpostError
+            When a hull is heavier than what it displaces wholly under water.
+
+        >>> from kingpost import Simulation, load
+        >>> simulation = Simulation(load("barge"))
+        >>> simulation.hydrostatics()["hulls"][0]["body"]
+        'ship'
+        """
+        return json.loads(self._engine.hydrostatics_json())
+
+
+def vector(values: ArrayLike) -> NDArray[np.float64]:
+    """Numbers as the engine takes them."""
+    return np.ascontiguousarray(values, dtype=np.float64).ravel()

@@ -1,0 +1,180 @@
+"""What is seen of a simulation: what happened, what is recorded, where everything is."""
+
+from __future__ import annotations
+
+import json
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..errors import KingpostError
+from . import step_limit
+from .records import DrawnLine, Event, LeverMove, Limit, Warning
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from ..engine import engine
+    from ..scenario import Scenario
+
+
+class Observed:
+    """What `kingpost.Simulation` shows of itself."""
+
+    scenario: Scenario
+    _engine: engine.Simulation
+
+    @property
+    def events(self) -> list[Event]:
+        """What has happened so far, in order of time; a data set holds it as JSON in ``attrs["events"]``.
+
+        >>> from kingpost import Simulation, load
+        >>> Simulation("paper").events
+        []
+        """
+        return [Event(*event) for event in self._engine.events()]
+
+    @property
+    def model_warnings(self) -> list[str]:
+        """What one should know before a run from here: of the model, and of a step that is too long for its
+        scheme (`kingpost.stable_step`).
+
+        >>> from kingpost import Simulation, load
+        >>> Simulation(load("paper", {"simulation.step_s": 0.001})).model_warnings
+        []
+        """
+        settings, known = self.scenario.resolved["simulation"], list(self.scenario.model["warnings"])
+        try:
+            too_long = step_limit.warning(settings, lambda: self._engine.linearize()[0])
+        except KingpostError:
+            # What cannot be linearised where it begins, the run itself says better.
+            return known
+        return known if too_long is None else [*known, too_long]
+
+    @property
+    def warnings(self) -> list[Warning]:
+        """What one should know of the rows so far, in order of time; a data set holds it as JSON in
+        ``attrs["warnings"]``.
+
+        >>> from kingpost import Simulation, load
+        >>> Simulation("paper").warnings
+        []
+        """
+        return [Warning(**warning) for warning in json.loads(self._engine.warnings_json())]
+
+    @property
+    def limits(self) -> list[Limit]:
+        """How the scenario's limits held in the rows so far; a data set holds it as JSON in
+        ``attrs["limits"]``.
+
+        >>> from kingpost import Simulation, load
+        >>> limits = {"limits": {"roll": {"column": "ship.roll", "within": 10, "unit": "deg"}}}
+        >>> simulation = Simulation(load("paper").with_overrides({**limits, "simulation.duration_s": 1}))
+        >>> _ = simulation.run()
+        >>> simulation.limits[0].held
+        True
+        """
+        return [Limit(**limit) for limit in json.loads(self._engine.limits_json())]
+
+    @property
+    def lever_moves(self) -> list[LeverMove]:
+        """What `set_input` has set so far, in order of time."""
+        return [LeverMove(*move) for move in self._engine.lever_moves()]
+
+    def operation(self) -> dict[str, Any]:
+        """What was set by hand as the ``operation`` of a scenario: a run with it gives the same bits.
+
+        It has what `set_input` has set in this simulation since its start or its last `reset`; what came
+        before a `restore` of another's snapshot is not in it, and no parameter that was set under way.
+
+        Returns
+        -------
+        dict
+            The section ``operation`` of a scenario.
+
+        Raises
+        ------
+        KingpostError
+            When the scenario has an operation that is enabled: the two would be one beside the other.
+
+        >>> from kingpost import Simulation, load
+        >>> by_hand = Simulation("lowering_by_winch")
+        >>> by_hand.step(20)
+        >>> by_hand.set_input("hoist", -10.0)
+        >>> by_hand.step(20)
+        >>> replayed = Simulation(by_hand.scenario.with_overrides({"operation": by_hand.operation()}))
+        >>> replayed.step(40)
+        >>> bool((replayed.state.q == by_hand.state.q).all())
+        True
+        """
+        return json.loads(self._engine.operation_json())
+
+    @property
+    def coordinates(self) -> list[str]:
+        """Names of the free coordinates, in the order of the mass matrix."""
+        return [name for name, _ in self._engine.coordinates()]
+
+    @property
+    def coordinate_units(self) -> list[str]:
+        """SI unit of each of `coordinates`: m, or rad of what turns.
+
+        >>> from kingpost import Simulation, load
+        >>> Simulation("paper").coordinate_units
+        ['rad', 'rad', 'rad', 'rad', 'rad']
+        """
+        return [unit for _, unit in self._engine.coordinates()]
+
+    @cached_property
+    def channels(self) -> list[dict[str, Any]]:
+        """What is recorded: name, unit, frame, dimensions, labels and place in a row."""
+        return json.loads(self._engine.channels_json())
+
+    def row(self) -> NDArray[np.float64]:
+        """The values of all channels now.
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (values,), in the order of `channels`, SI units.
+
+        >>> from kingpost import Simulation, load
+        >>> simulation = Simulation(load("paper"))
+        >>> simulation.row().shape == (sum(channel["len"] for channel in simulation.channels),)
+        True
+        """
+        return self._engine.row()
+
+    def poses(self) -> NDArray[np.float64]:
+        """Pose of each body: x, y, z (m, world) and quaternion w, x, y, z. Shape (bodies, 7).
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (bodies, 12): position (m, world) and rotation matrix by rows.
+
+        >>> from kingpost import Simulation, load
+        >>> Simulation(load("paper")).poses().shape[0]
+        3
+        """
+        return self._engine.poses()
+
+    def lines(self) -> list[DrawnLine]:
+        """The lines to draw beside the bodies, where they are now.
+
+        Returns
+        -------
+        list of DrawnLine
+            Points in m, world.
+
+        >>> from kingpost import Simulation, load
+        >>> [(line.name, line.style, line.points_m.shape) for line in Simulation(load("chain")).lines()]
+        []
+        """
+        lines = json.loads(self._engine.lines_json())
+        points = self._engine.line_points().reshape(-1, 3)
+        ends = np.cumsum([line["points"] for line in lines], dtype=int)
+        return [
+            DrawnLine(line["name"], line["style"], line["radius_m"], points[end - line["points"] : end])
+            for line, end in zip(lines, ends, strict=True)
+        ]

@@ -1,0 +1,137 @@
+"""One scenario in many seas: runs that differ in their seed, each in a file of its own."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import results
+from ..engine import engine
+from ..errors import KingpostError
+from .batch import FINISHED, SEED, Batch
+from .simulate import Progress
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ..scenario import Scenario
+
+TOGETHER = 16
+"""Runs that are in memory at a time."""
+
+
+def files(pattern: str | Path, count: int) -> list[Path]:
+    """A file for each seed from 1 on: its number in the place of the one ``*`` of the pattern's name.
+
+    >>> [path.name for path in files("run_*.nc", 10)][::9]
+    ['run_01.nc', 'run_10.nc']
+
+    Raises
+    ------
+    KingpostError
+        When there is no such place, or a file cannot be written.
+    """
+    if count < 1:
+        raise KingpostError(f"--seeds: found {count}, allowed: a whole number greater than 0")
+    path = Path(pattern)
+    if path.name.count("*") != 1:
+        raise KingpostError(f"{pattern}: found no single * for the seed, allowed: a name such as run_*.nc")
+    digits = len(str(count))
+    names = (path.name.replace("*", f"{seed:0{digits}d}") for seed in range(1, count + 1))
+    return [results.check_output(path.with_name(name)) for name in names]
+
+
+@dataclass(frozen=True)
+class OfSeed:
+    """A run in a file: its attributes, and whether the file was there already, of the same run."""
+
+    path: Path
+    attributes: dict[str, Any]
+    was_there: bool = False
+
+
+def run(
+    scenario: Scenario,
+    paths: Sequence[Path],
+    progress: Progress | None = None,
+    patterns: Sequence[str] = (),
+    units: str = results.NAMES,
+    anew: bool = False,
+) -> Iterator[OfSeed]:
+    """Run a scenario with a seed from 1 on for each of the `files`, in order.
+
+    Each has the bits that it has alone. A NetCDF file that is there already, finished, of the same
+    scenario, files and engine, as its attribute ``fingerprint`` says, is kept, unless `anew`. `patterns` and
+    `units` are those of `results.write`. `progress` is called with the number of runs that are done.
+    """
+    seeds = {path: seed for seed, path in enumerate(paths, 1)}
+    prints = {path: fingerprint(scenario, seed, patterns) for path, seed in seeds.items()}
+    there = {} if anew else {path: found for path in paths if (found := _finished(path, prints[path]))}
+    new = [path for path in paths if path not in there]
+    done = dict(there)
+    for first in range(0, len(new), TOGETHER):
+        some = new[first : first + TOGETHER]
+        together = Batch(scenario, {SEED: [seeds[path] for path in some]}).run(
+            progress=_from(len(there) + first, progress)
+        )
+        for k, path in enumerate(some):
+            one = _alone(scenario.with_overrides({SEED: seeds[path]}), together, k)
+            one.attrs["fingerprint"] = prints[path]
+            results.write(one, path, patterns, units)
+            done[path] = one.attrs
+    for path in paths:
+        yield OfSeed(path, done[path], path in there)
+
+
+def fingerprint(scenario: Scenario, seed: int, patterns: Sequence[str] = ()) -> str:
+    """SHA-256 of all that decides what is in the file of a run: the resolved scenario with its seed, the
+    files that it names, the engine, and which columns are written."""
+    of_seed = scenario.with_overrides({SEED: seed})
+    parts = [of_seed.json, of_seed.digests, _engine_digest(), list(patterns)]
+    return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
+
+
+@cache
+def _engine_digest() -> str:
+    with open(engine.__file__, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _finished(path: Path, expected: str) -> dict[str, Any] | None:
+    """The attributes of a run that is in a file already; None of another run, and of what cannot be read."""
+    import xarray
+
+    if path.suffix.lower() != ".nc" or not path.is_file():
+        return None
+    try:
+        with xarray.open_dataset(path, engine="h5netcdf") as found:
+            attributes = dict(found.attrs)
+    except Exception:
+        # Whatever it is, a run takes its place.
+        return None
+    matches = attributes.get("fingerprint") == expected and attributes.get("status") == FINISHED
+    return attributes if matches else None
+
+
+def _from(done: int, progress: Progress | None) -> Progress | None:
+    return None if progress is None else lambda more: progress(done + more)
+
+
+def _alone(scenario: Scenario, batch: xarray.Dataset, run: int) -> xarray.Dataset:
+    """A run of a batch as `kingpost.run` has it."""
+    of_batch = batch.isel(run=run)
+    status = of_batch["status"].item()
+    if status != FINISHED:
+        recorded = np.isfinite(of_batch["kinetic_energy"].values)
+        of_batch = of_batch.isel(time=np.arange(recorded.sum()))
+    alone = of_batch.drop_vars(["run", "status", SEED])
+    own = {name: json.dumps(json.loads(batch.attrs[name])[run]) for name in ("warnings", "limits")}
+    own["model_warnings"] = batch.attrs["model_warnings"]
+    return alone.assign_attrs(results.attributes(scenario, status) | own)

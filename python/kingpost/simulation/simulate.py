@@ -1,0 +1,359 @@
+"""Simulations: a thin, labelled face on the engine.
+
+Units are SI, angles in radians. The world's z points up; a ship's x points forward, y to
+port, z up. Roll, pitch and yaw are the intrinsic z-y-x angles about x, y and z.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+from collections.abc import Callable
+from copy import copy
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .. import markup
+from ..errors import KingpostError
+from ..scenario import Overrides, Scenario, as_scenario, load
+from .equations import Equations, vector
+from .observed import Observed
+from .outcomes import every_warning
+from .records import Input, State
+from .telling import tell
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import ArrayLike
+
+Progress = Callable[[float], None]
+LOG = logging.getLogger(__name__)
+
+
+class Simulation(Observed, Equations):
+    """One run of a scenario, stepped by hand.
+
+    >>> simulation = Simulation(load("paper", motor_1=True))
+    >>> simulation.step(500)
+    >>> round(simulation.time_s, 9)
+    0.5
+    >>> simulation.coordinates
+    ['ship.roll', 'ship.pitch', 'ship.yaw', 'slew', 'luff']
+    """
+
+    def __init__(self, scenario: Scenario | str | Path) -> None:
+        # A copy: a scenario that is edited later leaves this simulation alone.
+        self.scenario = copy(scenario) if isinstance(scenario, Scenario) else load(scenario)
+        self.results: xarray.Dataset | None = None
+        self._engine = self.scenario._engine()
+
+    def reset(self, seed: int | None = None) -> None:
+        """Go back to the scenario's start, with another seed if one is given.
+
+        Parameters
+        ----------
+        seed
+            Of the random seas, gusts and noise; the scenario's unless given.
+
+        Raises
+        ------
+        ScenarioError
+            When the seed is no whole number from 0 on.
+
+        >>> simulation = Simulation(load("paper"))
+        >>> simulation.step(5)
+        >>> simulation.reset()
+        >>> simulation.time_s
+        0.0
+        """
+        if seed is None:
+            self._engine.reset()
+            return
+        self.scenario = self.scenario.with_overrides({"simulation.seed": seed})
+        self._engine = self.scenario._engine()
+
+    def step(self, n: int = 1) -> None:
+        """Advance `n` steps of the scenario's step size.
+
+        Parameters
+        ----------
+        n
+            How many steps, each of `step_s`.
+
+        Raises
+        ------
+        RunError
+            When the motion diverges; the state stays at the last good step.
+        KingpostError
+            When `n` is no whole number from 0 on.
+
+        >>> simulation = Simulation(load("paper"))
+        >>> simulation.step(500)
+        >>> round(simulation.time_s, 9)
+        0.5
+        """
+        if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 0:
+            raise KingpostError(f"n: found {n!r}, allowed: a whole number not less than 0")
+        self._engine.step(int(n))
+
+    def run(self, progress: Progress | None = None) -> xarray.Dataset:
+        """Run from here to the scenario's duration and return what was recorded.
+
+        The attributes ``events``, ``warnings`` and ``limits`` say what happened, what one should know of it,
+        and how the scenario's limits held, as JSON; ``model_warnings`` has what was known before. Each
+        warning is a `KingpostWarning` too.
+
+        `progress` is called now and then with the time in seconds.
+
+        Parameters
+        ----------
+        progress
+            Called now and then with the time, s.
+
+        Returns
+        -------
+        xarray.Dataset
+            A row for each record along ``time`` (s), every variable with its ``units`` (`kingpost.results`).
+
+        Raises
+        ------
+        RunError
+            When the motion diverges; `.results` holds what was computed.
+        KeyboardInterrupt
+            On Ctrl-C; `.results` holds what was computed. So it is with whatever `progress` raises.
+
+        >>> results = Simulation(load("paper", {"simulation.duration_s": 0.1})).run()
+        >>> results.sizes["time"]
+        11
+        """
+        from ..results.dataset import dataset
+
+        known = self.model_warnings
+        rows, error = self._engine.run(progress)
+        status = "finished" if error is None else str(error) or "interrupted"
+        LOG.info("%s: %s at %g s, %d rows", self.scenario.title, status, self.time_s, len(rows))
+        results = dataset(self.scenario, self.channels, rows, status)
+        results.attrs["events"] = json.dumps([asdict(event) for event in self.events])
+        results.attrs["warnings"] = json.dumps([asdict(warning) for warning in self.warnings])
+        results.attrs["limits"] = json.dumps([asdict(limit) for limit in self.limits])
+        results.attrs["model_warnings"] = json.dumps(known)
+        self.results = results
+        tell(every_warning(results.attrs))
+        if error is not None:
+            error.results = results
+            raise error
+        return results
+
+    def time_history(self, name: str, period_s: tuple[float, float] | None = None) -> xarray.DataArray:
+        """A column of what `run` recorded last, over a period.
+
+        Parameters
+        ----------
+        name
+            Of the column, as ``arm.tip.point_position.z``.
+        period_s
+            From and to, s, both included; the whole run without.
+
+        Returns
+        -------
+        xarray.DataArray
+            Along ``time`` (s), with its ``units``.
+
+        Raises
+        ------
+        KingpostError
+            When nothing was run, there is no such column, or no record in the period.
+
+        >>> simulation = Simulation(load("paper", {"simulation.duration_s": 0.5}))
+        >>> _ = simulation.run()
+        >>> simulation.time_history("ship.roll", (0.2, 0.3)).sizes["time"]
+        11
+        """
+        from ..results.columns import column
+
+        if self.results is None:
+            raise KingpostError("time_history: found no run, allowed: after Simulation.run()")
+        return column(self.results, name, period_s)
+
+    def _repr_html_(self) -> str:
+        heading = (
+            f"{self.scenario.title}, at {self.time_s:g} s of {self.scenario['simulation.duration_s']:g} s"
+        )
+        free = zip(self.coordinates, self.coordinate_units, strict=True)
+        inputs = [(one.name, one.value, one.unit, one.lower, one.upper) for one in self.inputs.values()]
+        return "".join([
+            markup.table(heading, free, ("free coordinate", "unit")),
+            markup.table("Inputs", inputs, ("name", "value", "unit", "from", "to")) if inputs else "",
+        ])  # fmt: skip
+
+    @property
+    def time_s(self) -> float:
+        """Time, s."""
+        return self._engine.time_s()
+
+    @property
+    def step_s(self) -> float:
+        """Step size, s."""
+        return self._engine.step_s()
+
+    @property
+    def evaluations(self) -> int:
+        """Evaluations of the right-hand side by the integrator so far: what its steps cost."""
+        return self._engine.evaluations()
+
+    @property
+    def state(self) -> State:
+        """A copy of the motion now."""
+        return State(self._engine.time_s(), *self._engine.motion())
+
+    def set_state(self, q: ArrayLike, v: ArrayLike, s: ArrayLike | None = None) -> None:
+        """Replace the motion; arrays as in `State`, with unit quaternions.
+
+        Without `s` the energy and momentum ledger begins anew here.
+
+        Parameters
+        ----------
+        q
+            Positions, as `State.q`.
+        v
+            Velocities, as `State.v`.
+        s
+            Further states, as `State.s`; they stay unless given.
+
+        Raises
+        ------
+        KingpostError
+            When a length is wrong or a value is not finite.
+
+        >>> simulation = Simulation(load("paper"))
+        >>> state = simulation.state
+        >>> simulation.step(5)
+        >>> simulation.set_state(state.q, state.v, state.s)
+        >>> bool((simulation.state.q == state.q).all())
+        True
+        """
+        self._engine.set_state(vector(q), vector(v), None if s is None else vector(s))
+
+    def snapshot(self) -> bytes:
+        """The complete state. A run resumed from it gives the same bits.
+
+        Returns
+        -------
+        bytes
+            Of this scenario alone.
+
+        >>> simulation = Simulation(load("paper"))
+        >>> start = simulation.snapshot()
+        >>> simulation.step(5)
+        >>> simulation.restore(start)
+        >>> simulation.time_s
+        0.0
+        """
+        return self._engine.snapshot()
+
+    def restore(self, snapshot: bytes) -> None:
+        """Go back to a `snapshot` of the same scenario.
+
+        Parameters
+        ----------
+        snapshot
+            What `snapshot` gave.
+
+        Raises
+        ------
+        KingpostError
+            When it is of another scenario, or no snapshot.
+
+        >>> simulation = Simulation(load("paper"))
+        >>> simulation.restore(simulation.snapshot())
+        """
+        self._engine.restore(snapshot)
+
+    @property
+    def inputs(self) -> dict[str, Input]:
+        """The inputs by name, with unit, limits and present value."""
+        return {row[0]: Input(*row) for row in self._engine.inputs()}
+
+    def set_input(self, name: str, value: float) -> None:
+        """Set an input; it holds until it is set again.
+
+        Parameters
+        ----------
+        name
+            Of the input, one of `inputs`.
+        value
+            In the input's unit, between its bounds.
+
+        Raises
+        ------
+        KingpostError
+            When there is no such input, or the value is beyond its bounds.
+
+        >>> simulation = Simulation(load("lowering_by_winch"))
+        >>> simulation.set_input("hoist", 0.1)
+        >>> simulation.inputs["hoist"].value
+        0.1
+        """
+        self._engine.set_input(name, value)
+
+    def set_parameter(self, name: str, value: bool | float | str) -> None:
+        """Set a parameter that is `live` in the scenario while the run goes on, from the next step on.
+
+        Time, motion and inputs stay; what the change does to energy is booked in the ledger. `reset` leads to
+        the start of the scenario with the new value.
+
+        Parameters
+        ----------
+        name
+            Of a parameter that can change during a run.
+        value
+            In the parameter's unit.
+
+        Raises
+        ------
+        KingpostError
+            When there is no such live parameter, when it may not have the value, and when the value changes
+            what the run is made of; the error names the parameter.
+
+        >>> simulation = Simulation(load("barge"))
+        >>> simulation.set_parameter("significant_height_m", 2.0)
+        """
+        scenario = self.scenario.with_overrides({name: value})
+        self._engine.set_parameter(name, json.dumps(scenario.overrides[-1][1]))
+        self.scenario = scenario
+
+
+def run(
+    scenario_or_path: Scenario | str | Path, overrides: Overrides | None = None, **parameters: Any
+) -> xarray.Dataset:
+    """Run a scenario from start to end.
+
+    Parameters
+    ----------
+    scenario_or_path
+        A scenario, a file or a name of the gallery.
+    overrides
+        Values by parameter name or by dotted field path.
+    parameters
+        Values by parameter name.
+
+    Returns
+    -------
+    xarray.Dataset
+        A row for each record along ``time`` (s), every variable with its ``units`` (`kingpost.results`).
+
+    Raises
+    ------
+    ScenarioError
+        When the scenario or an override is wrong.
+    RunError
+        When the motion diverges; `.results` holds what was computed.
+
+    >>> results = run("paper", {"simulation.duration_s": 0.5}, crane_x_m=0, crane_y_m=0)
+    >>> round(float(results.angular_velocity.sel(body="ship", axis="y")[-1]), 5)
+    0.19709
+    """
+    return Simulation(as_scenario(scenario_or_path, overrides, parameters)).run()

@@ -1,0 +1,70 @@
+"""The longest step at which an explicit scheme is stable, by eigenvalues."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+GROWTH: dict[str, Callable[[NDArray[np.complex128]], NDArray[np.complex128]]] = {
+    "forward_euler": lambda z: 1 + z,
+    "midpoint_euler": lambda z: 1 + z,
+    "rk4": lambda z: 1 + z * (1 + z / 2 * (1 + z / 3 * (1 + z / 4))),
+}
+"""What a step h makes of a motion exp(lambda t), z = h lambda (Hairer & Wanner, *Solving Ordinary
+Differential Equations II*, 1996, sec. IV.2)."""
+DAMPED = 0.02
+"""Motions with a smaller ratio of damping are not judged: Euler's method makes them grow at any step."""
+LONGEST_S, HALVINGS = 1e3, 60
+
+
+def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None:
+    """The longest stable step, s, of a scheme on x' = A x; None where it has no such limit.
+
+    >>> print(f"{longest_step_s('rk4', np.diag([-1.0])):.5f}")
+    2.78529
+    """
+    growth = GROWTH.get(integrator)
+    if growth is None:
+        return None
+    values = np.linalg.eigvals(matrix)
+    values = values[-values.real > DAMPED * np.abs(values)]
+    # Motions that take an hour have no part in it, nor has what rounding leaves of none.
+    values = values[np.abs(values) > 1 / LONGEST_S]
+    if not values.size:
+        return None
+    return float(min(_limit(growth, value) for value in values))
+
+
+def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]]) -> str | None:
+    """What to say of a step that is too long, by the settings of a simulation; None where it is not.
+
+    `matrix` computes A, which is done for schemes with a limit alone.
+    """
+    if settings["integrator"] not in GROWTH:
+        return None
+    limit = longest_step_s(settings["integrator"], matrix())
+    if limit is None or settings["step_s"] <= limit:
+        return None
+    return (
+        f"the step of {settings['step_s']:g} s is too long for {settings['integrator']}: its quickest motion "
+        f"grows by steps beyond {limit:.2g} s, where the run begins; take shorter ones, dormand_prince, "
+        "which chooses them, or an implicit scheme (docs/schemes.md)"
+    )
+
+
+def _limit(growth: Callable[[NDArray[np.complex128]], NDArray[np.complex128]], value: complex) -> float:
+    """The step at which a damped motion begins to grow, by scanning outward and halving."""
+    steps = np.geomspace(1e-3, 1e2, 2000) / abs(value)
+    grows = np.flatnonzero(np.abs(growth((steps * value).astype(complex))) > 1)
+    if not grows.size or grows[0] == 0:
+        return float(steps[-1] if not grows.size else steps[0])
+    low, high = steps[grows[0] - 1], steps[grows[0]]
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if abs(growth(np.array(middle * value))) > 1 else (middle, high)
+    return float(low)

@@ -1,0 +1,28 @@
+"""Warnings of a run, as Python has them."""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Iterable
+from pathlib import Path
+
+from ..errors import KingpostWarning
+
+PACKAGE = str(Path(__file__).parents[1])
+
+
+def tell(words: Iterable[str]) -> None:
+    """Warn of each, in the name of the line that called into the package.
+
+    >>> with warnings.catch_warnings(record=True) as told:
+    ...     warnings.simplefilter("always")
+    ...     tell(["ship: it heeled to 21.00 deg, at 4 s"])
+    >>> told[0].category.__name__, str(told[0].message)
+    ('KingpostWarning', 'ship: it heeled to 21.00 deg, at 4 s')
+    """
+    frame, level = sys._getframe(), 1
+    while frame.f_back is not None and frame.f_code.co_filename.startswith(PACKAGE):
+        frame, level = frame.f_back, level + 1
+    for one in words:
+        warnings.warn(one, KingpostWarning, stacklevel=level)
