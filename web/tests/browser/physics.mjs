@@ -156,7 +156,7 @@ export default {
     await openFile(page, "pendulum.yaml", PENDULUM.replace("[4, 52]", "[-1, 23]").replace("bodies.bob.joint.revolute.child_position_m.2", "bodies.bob.mass_kg"));
     await page.waitForFunction(() => document.title.includes("pendulum"));
     await compute(page);
-    assert.match(await page.getByTestId("skipped").textContent(), /^2 values were left out: .*mass_kg: found -1, allowed/);
+    assert.match(await page.getByTestId("skipped").textContent(), /^2 values were left out: -1 m: .*mass_kg: found -1, allowed/);
     await page.getByTestId("compute-periods").click();
     await page.getByTestId("compute-periods").click();
     assert.equal(await page.getByTestId("compute-periods").textContent(), "Compute the periods");
