@@ -34,7 +34,7 @@ UV := $(shell uv --version >/dev/null 2>&1 && echo uv || echo $(DONE)/uv/bin/uv)
 UV_FILE := $(filter-out uv,$(UV))
 PYTHON_SIDE := pyproject.toml uv.lock $(ENGINE) $(call sources,crates/kingpost-py) $(UV_FILE)
 
-.PHONY: help demo compile test bench wasm web wheel develop schema notices lint format clean
+.PHONY: help demo compile test bench wasm web wheel develop docs schema notices lint format clean
 .PHONY: test-rust test-web test-browser test-python need-rust need-node need-python need-lint
 
 help: ## list what there is
@@ -77,6 +77,10 @@ wheel: $(APP) $(UV_FILE) | need-python need-rust ## a Python wheel with the app 
 
 develop: $(DONE)/develop ## .venv with the package as it stands here, and what its tests need
 
+docs: $(DONE)/docs ## the documentation site, in target/site
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
+	@echo target/site/index.html
+
 schema: $(NODE_MODULES) | need-rust ## the scenario's JSON schema and TypeScript types, from the Rust types
 	cargo run --quiet --locked --package kingpost --features schema --example write_schema
 	cd web && npm run --silent types
@@ -110,6 +114,11 @@ $(DONE)/run: $(PYTHON_SIDE) | need-python need-rust
 # What the tests need besides.
 $(DONE)/develop: $(DONE)/run
 	RUSTFLAGS="$(THIS_PROCESSOR)" $(UV) sync --locked
+	@touch $@
+
+# What the site needs besides: it asks the command line what it says of itself.
+$(DONE)/docs: $(DONE)/run
+	RUSTFLAGS="$(THIS_PROCESSOR)" $(UV) sync --locked --inexact --no-default-groups --group docs
 	@touch $@
 
 $(NODE_MODULES): web/package.json web/package-lock.json | need-node

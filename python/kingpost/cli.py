@@ -70,7 +70,7 @@ class Parser(argparse.ArgumentParser):
         if unknown != message and any(
             Path(name).suffix in (".nc", ".csv", ".parquet") for name in unknown.split()
         ):
-            message += "; a shell puts the files that are there in the place of *: write 'run_*.nc' in quotes"
+            message += "; a shell replaces * by the files that are there: write 'run_*.nc' in quotes"
         self.exit(WRONG_INPUT, f"error: {message} (see {self.prog} --help)\n")
 
 

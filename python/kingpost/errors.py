@@ -84,7 +84,7 @@ class RunError(KingpostError):
         Time of the step that failed, s.
     body
         The body whose motion left its limits, or the closed loop that could not be kept closed;
-        `None` where the integrator failed, an operation's step did not end, or a result is no number.
+        `None` where the integrator failed, an operation's step did not end, or a result is NaN.
     coordinate, value, limit
         Its coordinate, the rate of that and `simulation.rate_limit`, m/s or rad/s. Of a loop: the
         constraint, what it is off by (m or rad) or its pivot, and what is allowed. Else `None`.

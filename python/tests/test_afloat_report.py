@@ -68,11 +68,11 @@ def test_a_load_that_capsizes_the_ship_is_warned_of(tmp_path, capsys) -> None:
     assert main(["run", "offshore_vessel", *settings, "-o", file]) == 0
     shown = capsys.readouterr().out
     assert "warning: hull: it heeled to " in shown
-    assert "in the place of an older file" not in shown
+    assert "replaces an older file" not in shown
     assert main(["run", "offshore_vessel", "--set=simulation.duration_s=1", "-o", file]) == 0
     shown = capsys.readouterr().out
     assert "warning" not in shown
-    assert f"written         {file}, in the place of an older file" in shown
+    assert f"written         {file}, replaces an older file" in shown
 
 
 def test_a_run_on_land_has_nothing_of_it() -> None:

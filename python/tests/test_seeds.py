@@ -28,7 +28,7 @@ def test_each_file_is_the_run_of_its_seed(tmp_path, capsys) -> None:
         assert (found.attrs["seed"], found.attrs["status"]) == (seed, "finished")
     files[2].unlink()
     assert main(["run", "barge", *arguments, "--seeds", "6", "--anew", "-o", str(tmp_path / "run_*.nc")]) == 0
-    assert "run_6.nc, 5 in the place of an older file" in capsys.readouterr().out
+    assert "run_6.nc, 5 replace an older file" in capsys.readouterr().out
     assert main(["statistics", *map(str, files), "--after-s", "1"]) == 0
     assert "of 6 runs" in capsys.readouterr().out
 
@@ -45,14 +45,14 @@ def test_what_is_finished_and_of_the_same_run_is_kept(tmp_path, capsys, monkeypa
     assert main([*arguments, pattern, "--seeds", "4"]) == 0
     shown = capsys.readouterr().out
     assert "kept            2 of them" in shown
-    assert "1 in the place of an older file" in shown
+    assert "1 replace an older file" in shown
     after = [path.stat().st_mtime_ns for path in files]
     assert [new == old for new, old in zip(after, before, strict=False)] == [True, False, True]
     alone = kingpost.run("barge", {"waves": True, "simulation.duration_s": 1.0, "simulation.seed": 2})
     found = xarray.load_dataset(files[1], engine="h5netcdf")
     xarray.testing.assert_identical(found.drop_attrs(), alone.drop_attrs())
     assert main([*arguments, pattern, "--seeds", "4", "--set=significant_height_m=1"]) == 0
-    assert "4 in the place of an older file" in capsys.readouterr().out
+    assert "4 replace an older file" in capsys.readouterr().out
     monkeypatch.setattr(seeds, "Batch", None)
     assert main([*arguments, pattern, "--seeds", "4", "--set=significant_height_m=1"]) == 0
     assert "kept            4 of them" in capsys.readouterr().out
@@ -87,7 +87,10 @@ def test_what_is_wrong_is_said_before_a_run(arguments, message, tmp_path, monkey
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["-o", "run_1.nc", "run_2.nc", "--seeds", "3"], "run_2.nc; a shell puts the files that are there"),
+        (
+            ["-o", "run_1.nc", "run_2.nc", "--seeds", "3"],
+            "run_2.nc; a shell replaces * by the files that are there",
+        ),
         (["--seed", "2"], "unrecognized arguments: --seed 2 (see"),
     ],
 )

@@ -43,7 +43,7 @@ def deck_speed_m_s(significant_height_m: float) -> float:
     Raises
     ------
     KingpostError
-        When the wave height is negative or no number.
+        When the wave height is negative or NaN.
 
     >>> round(deck_speed_m_s(2.7), 3)
     1.514
@@ -99,7 +99,7 @@ def offlead_m(significant_height_m: float) -> float:
     Raises
     ------
     KingpostError
-        When the wave height is negative or no number.
+        When the wave height is negative or NaN.
 
     >>> offlead_m(1.0)
     4.0
@@ -123,7 +123,7 @@ def sidelead_m(significant_height_m: float) -> float:
     Raises
     ------
     KingpostError
-        When the wave height is negative or no number.
+        When the wave height is negative or NaN.
 
     >>> sidelead_m(1.0)
     2.0

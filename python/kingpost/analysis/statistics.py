@@ -32,7 +32,7 @@ STATISTICS = ("mean", "standard_deviation", "significant_amplitude", "significan
 
 # Records whose steps differ by more than this share are not evenly spaced.
 EVEN = 1e-6
-# Up-crossings that a mean period wants.
+# Up-crossings that a mean period needs.
 FEWEST_CROSSINGS = 2
 
 
@@ -58,12 +58,12 @@ def summary(
     -----
     The coordinate ``<variable>_unit`` has the units, the variable's, but s for the period, which is not a
     number where the mean is crossed upwards fewer than twice. A run that ended early, which `Batch` fills
-    up with what is not a number, has statistics that are not numbers.
+    up with NaN, has NaN for its statistics.
 
     Returns
     -------
     xarray.DataArray or xarray.Dataset
-        As given, along ``statistic`` in the place of ``time``.
+        As given, along ``statistic`` instead of ``time``.
 
     Raises
     ------
@@ -277,6 +277,8 @@ def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_
     KingpostError
         When there are too few maxima, or a time is not greater than 0.
 
+    Examples
+    --------
     >>> rng = np.random.default_rng(1)
     >>> found = extreme(rng.gumbel(7.0, 0.5, 2000), record_s=10800.0)
     >>> bool(abs(found.location - 7.0) < 3 * found.covariance[0, 0] ** 0.5)

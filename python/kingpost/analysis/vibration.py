@@ -211,7 +211,7 @@ def _point(scenario: Scenario, state: State | None) -> _Point:
     linear, mass = simulation.linearize(), simulation.mass_matrix()
     free = len(linear.coordinates)
     if not linear.states:
-        raise KingpostError("modes: found nothing that is free to move, allowed: a coordinate whose mode is free")
+        raise KingpostError("modes: found nothing that is free to move, allowed: a free coordinate")
     of_shape = [*range(free), *range(2 * free, len(linear.states))]
     names, units = ([of[i] for i in of_shape] for of in (linear.states, linear.units))
     found = eigenmodes(linear, mass, simulation.constraint_matrix())

@@ -91,7 +91,7 @@ def run(options: argparse.Namespace) -> int:
     show(options, lambda: _report(recorded, scenario), lambda: numbers(recorded, scenario))
     warn(line for lines in outcomes.warnings(outcomes.of_runs([recorded])) for line in lines)
     if output:
-        note(options, f"\nwritten         {written}{', in the place of an older file' if existed else ''}")
+        note(options, f"\nwritten         {written}{', replaces an older file' if existed else ''}")
     if isinstance(failure, KeyboardInterrupt):
         return fail(f"interrupted at {recorded['time'].values[-1]:g} s", INTERRUPTED)
     return fail(failure, FAILED) if failure else DONE
@@ -134,7 +134,7 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
     came_of = [outcomes.of_run(one.attributes, one.attributes["seed"]) for one in runs]
     show(options, lambda: _of_seeds(scenario, runs), lambda: [_numbers_of(one) for one in runs])
     warn(line for lines in outcomes.warnings(came_of) for line in lines)
-    over = f", {older - kept} in the place of an older file" if older > kept else ""
+    over = f", {older - kept} replace an older file" if older > kept else ""
     note(options, f"\nwritten         {paths[0]} to {paths[-1]}{over}")
     if kept:
         note(options, f"kept            {kept} of them, which were of the same runs (--anew runs them too)")

@@ -64,7 +64,7 @@ def from_degrees(heel_deg: float | None, trim_deg: float | None) -> Inclination 
     """
     angles = {"--heel-deg": heel_deg or 0.0, "--trim-deg": trim_deg or 0.0}
     for name, angle in angles.items():
-        # What is not a number compares as false.
+        # NaN compares as false.
         if not abs(angle) < BEYOND_DEG:
             allowed = f"an angle between {-BEYOND_DEG:g} and {BEYOND_DEG:g} deg"
             raise HydrodynamicsError(name, f"{angle:g}", allowed)

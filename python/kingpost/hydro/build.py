@@ -63,7 +63,7 @@ def build(
     Parameters
     ----------
     directions
-        How many round the circle; `None` gives what the hull and the frequencies want, see `resolution`.
+        How many round the circle; `None` gives what the hull and the frequencies need, see `resolution`.
     with_lid
         `None` puts a lid where the draught allows one.
     loading
@@ -162,7 +162,7 @@ def _remedy(hull: HullMeshes, has_lid: bool) -> str:
     """What to do where the coefficients are not those of a hull: most often it has too few panels.
 
     Fewer than by default are few; twice as many halve the error of a method of first order in the panels'
-    area; a lid wants panels of no more than twice the draught.
+    area; a lid needs panels of no more than twice the draught.
     """
     size, draught = hull.panel_size_m, hull.particulars.draught_m
     wanted = max(2.0 * hull.panel_count, PANELS)

@@ -52,7 +52,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
         f"from:to:n or a list a,b,c (default: {FREQUENCIES} that follow the hull's size)"))  # fmt: skip
     command.add_argument("--directions", metavar="N", type=int, help=(
         "wave directions round the circle; they resolve waves of 2 pi L / N and more (default: what the "
-        "hull's length L and the shortest wave asked for want, "
+        "hull's length L and the shortest wave asked for need, "
         f"in steps of {resolution.STEP} from {resolution.FEWEST} to {resolution.MOST})"))  # fmt: skip
     command.add_argument("--panels", metavar="N", type=int,
                          help=f"about how many panels the wetted hull has (default: {PANELS})")  # fmt: skip
@@ -119,7 +119,7 @@ def run(options: argparse.Namespace) -> Database:
 
 
 def _partial(target: Path, every: int) -> Partial:
-    """What a stopped run has left, taken up with a word."""
+    """Goes on from what a stopped run has left, and says so."""
     left = f"of {every} frequencies are there from a run that was stopped"
     return Partial(
         target.with_name(target.name + ENDING), lambda done: print(f"{'goes on':<20}{done} {left}")

@@ -122,7 +122,7 @@ class Engine:
             # The jump of the double layer is that of panels on themselves.
             at_home = {**settings, "diagonal_term_in_double_layer": number == 0}
             s, d = self.green_function.evaluate(part, parts[0], early_dot_product=True, **at_home)
-            # Sums need no memory, and one entry that is no number spoils them.
+            # Sums need no memory, and one NaN spoils them.
             if not np.isfinite(s.sum() + d.sum()):
                 found = f"panels between which there is no influence at {settings}"
                 raise HydrodynamicsError("hull", found, "panels that do not overlap")

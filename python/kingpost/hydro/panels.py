@@ -1,4 +1,4 @@
-"""Panels of four corners, as the panel method wants them, and a lid of panels inside the water line."""
+"""Panels of four corners, as the panel method takes them, and a lid of panels inside the water line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How many wave directions the loads on a hull want.
+"""How many wave directions the loads on a hull need.
 
 Between N directions of the circle a load is a sum of N / 2 harmonics; about a hull of length L a wave of
 number k has about k L / 2 of them. So N directions resolve waves of 2 pi L / N and more, the rule by which

@@ -90,7 +90,7 @@ class OffshoreVessel(Shape):
         return np.linspace(-0.5, 0.5, count + 1), np.linspace(0, 1, girth + 1)
 
     def _across(self, size: float) -> Grid:
-        # The deck and the transom want few triangles; the shell wants those of the closed hull.
+        # The deck and the transom need few triangles; the shell needs those of the closed hull.
         return np.linspace(0, 1, divisions(self.beam_m / 4, size, least=1) + 1)
 
     def _heights(self, size: float) -> Grid:

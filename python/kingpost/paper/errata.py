@@ -131,7 +131,7 @@ def _figure_9(m: Measured) -> Erratum:
 def _smaller() -> Erratum:
     return Erratum(
         "Smaller ones",
-        "In the order of the list: eq. 47 wants a product of three matrices, not a square; the "
+        "In the order of the list: eq. 47 needs a product of three matrices, not a square; the "
         "velocity in eq. 29b is in body components; eq. 55 unskews both of its terms; the blocks of D in "
         "eq. 57 stand on the diagonal; the second column of Table 1 holds displacements, not their rates; "
         "damping is in the results but in neither eq. 59 nor eq. 61; and eq. 33 puts the crane's foot at "

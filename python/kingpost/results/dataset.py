@@ -54,7 +54,7 @@ def dataset(
     xarray.Dataset
         Dimension ``time`` (s), before it ``run`` where there are many, and those of the channels;
         every variable carries ``units``, ``standard_name`` where the CF conventions have one,
-        ``long_name``, as short as an axis of a plot wants it, ``description``, ``frame``, ``column``, how its
+        ``long_name``, short enough for an axis of a plot, ``description``, ``frame``, ``column``, how its
         flat columns are named, and ``of_elements``, 1 where forces and drives show it. Where its numbers
         differ in their units, as forces and moments do, the coordinate ``<variable>_unit`` has them in the
         place of ``units`` (`unit_of`).

@@ -26,7 +26,7 @@ ENGINEERING = {
 
 
 def engineering(unit: str) -> tuple[str, float]:
-    """The unit that is shown in the place of an SI unit, and how many of that it is.
+    """The unit that is shown instead of an SI unit, and how many of that it is.
 
     >>> engineering("N"), engineering("m")
     (('kN', 1000.0), ('m', 1.0))

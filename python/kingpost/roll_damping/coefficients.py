@@ -78,6 +78,8 @@ def fragment(found: Coefficients, body: str, title: str) -> str:
         When there is a cubic part or a negative one, which no force of a scenario has: `fitted` gives what
         has none.
 
+    Examples
+    --------
     >>> print(fragment(Coefficients(2e6, 3.45e7), "ship", "a ship"))
     # a ship
     forces:

@@ -155,7 +155,7 @@ def _check(options: argparse.Namespace) -> None:
         if value is not None and not (math.isfinite(value) and value > 0):
             raise RollDampingError(flag(name), f"{value:g}", "a number greater than 0")
     if options.output is not None and options.inertia_kg_m2 is None and not by_height:
-        allowed = "--inertia-kg-m2, or --mass-kg and --gm-m: forces want the inertia"
+        allowed = "--inertia-kg-m2, or --mass-kg and --gm-m: forces need the inertia"
         raise RollDampingError("--output", "no inertia", allowed)
 
 

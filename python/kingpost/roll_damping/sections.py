@@ -193,7 +193,7 @@ def read_columns(path: str | Path) -> dict[str, Array]:
     Raises
     ------
     RollDampingError
-        When the file cannot be read, or a line has no number where one belongs.
+        When the file cannot be read, or a number is missing in a line.
     """
     file = str(path)
     try:

@@ -148,7 +148,7 @@ def open_server(
 
 
 def _leaving(folder: Path) -> bytes:
-    """In the place of the app's service worker one that takes away what a browser has kept of the app.
+    """A service worker that replaces the app's: it removes what a browser has kept of the app.
 
     What is served here can be another with every start.
     """

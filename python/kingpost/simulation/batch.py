@@ -44,6 +44,8 @@ class Batch:
     parameters
         By parameter name, or dotted path of a field, one value a run. All lists have one length.
 
+    Examples
+    --------
     >>> batch = Batch("paper", {"crane_x_m": [-10, 0, 10]}, {"simulation.duration_s": 0.1})
     >>> len(batch)
     3

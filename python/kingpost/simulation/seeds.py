@@ -28,7 +28,7 @@ TOGETHER = 16
 
 
 def files(pattern: str | Path, count: int) -> list[Path]:
-    """A file for each seed from 1 on: its number in the place of the one ``*`` of the pattern's name.
+    """A file for each seed from 1 on: its number replaces the one ``*`` of the pattern's name.
 
     >>> [path.name for path in files("run_*.nc", 10)][::9]
     ['run_01.nc', 'run_10.nc']

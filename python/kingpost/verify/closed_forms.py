@@ -1,4 +1,4 @@
-"""Elliptic integrals and functions, which several closed forms want; nothing here is the engine's."""
+"""Elliptic integrals and functions, which several closed forms need; nothing here is the engine's."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ export function factorize(a: Float64Array, n: number): void {
   }
 }
 
-/** x with L L^T x = b, in the place of b. */
+/** x with L L^T x = b, written over b. */
 export function solve(l: Float64Array, n: number, b: Float64Array): void {
   for (let i = 0; i < n; i++) {
     for (let k = 0; k < i; k++) b[i] -= l[i * n + k] * b[k];

@@ -49,7 +49,7 @@ export class Accuracy {
   }
 }
 
-/** The first where the second is no number. */
+/** The first where the second is NaN. */
 function larger(known: number, found: number): number {
   return found > known ? found : known;
 }

@@ -53,7 +53,7 @@ export class SetValues {
     return this.applied;
   }
 
-  /** The run in hand went back to before it was set under way; a control that wants another value still does. */
+  /** The run in hand went back to before it was set under way; a control keeps a value that was asked for and not yet applied. */
   goBack(name: string, value: Value): void {
     if (this.wanted[name] === this.applied[name]) this.want(name, value);
     this.apply(name, value);

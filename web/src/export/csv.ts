@@ -4,7 +4,7 @@
 const LARGEST = 16;
 const SMALLEST = -4;
 
-/** A number as Python writes it: the shortest digits that read back to it; nothing for what is not a number. */
+/** A number as Python writes it: the shortest digits that read back to it; nothing for NaN. */
 export function written(value: number): string {
   if (Number.isNaN(value)) return "";
   if (!Number.isFinite(value)) return value > 0 ? "inf" : "-inf";

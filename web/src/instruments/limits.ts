@@ -12,7 +12,7 @@ export interface Worst {
   value: number;
 }
 
-/** How far a value is within the bounds; negative beyond one, and for what is no number. */
+/** How far a value is within the bounds; negative beyond one, and for NaN. */
 export function marginOf({ at_least, at_most }: LimitInfo, value: number): number {
   if (Number.isNaN(value)) return -Infinity;
   return Math.min(at_most === null ? Infinity : at_most - value, at_least === null ? Infinity : value - at_least);

@@ -1,5 +1,5 @@
 /**
- * A service worker in the place of the one that keeps the app: it takes away what that one kept, and itself. `kingpost serve`
+ * A service worker that replaces the one that keeps the app: it takes away what that one kept, and itself. `kingpost serve`
  * answers with it, for what it serves can be another with every start, and is on this machine anyway.
  */
 

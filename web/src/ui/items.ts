@@ -69,7 +69,7 @@ export function number({ name, label, live, unit, range }: Numeric, set: (value:
   let shown = "";
   box.addEventListener("change", () => {
     if (Number.isFinite(box.valueAsNumber)) set(box.valueAsNumber);
-    // What is no number leaves the value in force, and in sight.
+    // A NaN leaves the value in force, and in sight.
     else box.value = shown;
   });
   return {

@@ -1,6 +1,6 @@
 //! Kinematics of the fused links for the recursion, in the axes of each branch's root: one pass from the roots out.
 //!
-//! Seen from one frame, twists of a branch simply add and inertias need no moving from link to
+//! Seen from one frame, twists of a branch add and inertias need no moving from link to
 //! link. The root's frame is near, so that lengths stay as small as the crane, however far the ship
 //! is from the world's origin.
 

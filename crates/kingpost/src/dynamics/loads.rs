@@ -20,7 +20,7 @@ pub struct Loads<S = f64> {
     /// Acceleration of free fall, world axes, m/s^2: every body's mass weighs, at its centre. A body's wrenches above do not
     /// contain it.
     pub gravity: Option<Vector3<S>>,
-    /// What elements hold, each in the place of its own.
+    /// What elements hold, each at its own place.
     pub restraints: Vec<Restraint<S>>,
     /// Who does the work.
     pub power: Power<S>,

@@ -153,7 +153,7 @@ impl Output {
         self.labels.iter().flat_map(of)
     }
 
-    /// Whether it has no numbers.
+    /// Whether no numbers are declared.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

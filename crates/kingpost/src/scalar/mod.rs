@@ -89,7 +89,7 @@ pub trait Scalar:
         self.select_less(Self::constant(limit), below, above)
     }
 
-    /// The number between `lower` and `upper` that is nearest; what is not a number stays so.
+    /// The number between `lower` and `upper` that is nearest; NaN stays NaN.
     #[inline]
     fn clipped(self, lower: Self, upper: Self) -> Self {
         upper.select_less(self, || upper, || self.select_less(lower, || lower, || self))

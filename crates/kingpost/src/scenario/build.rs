@@ -262,7 +262,7 @@ fn known<'a>(field: &str, found: &str, names: impl Iterator<Item = &'a str>) -> 
     Err(FieldError::new(field, found, format!("one of {}", names.join(", "))))
 }
 
-/// Bodies stand somewhere: sums and squares of what a joint is given may have no numbers.
+/// Bodies stand somewhere: sums and squares of what a joint is given may be infinite or NaN.
 fn check_places(model: &Model, links: &LinkKinematics) -> Result<(), FieldError> {
     for (body, named) in model.bodies.iter().enumerate() {
         let Frame { rotation, position } = links.body_frame(model, body);
@@ -275,7 +275,7 @@ fn check_places(model: &Model, links: &LinkKinematics) -> Result<(), FieldError>
 }
 
 /// M* must be positive definite where the run begins: a coordinate that moves no mass, or masses
-/// too far apart for the arithmetic, would give accelerations that are no numbers.
+/// too far apart for the arithmetic, would give infinite or NaN accelerations.
 fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let Setup { model, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);

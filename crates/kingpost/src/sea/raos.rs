@@ -76,7 +76,7 @@ impl RaoTable {
     /// `surge_lag_deg` or `surge_lead_deg` against the crest at the origin.
     ///
     /// # Errors
-    /// What is missing, unknown or no number, by line and name; directions that have not all the same frequencies.
+    /// What is missing, unknown or NaN, by line and name; directions that have not all the same frequencies.
     pub fn read(text: &str) -> Result<Self, RaoError> {
         let text = text.trim_start_matches('\u{feff}');
         let is_yaml = text.lines().any(|line| line.trim_end() == "VesselTypes:");

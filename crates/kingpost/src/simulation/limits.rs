@@ -56,7 +56,7 @@ struct Held {
 }
 
 impl Limit {
-    /// How far a value is within the bounds; negative beyond one, and for what is no number.
+    /// How far a value is within the bounds; negative beyond one, and for NaN.
     fn margin(&self, value: f64) -> f64 {
         if value.is_nan() {
             return f64::NEG_INFINITY;

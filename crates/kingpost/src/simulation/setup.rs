@@ -89,7 +89,7 @@ pub struct Setup<S: Scalar = f64> {
 }
 
 impl SchemeName {
-    /// Whether the scheme solves for the end of a step, and so wants derivatives.
+    /// Whether the scheme solves for the end of a step, and so needs derivatives.
     pub fn is_implicit(self) -> bool {
         matches!(self, Self::Newmark { .. } | Self::GeneralizedAlpha { .. } | Self::ImplicitMidpoint)
     }

@@ -1,4 +1,4 @@
-"""What is amiss with another program's coefficients, put right where physics says how, with a note
+"""Errors in another program's coefficients, repaired where physics says how, with a note
 of how much.
 
 Panel methods keep A = A^T and B = B^T only nearly, at the highest frequencies worst; damping of motions that
@@ -174,7 +174,7 @@ def _taking_energy(damping: NDArray[np.float64], foreign: Foreign, notes: list[s
 
 
 def _advice(lowest: NDArray[np.float64], omega: NDArray[np.float64]) -> list[str]:
-    """Where all that is much amiss lies at the upper end, the frequency to stop at."""
+    """Where all large errors lie at the upper end, the frequency to stop at."""
     wrong = np.flatnonzero(lowest < -0.05)
     if not len(wrong) or wrong[0] < len(omega) // 3:
         return []

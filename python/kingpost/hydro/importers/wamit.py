@@ -58,7 +58,7 @@ def read(path: str, options: Options) -> Foreign:
 
 
 def _with_the_rest(foreign: Foreign, stem: Path, scale: _Scale) -> Foreign:
-    """With a word on what else lies there: motions, which are compared, and forces of second order."""
+    """Notes what else lies there: motions, which are compared, and forces of second order."""
 
     def responses(table: NDArray[np.float64], path: str) -> wamit_motions.Responses:
         directions, found = _waves(table, scale, foreign.frequencies_rad_s, path)

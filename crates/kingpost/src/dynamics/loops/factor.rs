@@ -5,7 +5,7 @@
 
 use crate::scalar::Scalar;
 
-/// A pivot below this share of its reference is no number to divide by: the constraint has become
+/// A pivot below this share of its reference is too small to divide by: the constraint has become
 /// one of the others, as at a dead centre to 1e-5 rad.
 pub const SMALLEST_PIVOT: f64 = 1e-10;
 
@@ -71,7 +71,7 @@ impl<S: Scalar> Factor<S> {
                 }
                 let limit = S::constant(SMALLEST_PIVOT) * self.reference[i];
                 self.pivots[i] = sum / self.reference[i];
-                // Written so that what is not a number is left out as well.
+                // Written so that NaN is left out as well.
                 let root = limit.select_less(sum, || sum.sqrt(), || S::ZERO);
                 self.reciprocal[i] = limit.select_less(sum, || S::ONE / root, || S::ZERO);
                 self.matrix[i * n + i] = root;

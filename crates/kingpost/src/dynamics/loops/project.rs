@@ -192,7 +192,7 @@ impl<S: Scalar> LoopSolver<S> {
     }
 }
 
-/// The larger of a number and the size of another; what is not a number stays so.
+/// The larger of a number and the size of another; NaN stays NaN.
 fn larger<S: Scalar>(largest: S, other: S) -> S {
     let size = other.select_below(0.0, || -other, || other);
     size.select_less(largest, || largest, || size)

@@ -68,7 +68,7 @@ const FIRST_ORDER: usize = 12;
 const DRIFTING: [usize; 3] = [0, 1, 5];
 
 impl<S: Scalar> Excitation<S> {
-    /// From a hull's data, in these waves: every call wants the same. Components outside the data's frequencies make no force.
+    /// From a hull's data, in these waves: every call needs the same. Components outside the data's frequencies make no force.
     pub fn new(database: &Database, field: &WaveField<S>, parts: Parts) -> Self {
         let drifts = parts.drift && database.mean_drift.is_some();
         let by_velocity = drifts && parts.drift_damping;

@@ -40,7 +40,7 @@ pub enum MeshError {
         /// How many there are.
         triangles: usize,
     },
-    /// A coordinate that is no number.
+    /// A coordinate that is NaN.
     #[error("vertex {vertex} of the hull: {axis} is {found}, allowed: a finite number")]
     NotFinite {
         /// Index of the vertex, from 0.

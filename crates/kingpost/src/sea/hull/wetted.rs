@@ -61,7 +61,7 @@ pub(super) const DRY: u8 = 0;
 pub(super) const WET: u8 = 1;
 pub(super) const MIXED: u8 = 4;
 
-/// The side of a vertex at this height. What is not a number is on neither.
+/// The side of a vertex at this height. NaN is on neither.
 #[inline]
 pub(super) fn side<S: Scalar>(height: S) -> u8 {
     if height.all(|h| h < 0.0) {

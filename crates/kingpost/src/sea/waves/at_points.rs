@@ -13,7 +13,7 @@ const ROUNDING: f64 = 1e-9;
 ///
 /// They are those of [`WaveField::kinematics`], but for rounding: what all points share is computed once a time, of the
 /// phases only cosines are taken, and exponentials are powers of two. It holds what is computed, not the waves: every call
-/// wants the field that it was made for.
+/// needs the field that it was made for.
 ///
 /// ```
 /// use kingpost::sea::waves::{Water, WaveComponent, WaveField, WavesAtPoints};

@@ -1,0 +1,51 @@
+"""The page of the site that shows the gallery: cards, titles and descriptions, from the files themselves."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import yaml
+
+
+def page(root: Path) -> str:
+    """The gallery in its groups, as Markdown."""
+    lines = [
+        "# Gallery",
+        "",
+        "Every scenario that comes with Kingpost. Run one by its name: `kingpost run paper`. Open one in the "
+        "app: `kingpost serve paper`. The pictures are the app's own, taken of the running scenario.",
+        "",
+    ]
+    gallery = json.loads((root / "scenarios" / "gallery.json").read_text(encoding="utf-8"))
+    for group in gallery["groups"]:
+        lines += [f"## {group['title']}", ""]
+        for name in group["scenarios"]:
+            lines += card(root, name)
+    return "\n".join([*lines, *plots(root)])
+
+
+def card(root: Path, name: str) -> list[str]:
+    """One scenario: picture, title, what it shows, and what may be set."""
+    scenario = yaml.safe_load((root / "scenarios" / f"{name}.yaml").read_text(encoding="utf-8"))
+    description = " ".join(scenario["description"].split())
+    knobs = ", ".join(f"`{parameter['name']}`" for parameter in scenario.get("parameters", []))
+    return [
+        f"### {scenario['title']} {{#{name}}}",
+        "",
+        f"![{scenario['title']}](cards/{name}.webp){{ .card }}",
+        "",
+        f"{description} [`{name}.yaml`](../scenarios/{name}.yaml)",
+        "",
+        *([f"Parameters: {knobs}.", ""] if knobs else []),
+    ]
+
+
+def plots(root: Path) -> list[str]:
+    """The plots of the page of measurements, each with a link to where it is explained."""
+    page = (root / "docs" / "validation.md").read_text(encoding="utf-8")
+    lines = ["## Beside measurements", "", "What they show: [Validation](validation.md).", ""]
+    for caption, picture in re.findall(r"!\[([^\]]+)\]\((validation/[^)]+)\)", page):
+        lines += [f"![{caption}]({picture})", "", f"*{caption}.*", ""]
+    return lines

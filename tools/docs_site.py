@@ -1,0 +1,109 @@
+"""What the documentation site shows besides the pages of docs/: MkDocs calls these functions as its hooks.
+
+Pages made at every build, so that they cannot drift: the gallery, the fields of a scenario, the command line.
+Links of a page to files elsewhere in the repository lead to copies of them on the site.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import docs_commands
+import docs_gallery
+import docs_schema
+from mkdocs.structure.files import File, Files
+
+ROOT = Path(__file__).resolve().parents[1]
+LINK = re.compile(r"(\]\()([^)\s#]+)(#[^)\s]*)?(\))")
+# A link to a folder leads to the page about what is in it.
+FOLDERS = {
+    "scenarios": "gallery.md",
+    "scenarios/parts": "parts.md",
+    "lessons": "teaching.md",
+    "schema": "reference/scenario.md",
+    "docs/decisions": "decisions/README.md",
+}
+# Pages of the menu that stand elsewhere in the repository.
+PROJECT = ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+
+
+def on_files(files: Files, config: Any) -> Files:
+    """Adds the pages that are made, the pictures of the gallery, and what pages link to elsewhere."""
+    made = {
+        "gallery.md": docs_gallery.page(ROOT),
+        "reference/scenario.md": docs_schema.page(ROOT / "schema" / "scenario.schema.json"),
+        "reference/command_line.md": docs_commands.page(),
+    }
+    for path, text in made.items():
+        files.append(File.generated(config, path, content=text))
+    for card in sorted((ROOT / "web" / "public" / "cards").glob("*.webp")):
+        files.append(File.generated(config, f"cards/{card.name}", abs_src_path=str(card)))
+    icon = ROOT / "web" / "public" / "icon.svg"
+    files.append(File.generated(config, "images/icon.svg", abs_src_path=str(icon)))
+    pages = {f"docs/{file.src_uri}": file.content_string for file in files.documentation_pages()}
+    for path in elsewhere(pages):
+        files.append(File.generated(config, f"source/{path}", abs_src_path=str(ROOT / path)))
+    return files
+
+
+def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
+    """The page with its links to where things stand on the site."""
+    here = page.file.src_uri
+    origin = here.removeprefix("source/") if here.startswith("source/") else f"docs/{here}"
+
+    def moved(link: re.Match[str]) -> str:
+        target = inside(origin, link[2])
+        if target is None:
+            return link[0]
+        away = posixpath.relpath(place_of(target), posixpath.dirname(here) or ".")
+        return f"{link[1]}{away}{link[3] or ''}{link[4]}"
+
+    return outside_code(markdown, lambda text: LINK.sub(moved, text))
+
+
+def elsewhere(pages: dict[str, str]) -> list[str]:
+    """Files outside docs/ that pages link to, and those that these link to."""
+    found: list[str] = []
+    waiting = list(PROJECT)
+    for path, text in pages.items():
+        waiting += links(path, text)
+    while waiting:
+        path = waiting.pop(0)
+        if path.startswith("docs/") or path in found or not (ROOT / path).is_file():
+            continue
+        found.append(path)
+        if path.endswith(".md"):
+            waiting += links(path, (ROOT / path).read_text(encoding="utf-8"))
+    return found
+
+
+def links(origin: str, text: str) -> list[str]:
+    """Paths in the repository that a page links to."""
+    found: list[str] = []
+    outside_code(text, lambda part: found.extend(link[2] for link in LINK.finditer(part)) or part)
+    return [target for target in (inside(origin, link) for link in found) if target]
+
+
+def inside(origin: str, target: str) -> str | None:
+    """The path in the repository that a link of a page means; None for an address of the web."""
+    if re.match(r"[a-z]+:", target):
+        return None
+    return posixpath.normpath(posixpath.join(posixpath.dirname(origin), target))
+
+
+def place_of(path: str) -> str:
+    """Where a file of the repository stands on the site."""
+    path = path.rstrip("/")
+    return FOLDERS.get(path) or (path.removeprefix("docs/") if path.startswith("docs/") else f"source/{path}")
+
+
+def outside_code(markdown: str, change: Any) -> str:
+    """The text with what is not in a fenced block changed."""
+    parts = re.split(r"(^```.*?^```[ ]*$)", markdown, flags=re.MULTILINE | re.DOTALL)
+    return "".join(part if part.startswith("```") else change(part) for part in parts)
