@@ -45,7 +45,7 @@ export class PhysicsPanel {
       valuesChanged: () => this.touch(),
       statusChanged: () => this.touch(),
     });
-    onPanelOpened("physics", () => this.touch());
+    onPanelOpened("physics", () => this.look());
   }
 
   /** With a picture, where something is new and somebody looks. */
@@ -65,7 +65,13 @@ export class PhysicsPanel {
     this.chosen = key;
     [...choice.children].forEach((button, k) => button.setAttribute("aria-pressed", String(Object.keys(this.lessons)[k] === key)));
     this.showChosen();
+    this.look();
+  }
+
+  /** What is in sight is named at once, not with the next picture. */
+  private look(): void {
     this.touch();
+    this.draw();
   }
 
   private showChosen(): void {

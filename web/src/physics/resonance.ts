@@ -17,6 +17,8 @@ import type { SeaSpectrum } from "./sea_spectrum";
 /** The scenario of the gallery that is made for it. */
 const EXAMPLE = "?scenario=offshore_vessel&waves=true";
 const VALUES = 25;
+/** Reasons that are told of values that were left out. */
+const MOST_REASONS = 3;
 /** Of the roll so much is shown, s. */
 const ROLL_S = 120;
 
@@ -65,7 +67,7 @@ export class ResonanceLesson {
     const names = this.varied.map(({ name }) => name);
     if (names.join() !== [...this.choice.options].map(({ value }) => value).join()) {
       this.choice.replaceChildren(...this.varied.map(({ name, label, unit }) => make("option", { value: name }, withUnit(label, unit))));
-      const first = this.varied.find(({ name, unit }) => unit === "m" && !name.includes("height")) ?? this.varied[0];
+      const first = likeliest(this.varied);
       if (first) this.choice.value = first.name;
       this.build();
     }
@@ -101,7 +103,7 @@ export class ResonanceLesson {
     this.numbers.replaceChildren(...tableOf(axis, lines));
     const left_out = found?.skipped ?? [];
     this.skipped.hidden = left_out.length === 0;
-    setText(this.skipped, left_out.length > 0 ? `${texts.resonance.skipped(left_out.length)} ${left_out.map(({ why }) => why).filter((why, k, all) => all.indexOf(why) === k).join(" ")}` : "");
+    setText(this.skipped, [texts.resonance.skipped(left_out.length), ...reasons(left_out, parameter.unit)].join(" "));
   }
 
   private write(parameter: Varied, { sentences }: Meetings): void {
@@ -183,6 +185,18 @@ export class ResonanceLesson {
     void session.reset();
     session.start();
   }
+}
+
+/** What acts at once is mostly of the sea, which changes no period of the ship; a length is likely that of a pendulum. */
+function likeliest(varied: readonly Varied[]): Varied | undefined {
+  const structural = varied.filter(({ live }) => !live);
+  return structural.find(({ unit }) => unit === "m") ?? structural[0] ?? varied[0];
+}
+
+/** Each reason once, of a few of the values. */
+function reasons(skipped: Found["skipped"], unit: string): string[] {
+  const others = skipped.filter(({ why }, k) => skipped.findIndex((one) => one.why === why) === k).slice(0, MOST_REASONS);
+  return others.map(({ value, why }) => `${withUnit(String(value), unit, " ")}: ${why}.`);
 }
 
 function take(found: Found, answer: FromSweep): void {

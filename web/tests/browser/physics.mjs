@@ -152,11 +152,11 @@ export default {
 
   async "stops when it is asked to, and leaves out values that cannot be, with the reason"(host) {
     const { page, close } = await openLesson(host, "?scenario=paper", "resonance", DESKTOP);
-    // A length of nothing, and beyond it one above the support, where the bob stands on its head.
+    // A bob of less than nothing, and one of nothing.
     await openFile(page, "pendulum.yaml", PENDULUM.replace("[4, 52]", "[-1, 23]").replace("bodies.bob.joint.revolute.child_position_m.2", "bodies.bob.mass_kg"));
     await page.waitForFunction(() => document.title.includes("pendulum"));
     await compute(page);
-    assert.match(await page.getByTestId("skipped").textContent(), /^2 values were left out: .*mass_kg: found -1, allowed/);
+    assert.match(await page.getByTestId("skipped").textContent(), /^2 values were left out: -1 m: .*mass_kg: found -1, allowed/);
     await page.getByTestId("compute-periods").click();
     await page.getByTestId("compute-periods").click();
     assert.equal(await page.getByTestId("compute-periods").textContent(), "Compute the periods");
