@@ -129,6 +129,7 @@ def modes(
             The eigenvalues of A.
         ``shape``, ``shape_imaginary``
             By ``coordinate``: amplitudes, the largest 1, each in the unit that ``shape_unit`` says. With
+            ``moves`` says which are places and angles, and not states of a control or of the water. With
             eigenvalue s + i w the motion is ``exp(s t) (shape cos(w t) - shape_imaginary sin(w t))``.
 
         The attribute ``warning`` is there where a prescribed coordinate moves or accelerates: the
@@ -238,6 +239,7 @@ def _dataset(
         "mode": np.arange(1, shape.shape[1] + 1),
         "coordinate": np.array(names, str),
         "memory": ("coordinate", points[0].memory),
+        "moves": ("coordinate", np.arange(len(names)) < len(points[0].mass_matrix)),
         **{results.unit_coordinate(name): units for name in ("shape", "shape_imaginary")},
     }
     attributes = results.attributes(scenario, points[-1].status)
