@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from ..errors import KingpostError, RunError
 from ..output import check as check_output
 from ..results import units as results_units
+from ..results.files import check_patterns
 from ..scenario import Scenario
 from ..simulation.simulate import Simulation
 from .common import (
@@ -69,7 +70,7 @@ def run(options: argparse.Namespace) -> int:
     warn(f"{WARNING}{words}" for words in simulation.model_warnings)
     if options.record:
         columns = results.dataset(scenario, simulation.channels, simulation.row()[None, :], "")
-        results.check_patterns(columns, options.record)
+        check_patterns(columns, options.record)
     if options.seeds is not None:
         return _run_seeds(scenario, options)
     existed = options.output is not None and Path(options.output).exists()

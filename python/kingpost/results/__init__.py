@@ -3,7 +3,7 @@
 from .columns import column, column_name, columns, floating_bodies, frame, unit_coordinate, unit_of
 from .dataset import attributes, dataset
 from .events import events, warnings
-from .files import ENDINGS, check_output, check_parquet, check_patterns, open_all, read, write
+from .files import ENDINGS, check_output, check_parquet, open_all, read, write
 from .units import NAMES
 
 __all__ = [
@@ -12,7 +12,6 @@ __all__ = [
     "attributes",
     "check_output",
     "check_parquet",
-    "check_patterns",
     "column",
     "column_name",
     "columns",

@@ -70,10 +70,10 @@ def frame(results: xarray.Dataset, patterns: Sequence[str] = (), units: str = NA
     results
         A data set of a run.
     patterns
-        Columns, as ``ship.roll`` or ``ship.*``; all unless given.
+        Columns to take, whose names are like one, as ``ship.*``; all unless given.
     units
-        With ``names`` they are not said; with ``si`` a name ends with its unit, as ``ship.roll [rad]``; so it
-        does with ``engineering``, ``ship.roll [deg]``, and the numbers are in that.
+        ``names``: SI units, and names alone; ``si``: a name ends with its unit, as ``ship.roll [rad]``;
+        ``engineering``: so it does, ``ship.roll [deg]``, and the numbers are in that.
 
     Returns
     -------

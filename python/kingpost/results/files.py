@@ -119,8 +119,8 @@ def write(
     Raises
     ------
     KingpostError
-        Another ending, a file that cannot be written, a pattern that no column has, or units in NetCDF, which
-        has its own.
+        Another ending, a file that cannot be written, a pattern that no column has, or units in NetCDF,
+        which has its own.
 
     >>> import tempfile
     >>> from kingpost import run
@@ -150,23 +150,7 @@ def write(
 
 
 def check_patterns(results: xarray.Dataset, patterns: Sequence[str]) -> None:
-    """Make sure that each pattern is like the name of a column.
-
-    Parameters
-    ----------
-    results
-        A data set of a run.
-    patterns
-        Columns, as ``ship.roll`` or ``ship.*``.
-
-    Raises
-    ------
-    KingpostError
-        With the pattern that no column has.
-
-    >>> from kingpost import run
-    >>> check_patterns(run("paper", {"simulation.duration_s": 0.1}), ["ship.*"])
-    """
+    """Make sure that each pattern is like the name of a column."""
     names = list(places(results))
     for pattern in patterns:
         if not any(fnmatchcase(name, pattern) for name in names):
