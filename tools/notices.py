@@ -45,7 +45,9 @@ def crates() -> Iterator[Part]:
     found = json.loads(subprocess.run(command, cwd=ROOT, capture_output=True, check=True).stdout)
     by_id = {package["id"]: package for package in found["packages"]}
     uses = {
-        node["id"]: [of["pkg"] for of in node["deps"] if any(kind["kind"] is None for kind in of["dep_kinds"])]
+        node["id"]: [
+            of["pkg"] for of in node["deps"] if any(kind["kind"] is None for kind in of["dep_kinds"])
+        ]
         for node in found["resolve"]["nodes"]
     }
     left, linked = [one for one, package in by_id.items() if package["name"] in CRATES], set()

@@ -54,7 +54,9 @@ def sections(function: Callable[..., Any]) -> Iterator[str]:
         yield "an example"
 
 
-@pytest.mark.parametrize(("name", "function"), public(), ids=lambda one: one if isinstance(one, str) else "")
+@pytest.mark.parametrize(
+    ("name", "function"), list(public()), ids=lambda one: one if isinstance(one, str) else ""
+)
 def test_a_public_function_is_documented(name: str, function: Callable[..., Any]) -> None:
     assert list(sections(function)) == []
     missing = [

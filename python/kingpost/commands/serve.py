@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from .common import only_errors_of
+
 HELP = "serve the browser app"
 
 
@@ -19,4 +21,6 @@ def run(options: argparse.Namespace) -> int:
     """Serve until Ctrl-C."""
     from ..server import serve
 
-    return serve.command(options.scenario, options.port, options.host, options.check)
+    # That a browser waits for one of the threads is no news.
+    with only_errors_of("waitress.queue"):
+        return serve.command(options.scenario, options.port, options.host, options.check)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import socket
 import sys
 import threading
@@ -41,8 +40,6 @@ class Server:
         self.application = application
         self.host = address[0]
         self._ends = threading.Event()
-        # That a browser waits for one of the threads is no news.
-        logging.getLogger("waitress.queue").setLevel(logging.ERROR)
         self._waitress = create_server(
             application,
             sockets=[_bound(*address)],
