@@ -28,12 +28,13 @@ THIS_PROCESSOR = $(if $(shell rustc --print cfg -C target-cpu=native | grep '"av
 # The Python module for any processor, out of the engine that the engine's tests use: its bits are compared.
 PLAIN := PYO3_BUILD_EXTENSION_MODULE=1 cargo build --quiet --locked $(TESTED) --lib
 
-# uv: the one at hand, else from PyPI.
+# uv: the one at hand, else this one from PyPI.
+UV_VERSION := 0.13.9
 UV := $(shell uv --version >/dev/null 2>&1 && echo uv || echo $(DONE)/uv/bin/uv)
 UV_FILE := $(filter-out uv,$(UV))
 PYTHON_SIDE := pyproject.toml uv.lock $(ENGINE) $(call sources,crates/kingpost-py) $(UV_FILE)
 
-.PHONY: help demo compile test bench wasm web wheel develop docs schema lint format clean
+.PHONY: help demo compile test bench wasm web wheel develop docs schema notices lint format clean
 .PHONY: test-rust test-web test-browser test-python need-rust need-node need-python need-lint
 
 help: ## list what there is
@@ -84,7 +85,10 @@ schema: $(NODE_MODULES) | need-rust ## the scenario's JSON schema and TypeScript
 	cargo run --quiet --locked --package kingpost --features schema --example write_schema
 	cd web && npm run --silent types
 
-lint: $(NODE_MODULES) $(WASM) $(DONE)/develop | need-lint ## formats, clippy, ruff, mypy, TypeScript
+notices: $(NODE_MODULES) | need-python need-rust ## THIRD_PARTY_NOTICES.txt: whose work is linked in, and its terms
+	$(PYTHON) tools/notices.py
+
+lint: $(NODE_MODULES) $(WASM) $(DONE)/develop | need-lint ## formats, clippy, ruff, mypy, notices, TypeScript
 	tools/lint.sh
 
 format: $(DONE)/develop ## format the Rust and the Python
@@ -99,7 +103,7 @@ need-rust need-node need-python need-lint: need-%:
 
 $(DONE)/uv/bin/uv: | need-python
 	$(PYTHON) -m venv $(DONE)/uv
-	$(DONE)/uv/bin/pip install --quiet --disable-pip-version-check uv
+	$(DONE)/uv/bin/pip install --quiet --disable-pip-version-check uv==$(UV_VERSION)
 
 # What a run needs.
 $(DONE)/run: $(PYTHON_SIDE) | need-python need-rust

@@ -10,5 +10,6 @@ check cargo clippy --quiet --locked --workspace --all-targets --all-features -- 
 check .venv/bin/ruff check
 check .venv/bin/ruff format --check
 check .venv/bin/mypy
+check .venv/bin/python tools/notices.py --check
 check npm --prefix web exec --no -- tsc --noEmit --project web
 exit $failed

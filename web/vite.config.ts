@@ -1,13 +1,14 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 import { gallery } from "./vite/gallery.ts";
+import { notices } from "./vite/notices.ts";
 import { offline } from "./vite/offline.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 export default defineConfig({
   base: "./",
-  plugins: [gallery(here("../scenarios"), here("src/engine/pkg")), offline(here("src/offline"))],
+  plugins: [gallery(here("../scenarios"), here("src/engine/pkg")), notices(here("../THIRD_PARTY_NOTICES.txt")), offline(here("src/offline"))],
   worker: { format: "es" },
   // The paper's equations stand beside the Python package.
   server: { fs: { allow: [".."] } },

@@ -17,6 +17,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NoReturn
 
+import shtab
+
 from . import __version__
 from .commands import (
     check,
@@ -50,6 +52,10 @@ COMMANDS = {
     "serve": serve,
 }
 """Modules by their command's name, in the order of the help."""
+
+
+FILES = ("FILE", "SCENARIO")
+"""What options and arguments that want a file say that they want."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -120,13 +126,24 @@ def _ended_as_interrupted() -> Iterator[None]:
             signal.signal(end, handler)
 
 
+def _complete_files(command: argparse.ArgumentParser) -> None:
+    """Let a shell complete names of files where an option or an argument wants one."""
+    for action in command._actions:
+        if action.metavar in FILES:
+            action.complete = shtab.FILE  # type: ignore[attr-defined]
+
+
 def parser() -> argparse.ArgumentParser:
     """The command line's options."""
     top = Parser(prog="kingpost", description="Ships with cranes at sea by the moving frame method.")
     top.add_argument("--version", action="version", version=f"kingpost {__version__}")
+    shtab.add_argument_to(
+        top, "--print-completion", help="print what a shell needs to complete commands and options"
+    )
     commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
     for name, module in COMMANDS.items():
         command = commands.add_parser(name, help=module.HELP)
         module.add_options(command)
         command.set_defaults(command=module.run)
+        _complete_files(command)
     return top

@@ -131,7 +131,8 @@ def texts(text: str, file: str, overrides_json: str = "[]") -> dict[str, str]:
 def read_text(path: Path) -> str:
     """Text of a scenario file, or a `ScenarioError` that says why it cannot be read."""
     try:
-        return path.read_text(encoding="utf-8")
+        # Some programs begin a text with a byte-order mark.
+        return path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
         raise ScenarioError(f"{path}: not a text file in UTF-8", file=str(path)) from None
     except OSError as error:

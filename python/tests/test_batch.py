@@ -1,7 +1,9 @@
 """Many runs at once are the runs that each variant has alone."""
 
 import os
+import subprocess
 import sys
+import threading
 from importlib.machinery import ExtensionFileLoader
 from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
@@ -101,3 +103,46 @@ def test_the_progress_of_a_batch_counts_runs() -> None:
     kingpost.Batch("paper", {"crane_x_m": np.linspace(-9, 9, 12)}, SHORT).run(1, seen.append)
     assert seen == sorted(seen)
     assert seen[-1] == 12
+
+
+def test_a_batch_that_would_take_too_much_memory_is_refused_with_a_way_on() -> None:
+    batch = kingpost.Batch("paper", {"crane_x_m": [0.0] * 100})
+    with pytest.raises(
+        kingpost.KingpostError,
+        match=r"100 runs: found .* GB to be recorded, allowed: 0\.0 GB; record less often",
+    ):
+        batch.run(memory_gb=1e-3)
+    for nonsense in (0, -1, np.nan, np.inf):
+        with pytest.raises(kingpost.KingpostError, match="memory_gb: found"):
+            batch.run(memory_gb=nonsense)
+
+
+INTERRUPTED = """
+import os, signal, threading, time, kingpost
+parameters = {"significant_height_m": [1, 2, 3, 4] * 2}
+batch = kingpost.Batch("offshore_vessel", parameters, {"simulation.duration_s": 2e4})
+sent = []
+def send():
+    sent.append(time.monotonic())
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Timer(2, send).start()
+try:
+    batch.run()
+except KeyboardInterrupt:
+    print("stopped after", time.monotonic() - sent[0], "s")
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a signal cannot be sent to oneself there")
+def test_ctrl_c_stops_a_batch_within_seconds() -> None:
+    found = subprocess.run([sys.executable, "-c", INTERRUPTED], capture_output=True, text=True, timeout=60)
+    assert found.returncode == 0, found.stderr
+    # A step of all its runs takes milliseconds; five seconds are for a machine that is busy.
+    assert float(found.stdout.split()[2]) < 5
+
+
+def test_progress_is_told_on_the_thread_that_called() -> None:
+    threads = []
+    batch = kingpost.Batch("paper", {"crane_x_m": [0.0, 1.0]}, {"simulation.duration_s": 0.1})
+    batch.run(progress=lambda done: threads.append(threading.get_ident()))
+    assert set(threads) == {threading.get_ident()}

@@ -68,7 +68,7 @@ def test_run_prints_the_largest_force_of_a_drive_and_the_largest_reaction(capsys
     ]
     assert main(["run", "paper", *settings]) == 0
     text = capsys.readouterr().out
-    assert re.search(r"^slew .* 1e\+05  N m$", text, re.MULTILINE)
+    assert re.search(r"^slew .* 100  kN m$", text, re.MULTILINE)
     assert (
         main(
             [
@@ -86,7 +86,7 @@ def test_run_prints_the_largest_force_of_a_drive_and_the_largest_reaction(capsys
         == 0
     )
     text = capsys.readouterr().out
-    assert re.search(r"^slew +9806\.[67]\d?  N ", text, re.MULTILINE), text
+    assert re.search(r"^slew +9\.806[67]\d?  kN ", text, re.MULTILINE), text
 
 
 def test_check_says_what_the_model_is(capsys):

@@ -64,12 +64,12 @@ def test_check_prints_targets_and_prescribed_rates_and_what_nothing_carries(tmp_
     assert main(["check", str(path), "--set", "motor_1=off", "--set", "gravity=on"]) == 0
     shown = capsys.readouterr().out
     assert re.search(
-        r"^lift +servo +on +joint luff, target 1\.5708 rad, .*torque limit 2000 N m$", shown, re.MULTILINE
+        r"^lift +servo +on +joint luff, target 90 deg, .*torque limit 2 kN m$", shown, re.MULTILINE
     )
-    assert re.search(r"^slew +rate 0\.25 rad/s, history constant$", shown, re.MULTILINE)
+    assert re.search(r"^slew +rate 14\.324 deg/s, history constant$", shown, re.MULTILINE)
     assert "falls" not in shown
     assert main(["check", "paper", "--set", "gravity=on", "--set", "hold_centre=off"]) == 0
-    assert "warning: gravity acts and nothing carries ship: it falls" in capsys.readouterr().out
+    assert "warning: gravity acts and nothing carries ship: it falls" in capsys.readouterr().err
 
 
 def test_check_prints_loops_and_cylinders(capsys):
@@ -85,7 +85,7 @@ def test_check_prints_loops_and_cylinders(capsys):
     for label, value, unit in (
         ("shortest", law["shortest_m"], "m"),
         ("longest", law["longest_m"], "m"),
-        ("push limit", law["push_limit_N"], "N"),
+        ("push limit", law["push_limit_N"] / 1e3, "kN"),
         ("speed limit", law["speed_limit_m_s"], "m/s"),
         ("target length", law["target"]["length"]["length_m"], "m"),
     ):
@@ -98,15 +98,16 @@ def test_a_summary_has_the_largest_loop_reaction_loop_error_and_cylinder_force()
     results = kingpost.run(scenario)
     shown = summary(results, scenario)
     reaction = results.loop_reaction.sel(loop="drag_link_pin").values[:, :3]
-    assert word(shown, "drag_link_pin", 1) == pytest.approx(np.linalg.norm(reaction, axis=1).max(), rel=1e-4)
+    largest_kn = np.linalg.norm(reaction, axis=1).max() / 1e3
+    assert word(shown, "drag_link_pin", 1) == pytest.approx(largest_kn, rel=1e-4)
     worst = np.abs(results.loop_error.values).max()  # printed with two digits
     assert word(shown, "loop error, largest:", 1) == pytest.approx(worst, rel=0.05)
     force = results.cylinder_force.sel(cylinder="luffing").values
     (line,) = (line for line in shown.splitlines() if line.startswith("luffing") and "force of a" in line)
     *_, last, least, most, unit = line.split()
-    expected = [force[-1], force.min(), force.max()]
+    expected = [value / 1e3 for value in (force[-1], force.min(), force.max())]
     assert [float(word) for word in (last, least, most)] == pytest.approx(expected, rel=1e-4)
-    assert unit == "N"
+    assert unit == "kN"
 
 
 def test_a_summary_tells_the_tensions_at_the_two_ends_of_a_rope_apart():

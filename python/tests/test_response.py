@@ -127,10 +127,14 @@ def test_files_and_the_picture_hold_what_the_data_set_holds(tmp_path, capsys) ->
     row = dict(zip(names, map(float, first), strict=True))
     assert (row["direction_deg"], row["frequency_rad_s"]) == (180, 0.5)
     tip = expected.displacement.sel(point="arm.tip", axis="z")
-    assert row["arm.tip.displacement.z"] == pytest.approx(float(tip[0, 0]))
-    assert row["ship.rotation_phase.pitch"] == pytest.approx(
-        float(expected.rotation_phase.sel(body="ship", angle="pitch")[0, 0])
-    )
+    assert row["arm.tip.displacement.z [m/m]"] == pytest.approx(float(tip[0, 0]))
+    pitch = {"body": "ship", "angle": "pitch"}
+    for name, quantity in (
+        ("rotation_phase.pitch [deg]", "rotation_phase"),
+        ("rotation.pitch [deg/m]", "rotation"),
+    ):
+        degrees = np.rad2deg(float(expected[quantity].sel(pitch)[0, 0]))
+        assert row[f"ship.{name}"] == pytest.approx(degrees), "all angles of the file are in degrees"
     with open(files["png"], "rb") as picture:
         assert picture.read(4) == b"\x89PNG"
     line = re.search(r"^ *0\.500 +12\.57 +(.*)$", shown, re.MULTILINE)
@@ -175,3 +179,23 @@ def test_directions_beyond_one_turn_are_refused(capsys) -> None:
     assert main(["rao", "barge", "--directions-deg", "180", "999"]) == 2
     assert re.search(r"directions: found \S+ rad \(999 deg\), allowed: one turn", capsys.readouterr().err)
     assert main(["rao", "barge", "--directions-deg", "nan"]) == 2
+
+
+def test_the_lowest_and_the_highest_frequency_are_taken_as_messages_print_them(capsys) -> None:
+    """Source: what a person types after the message that names the range."""
+    assert main(["rao", "offshore_vessel", "--frequencies-rad-s", "0.01:1:3"]) == 2
+    low, high = re.search(r"allowed: ([\d.]+) to ([\d.]+) rad/s", capsys.readouterr().err).groups()
+    assert (
+        main(["rao", "offshore_vessel", "--directions-deg", "180", "--frequencies-rad-s", f"{low}:{high}:2"])
+        == 0
+    )
+    assert main(["rao", "offshore_vessel", "--frequencies-rad-s", f"{float(low) - 0.001}:{high}:2"]) == 2
+
+
+def test_a_resonance_between_two_lines_has_a_line_of_its_own(capsys) -> None:
+    assert main(["rao", "offshore_vessel", "--directions-deg", "90"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    rolls = [line.split() for line in lines if re.match(r" +\d\.\d{3} ", line)]
+    (largest,) = (line.split() for line in lines if line.strip().startswith("largest"))
+    roll_column = -3
+    assert max(float(row[roll_column]) for row in rolls) == float(largest[roll_column])

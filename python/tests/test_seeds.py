@@ -27,10 +27,35 @@ def test_each_file_is_the_run_of_its_seed(tmp_path, capsys) -> None:
         assert found.attrs["warnings"] == alone.attrs["warnings"]
         assert (found.attrs["seed"], found.attrs["status"]) == (seed, "finished")
     files[2].unlink()
-    assert main(["run", "barge", *arguments, "--seeds", "6", "-o", str(tmp_path / "run_*.nc")]) == 0
+    assert main(["run", "barge", *arguments, "--seeds", "6", "--anew", "-o", str(tmp_path / "run_*.nc")]) == 0
     assert "run_6.nc, 5 replace an older file" in capsys.readouterr().out
     assert main(["statistics", *map(str, files), "--after-s", "1"]) == 0
     assert "of 6 runs" in capsys.readouterr().out
+
+
+def test_what_is_finished_and_of_the_same_run_is_kept(tmp_path, capsys, monkeypatch) -> None:
+    """Source: the public contract: other seeds, other settings, damaged files and others' are run."""
+    arguments = ["run", "barge", "--set=waves=on", "--set=simulation.duration_s=1", "-o"]
+    pattern = str(tmp_path / "run_*.nc")
+    assert main([*arguments, pattern, "--seeds", "3"]) == 0
+    assert "kept" not in capsys.readouterr().out
+    files = [tmp_path / f"run_{seed}.nc" for seed in (1, 2, 3, 4)]
+    before = [path.stat().st_mtime_ns for path in files[:3]]
+    files[1].write_bytes(files[1].read_bytes()[:1000])
+    assert main([*arguments, pattern, "--seeds", "4"]) == 0
+    shown = capsys.readouterr().out
+    assert "kept            2 of them" in shown
+    assert "1 replace an older file" in shown
+    after = [path.stat().st_mtime_ns for path in files]
+    assert [new == old for new, old in zip(after, before, strict=False)] == [True, False, True]
+    alone = kingpost.run("barge", {"waves": True, "simulation.duration_s": 1.0, "simulation.seed": 2})
+    found = xarray.load_dataset(files[1], engine="h5netcdf")
+    xarray.testing.assert_identical(found.drop_attrs(), alone.drop_attrs())
+    assert main([*arguments, pattern, "--seeds", "4", "--set=significant_height_m=1"]) == 0
+    assert "4 replace an older file" in capsys.readouterr().out
+    monkeypatch.setattr(seeds, "Batch", None)
+    assert main([*arguments, pattern, "--seeds", "4", "--set=significant_height_m=1"]) == 0
+    assert "kept            4 of them" in capsys.readouterr().out
 
 
 def test_runs_that_diverge_are_kept_until_then_and_fail(tmp_path, capsys) -> None:

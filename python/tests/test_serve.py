@@ -13,6 +13,7 @@ import socket
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import dataclass
@@ -25,7 +26,7 @@ from urllib.request import Request, urlopen
 import kingpost
 import pytest
 from kingpost.cli import main
-from kingpost.server import serve
+from kingpost.server import listening, serve
 
 ENGINE = b"\0asm\1\0\0\0" + bytes(1000)
 AFLOAT = """version: 1
@@ -65,7 +66,7 @@ def address(app: Path, small: Path) -> Iterator[str]:
     yield f"http://127.0.0.1:{server.server_port}/"
     server.shutdown()
     thread.join()
-    server.server_close()
+    server.close()
 
 
 @pytest.mark.parametrize(
@@ -125,10 +126,13 @@ def test_a_given_scenario_brings_the_database_beside_it(app, tmp_path):
     afloat.write_text(AFLOAT)
     files, chosen = serve.scenarios(str(afloat))
     server = serve.open_server(app, files, serve.LOOPBACK, 0, serve.databases(str(afloat)))
-    server.server_close()
+    server.close()
     assert chosen == "afloat"
-    assert server.pages["/scenarios/own.hydro.json"].decode() == database
-    titles = {entry["file"]: entry["title"] for entry in json.loads(server.pages["/scenarios/index.json"])}
+    assert server.application.pages["/scenarios/own.hydro.json"].decode() == database
+    titles = {
+        entry["file"]: entry["title"]
+        for entry in json.loads(server.application.pages["/scenarios/index.json"])
+    }
     assert titles["afloat.yaml"] == "Afloat"
     assert "own.hydro.json" not in titles
 
@@ -145,8 +149,8 @@ def test_the_bare_address_opens_the_given_scenario(app, small):
     """Source: the app opens what the index says, else its start page."""
     files, chosen = serve.scenarios(str(small))
     server = serve.open_server(app, files, serve.LOOPBACK, 0, serve.databases(str(small)), chosen)
-    server.server_close()
-    entries = json.loads(server.pages["/scenarios/index.json"])
+    server.close()
+    entries = json.loads(server.application.pages["/scenarios/index.json"])
     assert [entry["name"] for entry in entries if entry.get("opens")] == ["small"]
 
 
@@ -166,8 +170,8 @@ def test_no_browser_keeps_the_app_for_when_the_server_is_gone(app):
     (app / "offline.js").write_text("keep()")
     (app / "offline-leave.js").write_text("leave()")
     server = serve.open_server(app, {}, serve.LOOPBACK, 0)
-    server.server_close()
-    assert server.pages["/offline.js"] == b"leave()"
+    server.close()
+    assert server.application.pages["/offline.js"] == b"leave()"
 
 
 @dataclass(frozen=True)
@@ -315,7 +319,7 @@ def test_without_a_port_the_next_free_one_is_taken(app, monkeypatch):
         monkeypatch.setattr(serve, "FIRST_PORT", first)
         server = serve.open_server(app, {}, serve.LOOPBACK, None)
         assert first < server.server_port <= first + serve.PORTS_TRIED
-        server.server_close()
+        server.close()
 
 
 @pytest.mark.parametrize(
@@ -348,7 +352,7 @@ def test_a_given_host_gets_an_address_for_others_and_a_qr_code(app, monkeypatch,
         raise KeyboardInterrupt
 
     monkeypatch.setattr(serve.Server, "serve_forever", interrupted)
-    monkeypatch.setattr(serve, "lan_address", lambda: "192.168.7.9")
+    monkeypatch.setattr(listening, "lan_address", lambda: "192.168.7.9")
     assert main(["serve", "paper", "--host", "0.0.0.0", "--port", "0"]) == 0
     text = capsys.readouterr().out
     assert "Kingpost is at http://192.168.7.9:" in text
@@ -373,3 +377,94 @@ def test_ctrl_c_ends_the_server_cleanly(app):
     started.send_signal(signal.SIGINT)
     _, errors = started.communicate(timeout=20)
     assert (started.returncode, errors) == (0, "")
+
+
+def ask(address: str, request: bytes) -> bytes:
+    """All that a server says to some bytes until it closes the connection."""
+    place = urlsplit(address)
+    with socket.create_connection((place.hostname, place.port), timeout=20) as line:
+        line.sendall(request)
+        line.shutdown(socket.SHUT_WR)
+        return b"".join(iter(lambda: line.recv(65536), b""))
+
+
+def test_a_body_is_not_read_as_the_next_request(address):
+    """Source: RFC 9112, section 6: what follows the head of a request with a length is its body."""
+    inner = b"GET /scenarios/index.json HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"
+    outer = b"GET /nonesuch HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: %d\r\n\r\n"
+    answer = ask(address, outer % len(inner) + inner)
+    assert answer.count(b"HTTP/1.1 ") == 1
+    assert answer.startswith(b"HTTP/1.1 404 ")
+
+
+def test_nothing_can_be_sent_to_it(address):
+    answer = ask(address, b"POST / HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 2\r\n\r\n{}")
+    assert answer.startswith(b"HTTP/1.1 405 ")
+    assert b"Allow: GET, HEAD" in answer
+
+
+def test_an_aborted_download_says_nothing(app, capfd):
+    """Source: a phone that leaves in the middle of the engine; the next one is served."""
+    (app / "assets" / "engine.wasm").write_bytes(bytes(20_000_000))
+    with serve.open_server(app, {}, serve.LOOPBACK, 0) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        place = f"http://127.0.0.1:{server.server_port}/"
+        for _ in range(3):
+            with socket.create_connection((serve.LOOPBACK, server.server_port)) as line:
+                line.sendall(b"GET /assets/engine.wasm HTTP/1.1\r\nHost: localhost\r\n\r\n")
+                line.recv(1000)
+                # Closed with data that are not read: the other side gets a reset.
+                line.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")
+        assert fetch(place, "").status == 200
+        server.shutdown()
+        thread.join()
+    assert capfd.readouterr().err == ""
+
+
+def test_connections_that_say_nothing_are_limited_in_number(app, monkeypatch):
+    monkeypatch.setattr(listening, "CONNECTIONS", 5)
+    with serve.open_server(app, {}, serve.LOOPBACK, 0) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        lines = [socket.create_connection((serve.LOOPBACK, server.server_port)) for _ in range(12)]
+        deadline = time.monotonic() + 2
+        while time.monotonic() < deadline and len(server._waitress.active_channels) < 4:
+            time.sleep(0.01)
+        time.sleep(0.1)
+        assert 1 <= len(server._waitress.active_channels) <= 5
+        for line in lines:
+            line.close()
+        server.shutdown()
+        thread.join()
+
+
+@pytest.mark.parametrize(
+    ("host", "printed"),
+    [
+        (None, "127.0.0.1"),
+        ("0.0.0.0", "192.168.7.9"),
+        ("::", "[2001:db8::7]"),
+        ("::1", "[::1]"),
+        ("10.0.0.2", "10.0.0.2"),
+    ],
+)
+def test_the_address_is_one_that_others_reach(monkeypatch, host, printed):
+    monkeypatch.setattr(listening, "lan_address", lambda: "192.168.7.9")
+    monkeypatch.setattr(listening, "lan_address6", lambda: "2001:db8::7")
+    assert listening.reachable(host) == printed
+
+
+def test_everywhere_in_ipv6_is_everywhere(app):
+    """Source: phones without IPv6 reach it by the other address."""
+    try:
+        server = serve.open_server(app, {}, "::", 0)
+    except kingpost.KingpostError:
+        pytest.skip("this machine has no IPv6")
+    with server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        for host in ("127.0.0.1", "[::1]"):
+            assert fetch(f"http://{host}:{server.server_port}/", "").status == 200
+        server.shutdown()
+        thread.join()

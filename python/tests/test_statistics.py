@@ -192,9 +192,9 @@ def test_the_command_prints_what_runs_show_after_the_ramp(tmp_path, capsys) -> N
     files = [recorded(tmp_path, seed) for seed in range(6)]
     table = tmp_path / "table.csv"
     assert main(["statistics", *files, "-o", str(table)]) == 0
-    shown = capsys.readouterr().out
+    shown, warned = capsys.readouterr()
     assert "20 to 1799.75 s of 6 runs, 3 h in all: means over them" in shown, "the barge's ramp is 20 s"
-    assert "of 6 runs these are rough: 10 or more" in shown
+    assert "warning: of 6 runs these are rough: 10 or more" in warned
     header = next(line for line in shown.splitlines() if line.startswith("channel"))
     assert header.split("  ")[-2:] == ["largest of all", "smallest of all"]
     roll = next(line.split() for line in shown.splitlines() if line.startswith("ship.roll"))
@@ -303,7 +303,7 @@ def test_a_run_that_ended_early_is_told_of(tmp_path, capsys) -> None:
     results.attrs["status"] = "interrupted"
     results.to_netcdf(tmp_path / "part.nc", engine="h5netcdf")
     assert main(["statistics", str(tmp_path / "part.nc"), "--after-s", "1"]) == 0
-    assert "warning: a run ended early, at 3 s: interrupted" in capsys.readouterr().out
+    assert "warning: a run ended early, at 3 s: interrupted" in capsys.readouterr().err
 
 
 def _warned(values: list[float], **warnings: str) -> xarray.Dataset:

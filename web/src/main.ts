@@ -6,8 +6,10 @@ import { enablePalettes } from "./app/palette";
 import type { Fault } from "./engine/engine";
 import { keepOffline, watchOffline } from "./offline/register";
 import { StartPage } from "./start/start";
+import { fillPage } from "./texts/page";
 import { enableFiles } from "./ui/files";
 
+fillPage();
 enablePalettes();
 const gallery = Gallery.load(document.baseURI);
 const loadSimulator = () => import("./simulator");

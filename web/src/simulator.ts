@@ -14,11 +14,15 @@ import { EquationsPanel } from "./equations/equations";
 import { exportTool } from "./export/dialog";
 import { Instruments } from "./instruments/instruments";
 import { Levers } from "./levers/levers";
+import { Periods } from "./physics/periods";
+import { PhysicsPanel } from "./physics/physics";
 import { Plots } from "./plots/plots";
+import { language, texts } from "./texts";
 import { announce } from "./ui/announcer";
 import { showAbout } from "./ui/about";
 import { showFaults } from "./ui/alert";
 import { Controls } from "./ui/controls";
+import { byId } from "./ui/dom";
 import { Floating } from "./ui/floating";
 import { showPace } from "./ui/pace";
 import { Readouts } from "./ui/readouts";
@@ -42,17 +46,22 @@ export interface Simulator {
   openFiles(texts: Record<string, string>): Promise<void>;
   pause(): void;
   report(fault: Fault): void;
-  /** Of the document, while a run is shown. */
-  readonly title: string;
+  /** Gives the document the title of the run. */
+  entitle(): void;
 }
 
 /** Starts the engine, and builds the page around a session; the gallery may be still on its way. */
 export function startSimulator(gallery: Promise<Gallery>): Simulator {
-  const startWorker = () => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module" });
+  const startWorker = () => new Worker(new URL("./engine/worker.ts", import.meta.url), { type: "module", name: language });
   const startClient = () => new EngineClient(startWorker, galleryFolder(document.baseURI));
   const session = new Session(startClient());
   buildPage(session, startClient);
   exposeHandle(session);
+  // What opens behind the start page gives its title once it is seen.
+  const entitle = () => {
+    if (!byId("app").hidden) document.title = session.run ? texts.page.title(session.run.model.title) : texts.page.name;
+  };
+  session.listen({ opened: entitle });
   const linkNotice = new LinkNotice(session);
   const scenarios = new Scenarios(session, document.baseURI, (link) => linkNotice.tell(link));
   const offered = gallery.then((known) => scenarios.offer(known));
@@ -70,9 +79,7 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
     openFiles: (texts) => scenarios.openFiles(texts),
     pause: () => session.pause(),
     report: (fault) => session.report(fault),
-    get title() {
-      return session.run ? `Kingpost – ${session.run.model.title}` : "Kingpost";
-    },
+    entitle,
   };
 }
 
@@ -97,6 +104,8 @@ function buildPage(session: Session, startClient: () => EngineClient): void {
   const scene = createScene(session, aside);
   const plots: Plots = new Plots(session, aside, [exportTool(session, scene, () => plots.shown)]);
   new EquationsPanel(session, aside, (what) => scene.highlight(what));
+  const startSweep = () => new Worker(new URL("./physics/worker.ts", import.meta.url), { type: "module", name: language });
+  const physics = new PhysicsPanel(session, aside, new Periods(startSweep, galleryFolder(document.baseURI)));
   const ahead = openAhead(session, aside, galleryFolder(document.baseURI));
   new AheadLine(ahead);
   ahead.onChange(() => {
@@ -106,5 +115,6 @@ function buildPage(session: Session, startClient: () => EngineClient): void {
   runClock(session, () => {
     scene.draw();
     plots.draw();
+    physics.draw();
   });
 }

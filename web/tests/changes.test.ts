@@ -16,7 +16,7 @@ const SCENARIOS = ["lowering_by_winch", "quayside_lift", "offshore_vessel_on_dp"
 const WEIGHTS = { lever: 22, parameter: 6, live: 8, scrub: 10, start: 9, pause: 6, step: 8, advance: 24, reset: 2, speed: 4, save: 0.5, open: 0.5 };
 type Change = keyof typeof WEIGHTS;
 /** What a run may say is wrong: a value that is refused, a run that flies apart, a file that holds no two operations. */
-const MAY_FAIL = ["input", "scenario", "diverged", "unsaved", "run"];
+const MAY_FAIL = ["input", "setting", "scenario", "diverged", "two_operations", "unsaved", "run"];
 /** Turns of the event loop in which everything that is asked must be answered. */
 const MOST_TURNS = 20_000;
 

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { heightsOf, tick } from "../src/plots/chart";
 import { coloursOf, DrawnLine } from "../src/plots/drawn";
 import { Figures, MOST_LINES, titleAndLabels } from "../src/plots/figures";
-import { hasWords, labelOf } from "../src/plots/lines";
+import { hasWords, labelOf, linesOf } from "../src/plots/lines";
 import { statisticsOf } from "../src/plots/statistics";
 import { decimalsFor, shownUnit } from "../src/plots/units";
 import { defaultView, MOST_PLOTS, plotOf, viewOf } from "../src/plots/view";
@@ -12,7 +12,7 @@ import { readModel } from "../src/engine/engine";
 import type { Channel, LimitInfo } from "../src/engine/engine";
 import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { channelOf, CHANNELS, FakeEngine } from "./fake";
-import { filesOf, initEngine, read } from "./gallery";
+import { filesOf, gallery, initEngine, read } from "./gallery";
 
 await initEngine();
 const fixedShip = readModel(new FakeEngine().model_json());
@@ -30,6 +30,23 @@ describe("what can be drawn", () => {
     expect(figures.line("main.valve_flow")).toMatchObject({ thing: "main", unit: "m^3/s" });
     expect(labelOf(figures.line("kinetic_energy")!)).toBe("kinetic energy");
     expect([figures.line("ship.yaw")!.wraps, figures.line("ship.angular_velocity.z")!.wraps]).toEqual([true, false]);
+  });
+
+  it.each(gallery)("has a name of its own in a legend, in which no word stands twice: %s", async (name) => {
+    const text = read(`scenarios/${name}.yaml`);
+    const simulation = new Simulation(text, name, "{}", await filesOf(text));
+    const labels = linesOf(readModel(simulation.model_json()), JSON.parse(simulation.channels_json()) as Channel[]).map(labelOf);
+    simulation.free();
+    expect(labels.length).toBeGreaterThan(10);
+    expect(new Set(labels).size).toBe(labels.length);
+    expect(labels.filter((label) => /\b(\w+) \1\b/.test(label))).toEqual([]);
+  });
+
+  it("leaves out what the name of a thing says already", () => {
+    const said = (thing: string, variable: string) => labelOf(new Figures(described, [channelOf(variable, ["thing"], [[thing]], ["N"])]).lines[0]);
+    expect(said("main_line", "line_tension")).toBe("main line tension");
+    expect(said("line_2", "line_tension")).toBe("line 2 tension");
+    expect(said("main", "line_tension")).toBe("main line tension");
   });
 
   it("is found by words in any order, of its name or of what the engine says of it", () => {
@@ -53,7 +70,7 @@ describe("what can be drawn", () => {
   it("puts forces and moments into figures of their own, with short names", () => {
     const figures = new Figures(described, [wrench("excitation_force", "water")]);
     expect(figures.all.map(({ title, labels }) => [title, labels])).toEqual([
-      ["water: excitation force (N)", ["force x", "force y", "force z"]],
+      ["water: excitation force (N)", ["x", "y", "z"]],
       ["water: excitation force (N m)", ["moment x", "moment y", "moment z"]],
     ]);
   });

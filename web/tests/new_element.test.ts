@@ -20,7 +20,7 @@ it("offers what an element of a new kind shows among the plots, in its unit", ()
     ...["x", "y", "z"].map((axis) => [`governor.governor_moment.${axis}`, `governor moment ${axis}`, "kN m"]),
   ]);
   const together = figures.all.filter(({ title }) => title.startsWith("governor"));
-  expect(together.map(({ title, labels }) => [title, labels])).toEqual([["governor: governor moment", ["x", "y", "z"]]]);
+  expect(together.map(({ title, labels }) => [title, labels])).toEqual([["governor: moment", ["x", "y", "z"]]]);
 });
 
 it("reads every column of it from where the table says that it stands", () => {

@@ -98,7 +98,7 @@ describe("a saved scenario", () => {
 
   it("is none where levers were moved beside an operation that is on, in words that say what to do", () => {
     const fault = { kind: "input", message: "operation: found one in the scenario, allowed: operation.enabled: false" };
-    expect(faultOfSaving(fault)).toMatchObject({ kind: "unsaved", message: expect.stringContaining("drive all by hand") });
+    expect(faultOfSaving(fault)).toMatchObject({ kind: "two_operations", message: expect.stringContaining("drive all by hand") });
     expect(faultOfSaving({ kind: "internal", message: "no scenario is open" })).toEqual({ kind: "unsaved", message: "no scenario is open" });
   });
 });

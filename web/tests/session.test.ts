@@ -87,7 +87,7 @@ describe("the session", () => {
       throw { kind: "input", message: "operation: found one in the scenario, allowed: operation.enabled: false" };
     };
     expect(await session.save()).toBeNull();
-    expect(session.fault?.kind).toBe("unsaved");
+    expect(session.fault?.kind).toBe("two_operations");
     await session.step();
     expect(session.status).toBe("paused");
   });
@@ -215,7 +215,7 @@ describe("the session", () => {
   it("words a refused value by its control, not as the command line does", () => {
     const parameters = [{ name: "load_t", label: "Load on the hook", unit: "t", kind: "number", value: 20, range: [1, 50], choices: null, live: false }] as const;
     const fault = { kind: "scenario", message: "--set load_t: found 500, allowed: a number from 1 to 50", file: "--set load_t", field: "load_t", found: "500", allowed: "a number from 1 to 50" };
-    expect(faultOfControl(fault, parameters as never)).toEqual({ kind: "input", message: "Load on the hook: 500 t is not a number from 1 to 50 t." });
+    expect(faultOfControl(fault, parameters as never)).toEqual({ kind: "setting", message: "Load on the hook: 500 t is not a number from 1 to 50 t." });
     const step = { ...fault, file: "--set simulation.step_s", found: "-1", allowed: "a number greater than 0" };
     expect(faultOfControl(step, []).message).toBe("Step size: -1 is not a number greater than 0.");
     const ofFile = { ...fault, file: "ship.yaml" };
@@ -286,7 +286,7 @@ describe("the session", () => {
     await other.step();
     expect(told).toEqual([0.01, 0.02]);
     expect(other.status).toBe("paused");
-    expect(other.fault).toMatchObject({ kind: "page", message: "no picture. The run goes on." });
+    expect(other.fault).toMatchObject({ kind: "page", message: "no picture.", note: "The run goes on." });
     log.mockRestore();
   });
 

@@ -1,11 +1,11 @@
 //! The function `batch` of the module.
 
-use crate::simulation::{Matrix, matrix, report};
+use crate::boundary::{self, Look};
+use crate::simulation::{Matrix, matrix};
 use crate::{Files, errors};
-use kingpost::batch::{BatchError, Variant, run};
+use kingpost::batch::{BatchError, Variant, run_within};
 use kingpost::scenario;
 use pyo3::prelude::*;
-use std::sync::Mutex;
 
 /// The rows of each run, the error that ended it or None, and as JSON the channels and each run's warnings and limits.
 type Runs<'py> = (Vec<Matrix<'py>>, Vec<Option<PyErr>>, String);
@@ -19,9 +19,9 @@ pub fn has_avx2() -> bool {
     return false;
 }
 
-/// Runs every variant: a JSON list of lists of `[name, value]`.
+/// Runs every variant, a JSON list of lists of `[name, value]`; refuses what would record more than `most_bytes`.
 #[pyfunction]
-#[pyo3(signature = (text, file, files, variants_json, threads, progress=None))]
+#[pyo3(signature = (text, file, files, variants_json, threads, most_bytes, progress=None))]
 pub fn batch<'py>(
     py: Python<'py>,
     text: &str,
@@ -29,24 +29,17 @@ pub fn batch<'py>(
     files: Files,
     variants_json: &str,
     threads: usize,
+    most_bytes: u64,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Runs<'py>> {
     let variants: Vec<Variant> =
         serde_json::from_str(variants_json).map_err(|error| errors::input(format!("variants: {error}")))?;
     let files = scenario::Files::new(files);
-    let stopped = Mutex::new(None);
-    let found = py.detach(|| {
-        run(text, file, &files, &variants, threads, |done| match report(done as f64, progress.as_ref()) {
-            Ok(()) => true,
-            Err(error) => {
-                *stopped.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = Some(error);
-                false
-            }
+    let found = boundary::guarded(|| {
+        boundary::watched(py, &Look(progress), |go_on| {
+            run_within(text, file, &files, &variants, threads, most_bytes, go_on)
         })
-    });
-    if let Some(error) = stopped.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner()) {
-        return Err(error);
-    }
+    })?;
     let batch = found.map_err(|found| match found {
         BatchError::Variant { ref error, .. } => errors::variant(&found, error.clone()),
         found => errors::input(found),

@@ -13,6 +13,13 @@ pub fn input(error: impl ToString) -> PyErr {
     KingpostError::new_err(error.to_string())
 }
 
+/// A defect of the engine, not of what it was given.
+pub fn defect(what: &str) -> PyErr {
+    KingpostError::new_err(format!(
+        "the engine failed: {what}; this is a defect of Kingpost, please report it with the scenario"
+    ))
+}
+
 pub fn scenario(error: EngineScenarioError) -> PyErr {
     variant(&error.clone(), error)
 }

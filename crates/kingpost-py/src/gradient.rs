@@ -1,6 +1,7 @@
 //! The function `gradient` of the module.
 
-use crate::simulation::{Matrix, matrix, report};
+use crate::boundary::{self, Look};
+use crate::simulation::{Matrix, matrix};
 use crate::{Files, errors, read_with};
 use kingpost::analysis;
 use pyo3::prelude::*;
@@ -20,15 +21,17 @@ pub fn gradient<'py>(
     names: Vec<String>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Gradient<'py>> {
-    let scenario = read_with(text, file, overrides_json, files)?;
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let mut stopped = None;
-    let found = py.detach(|| {
-        analysis::gradient(&scenario, &names, |time_s| {
-            report(time_s, progress.as_ref()).map_err(|error| stopped = Some(error)).is_ok()
+    let (look, mut stopped) = (Look(progress), None);
+    let found = boundary::guarded(|| {
+        let scenario = read_with(text, file, overrides_json, files)?;
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        py.detach(|| {
+            analysis::gradient(&scenario, &names, |time_s| {
+                look.now(time_s).map_err(|error| stopped = Some(error)).is_ok()
+            })
         })
-    });
-    let found = found.map_err(errors::scenario)?;
+        .map_err(errors::scenario)
+    })?;
     let (columns, count) = (found.columns, found.rows.len() / found.columns.max(1));
     let derivatives = found.derivatives.into_iter().map(|rows| matrix(py, rows, count, columns));
     let channels = serde_json::to_string(&found.channels).map_err(errors::input)?;

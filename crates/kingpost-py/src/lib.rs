@@ -4,6 +4,7 @@
 //! Python package in `python/kingpost`.
 
 mod batch;
+mod boundary;
 mod errors;
 mod gradient;
 mod simulation;
@@ -30,20 +31,24 @@ fn read_with(text: &str, file: &str, overrides_json: &str, files: Files) -> PyRe
 /// The resolved scenario as JSON.
 #[pyfunction]
 fn read(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<String> {
-    Ok(read_with(text, file, overrides_json, files)?.to_json())
+    boundary::guarded(|| Ok(read_with(text, file, overrides_json, files)?.to_json()))
 }
 
 /// Names of the files that a scenario stands on, as far as those that are given tell.
 #[pyfunction]
 fn file_names(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<Vec<String>> {
-    let files = scenario::Files::new(files);
-    scenario::file_names(text, file, &overrides(overrides_json)?, &files).map_err(errors::scenario)
+    boundary::guarded(|| {
+        let files = scenario::Files::new(files);
+        scenario::file_names(text, file, &overrides(overrides_json)?, &files).map_err(errors::scenario)
+    })
 }
 
 /// `name=value` as a name and the value in JSON.
 #[pyfunction]
 fn parse_assignment(text: &str) -> PyResult<(String, String)> {
-    scenario::parse_assignment(text).map(|(name, value)| (name, value.to_string())).map_err(errors::scenario)
+    boundary::guarded(|| {
+        scenario::parse_assignment(text).map(|(name, value)| (name, value.to_string())).map_err(errors::scenario)
+    })
 }
 
 #[pymodule]
@@ -59,6 +64,12 @@ mod _engine {
 
     #[pymodule_export]
     use super::simulation::Simulation;
+
+    #[pymodule_init]
+    fn begin(_module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
+        crate::boundary::keep_defects();
+        Ok(())
+    }
 
     #[pymodule_export]
     #[allow(non_upper_case_globals)]

@@ -1,20 +1,22 @@
 //! The class `Simulation` of the module.
 
+use crate::boundary::{self, Look};
 use crate::{Files, errors, read_with};
-use kingpost::analysis::Linearizer;
+use kingpost::analysis::{self, Linearizer};
 use kingpost::dynamics::moving_frame::{Naming, Symbols};
 use kingpost::hydrostatics::HydrostaticsError;
 use kingpost::scenario::Scenario;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use std::sync::{Mutex, TryLockError};
 
 pub type Vector<'py> = Bound<'py, PyArray1<f64>>;
 pub type Matrix<'py> = Bound<'py, PyArray2<f64>>;
 /// A matrix's name, entries, and for rows and columns their labels and their units.
 type Block<'py> = (String, Matrix<'py>, [Vec<String>; 2], [Vec<&'static str>; 2]);
 /// Steps between two looks for Ctrl-C.
-const STEPS_BETWEEN_SIGNALS: usize = 10_000;
+const STEPS_BETWEEN_SIGNALS: usize = 1_000;
 
 type Linear<'py> = (Matrix<'py>, Matrix<'py>, Vector<'py>, String);
 type Input = (String, String, f64, f64, f64);
@@ -24,241 +26,321 @@ pub fn matrix(py: Python<'_>, data: Vec<f64>, rows: usize, columns: usize) -> Py
     data.into_pyarray(py).reshape([rows, columns])
 }
 
-#[pyclass(module = "kingpost._engine")]
+/// One call at a time: a callback of a run, or another thread, is told so.
+#[pyclass(module = "kingpost._engine", frozen)]
 pub struct Simulation {
+    held: Mutex<Held>,
+}
+
+struct Held {
     inner: kingpost::Simulation,
     scenario: Scenario,
+}
+
+impl Simulation {
+    /// What a call does with the simulation. A defect leaves the lock poisoned: what stands behind it may be half done.
+    fn with<T>(&self, call: impl FnOnce(&mut Held) -> PyResult<T>) -> PyResult<T> {
+        boundary::guarded(|| {
+            let mut held = self.held.try_lock().map_err(|refused| match refused {
+                TryLockError::WouldBlock => {
+                    errors::input("simulation: found a call while it computes, allowed: one call at a time")
+                }
+                TryLockError::Poisoned(_) => {
+                    errors::input("simulation: found a defect in an earlier call, allowed: a new simulation")
+                }
+            })?;
+            call(&mut held)
+        })
+    }
 }
 
 #[pymethods]
 impl Simulation {
     #[new]
     fn new(text: &str, file: &str, overrides_json: &str, files: Files) -> PyResult<Self> {
-        let scenario = read_with(text, file, overrides_json, files)?;
-        Ok(Self { inner: scenario.simulation().map_err(errors::scenario)?, scenario })
+        boundary::guarded(|| {
+            let scenario = read_with(text, file, overrides_json, files)?;
+            let inner = scenario.simulation().map_err(errors::scenario)?;
+            Ok(Self { held: Mutex::new(Held { inner, scenario }) })
+        })
     }
 
-    fn step(&mut self, py: Python<'_>, n: usize) -> PyResult<()> {
-        let mut left = n;
-        while left > 0 {
-            let now = left.min(STEPS_BETWEEN_SIGNALS);
-            py.detach(|| self.inner.step(now)).map_err(errors::run)?;
-            py.check_signals()?;
-            left -= now;
-        }
-        Ok(())
+    fn step(&self, py: Python<'_>, n: usize) -> PyResult<()> {
+        self.with(|held| {
+            let mut left = n;
+            while left > 0 {
+                let now = left.min(STEPS_BETWEEN_SIGNALS);
+                py.detach(|| held.inner.step(now)).map_err(errors::run)?;
+                py.check_signals()?;
+                left -= now;
+            }
+            Ok(())
+        })
     }
 
     /// Rows recorded from now to the end, and the error that ended the run or None: divergence, Ctrl-C
     /// or what the progress callback raised.
     #[pyo3(signature = (progress=None))]
-    fn run<'py>(&mut self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<(Matrix<'py>, Option<PyErr>)> {
-        let mut stopped = None;
-        let run = py.detach(|| {
-            self.inner.run(|time_s| match report(time_s, progress.as_ref()) {
-                Ok(()) => true,
-                Err(error) => {
-                    stopped = Some(error);
-                    false
-                }
-            })
-        });
-        let rows = run.rows.len() / run.columns.max(1);
-        let rows = matrix(py, run.rows, rows, run.columns)?;
-        Ok((rows, stopped.or_else(|| run.status.err().map(errors::run))))
+    fn run<'py>(&self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<(Matrix<'py>, Option<PyErr>)> {
+        self.with(|held| {
+            let (look, mut stopped) = (Look(progress), None);
+            let run = py.detach(|| {
+                held.inner.run(|time_s| match look.now(time_s) {
+                    Ok(()) => true,
+                    Err(error) => {
+                        stopped = Some(error);
+                        false
+                    }
+                })
+            });
+            let rows = run.rows.len() / run.columns.max(1);
+            let rows = matrix(py, run.rows, rows, run.columns)?;
+            Ok((rows, stopped.or_else(|| run.status.err().map(errors::run))))
+        })
     }
 
-    fn reset(&mut self) {
-        self.inner.reset();
+    fn reset(&self) -> PyResult<()> {
+        self.with(|held| {
+            held.inner.reset();
+            Ok(())
+        })
     }
 
-    fn time_s(&self) -> f64 {
-        self.inner.time_s()
+    fn time_s(&self) -> PyResult<f64> {
+        self.with(|held| Ok(held.inner.time_s()))
     }
 
-    fn step_s(&self) -> f64 {
-        self.inner.settings().step_s
+    fn step_s(&self) -> PyResult<f64> {
+        self.with(|held| Ok(held.inner.settings().step_s))
     }
 
-    fn evaluations(&self) -> u64 {
-        self.inner.evaluations()
+    fn evaluations(&self) -> PyResult<u64> {
+        self.with(|held| Ok(held.inner.evaluations()))
     }
 
     /// q, v and s.
-    fn motion<'py>(&self, py: Python<'py>) -> [Vector<'py>; 3] {
-        let state = self.inner.state();
-        [&state.q, &state.v, &state.s].map(|part| PyArray1::from_slice(py, part))
+    fn motion<'py>(&self, py: Python<'py>) -> PyResult<[Vector<'py>; 3]> {
+        self.with(|held| {
+            let state = held.inner.state();
+            Ok([&state.q, &state.v, &state.s].map(|part| PyArray1::from_slice(py, part)))
+        })
     }
 
     #[pyo3(signature = (q, v, s=None))]
     fn set_state(
-        &mut self,
+        &self,
         q: PyReadonlyArray1<'_, f64>,
         v: PyReadonlyArray1<'_, f64>,
         s: Option<PyReadonlyArray1<'_, f64>>,
     ) -> PyResult<()> {
-        let s = s.as_ref().map(|s| s.as_slice()).transpose()?;
-        self.inner.set_state(q.as_slice()?, v.as_slice()?, s).map_err(errors::input)
+        self.with(|held| {
+            let s = s.as_ref().map(|s| s.as_slice()).transpose()?;
+            held.inner.set_state(q.as_slice()?, v.as_slice()?, s).map_err(errors::input)
+        })
     }
 
-    fn snapshot<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        PyBytes::new(py, &self.inner.snapshot())
+    fn snapshot<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        self.with(|held| Ok(PyBytes::new(py, &held.inner.snapshot())))
     }
 
-    fn restore(&mut self, snapshot: &[u8]) -> PyResult<()> {
-        self.inner.restore(snapshot).map_err(errors::input)
+    fn restore(&self, snapshot: &[u8]) -> PyResult<()> {
+        self.with(|held| held.inner.restore(snapshot).map_err(errors::input))
     }
 
-    fn inputs(&self) -> Vec<Input> {
-        self.inner.inputs().into_iter().map(|i| (i.name, i.unit.to_owned(), i.lower, i.upper, i.value)).collect()
+    fn inputs(&self) -> PyResult<Vec<Input>> {
+        self.with(|held| {
+            Ok(held
+                .inner
+                .inputs()
+                .into_iter()
+                .map(|i| (i.name, i.unit.to_owned(), i.lower, i.upper, i.value))
+                .collect())
+        })
     }
 
-    fn set_input(&mut self, name: &str, value: f64) -> PyResult<()> {
-        self.inner.set_input(name, value).map_err(errors::input)
+    fn set_input(&self, name: &str, value: f64) -> PyResult<()> {
+        self.with(|held| held.inner.set_input(name, value).map_err(errors::input))
     }
 
-    fn set_parameter(&mut self, name: &str, value_json: &str) -> PyResult<()> {
-        let value = serde_json::from_str(value_json).map_err(errors::input)?;
-        self.scenario.set_parameter(&mut self.inner, name, &value).map_err(errors::input)
+    fn set_parameter(&self, name: &str, value_json: &str) -> PyResult<()> {
+        self.with(|held| {
+            let value = serde_json::from_str(value_json).map_err(errors::input)?;
+            held.scenario.set_parameter(&mut held.inner, name, &value).map_err(errors::input)
+        })
     }
 
     /// Names and units.
-    fn coordinates(&self) -> Vec<(String, &'static str)> {
-        self.inner.coordinates().into_iter().zip(self.inner.coordinate_units()).collect()
+    fn coordinates(&self) -> PyResult<Vec<(String, &'static str)>> {
+        self.with(|held| Ok(held.inner.coordinates().into_iter().zip(held.inner.coordinate_units()).collect()))
     }
 
     fn channels_json(&self) -> PyResult<String> {
-        serde_json::to_string(self.inner.channels()).map_err(errors::input)
+        self.with(|held| serde_json::to_string(held.inner.channels()).map_err(errors::input))
     }
 
-    fn row<'py>(&mut self, py: Python<'py>) -> Vector<'py> {
-        let mut row = Vec::with_capacity(self.inner.columns());
-        self.inner.write_row(&mut row);
-        row.into_pyarray(py)
+    fn row<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
+        self.with(|held| {
+            let mut row = Vec::with_capacity(held.inner.columns());
+            held.inner.write_row(&mut row);
+            Ok(row.into_pyarray(py))
+        })
     }
 
-    fn poses<'py>(&mut self, py: Python<'py>) -> PyResult<Matrix<'py>> {
-        let bodies = self.inner.model().bodies.len();
-        matrix(py, self.inner.poses(), bodies, 7)
+    fn poses<'py>(&self, py: Python<'py>) -> PyResult<Matrix<'py>> {
+        self.with(|held| {
+            let bodies = held.inner.model().bodies.len();
+            matrix(py, held.inner.poses(), bodies, 7)
+        })
     }
 
     /// What has happened so far: time, element, what.
-    fn events(&self) -> Vec<(f64, String, String)> {
-        self.inner.events().iter().map(|event| (event.time_s, event.element.clone(), event.what.to_string())).collect()
+    fn events(&self) -> PyResult<Vec<(f64, String, String)>> {
+        self.with(|held| {
+            Ok(held
+                .inner
+                .events()
+                .iter()
+                .map(|event| (event.time_s, event.element.clone(), event.what.to_string()))
+                .collect())
+        })
     }
 
     /// What a person should know of the rows so far: time, name and text of each, as JSON.
     fn warnings_json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.inner.warnings()).map_err(errors::input)
+        self.with(|held| serde_json::to_string(&held.inner.warnings()).map_err(errors::input))
     }
 
     /// How the limits held in the rows so far, as JSON.
     fn limits_json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.inner.limits()).map_err(errors::input)
+        self.with(|held| serde_json::to_string(&held.inner.limits()).map_err(errors::input))
     }
 
     /// What a hand has set so far: time, input, value.
-    fn lever_moves(&self) -> Vec<(f64, String, f64)> {
-        self.inner.lever_moves().into_iter().map(|one| (one.time_s, one.input, one.value)).collect()
+    fn lever_moves(&self) -> PyResult<Vec<(f64, String, f64)>> {
+        self.with(|held| {
+            Ok(held.inner.lever_moves().into_iter().map(|one| (one.time_s, one.input, one.value)).collect())
+        })
     }
 
     /// What a hand has set so far as an operation, as JSON.
     fn operation_json(&self) -> PyResult<String> {
-        let operation = self.scenario.operation_by_hand(&self.inner).map_err(errors::input)?;
-        serde_json::to_string(&operation).map_err(errors::input)
+        self.with(|held| {
+            let operation = held.scenario.operation_by_hand(&held.inner).map_err(errors::input)?;
+            serde_json::to_string(&operation).map_err(errors::input)
+        })
     }
 
     fn lines_json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.inner.lines()).map_err(errors::input)
+        self.with(|held| serde_json::to_string(&held.inner.lines()).map_err(errors::input))
     }
 
-    fn line_points<'py>(&mut self, py: Python<'py>) -> Vector<'py> {
-        self.inner.line_points().into_pyarray(py)
+    fn line_points<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
+        self.with(|held| Ok(held.inner.line_points().into_pyarray(py)))
     }
 
     #[pyo3(signature = (tau=None))]
-    fn acceleration<'py>(&mut self, py: Python<'py>, tau: Option<PyReadonlyArray1<'_, f64>>) -> PyResult<Vector<'py>> {
-        let tau = tau.as_ref().map(|tau| tau.as_slice()).transpose()?;
-        Ok(self.inner.acceleration(tau).map_err(errors::input)?.into_pyarray(py))
+    fn acceleration<'py>(&self, py: Python<'py>, tau: Option<PyReadonlyArray1<'_, f64>>) -> PyResult<Vector<'py>> {
+        self.with(|held| {
+            let tau = tau.as_ref().map(|tau| tau.as_slice()).transpose()?;
+            Ok(held.inner.acceleration(tau).map_err(errors::input)?.into_pyarray(py))
+        })
     }
 
-    fn mass_matrix<'py>(&mut self, py: Python<'py>) -> PyResult<Matrix<'py>> {
-        let n = self.inner.coordinates().len();
-        matrix(py, self.inner.mass_matrix(), n, n)
+    fn mass_matrix<'py>(&self, py: Python<'py>) -> PyResult<Matrix<'py>> {
+        self.with(|held| {
+            let n = held.inner.coordinates().len();
+            matrix(py, held.inner.mass_matrix(), n, n)
+        })
     }
 
     /// J of the closed loops over the free coordinates, by rows.
-    fn constraint_matrix<'py>(&mut self, py: Python<'py>) -> PyResult<Matrix<'py>> {
-        let j = self.inner.moving_frame().j;
-        matrix(py, j.transpose().as_slice().to_vec(), j.nrows(), j.ncols())
+    fn constraint_matrix<'py>(&self, py: Python<'py>) -> PyResult<Matrix<'py>> {
+        self.with(|held| {
+            let j = held.inner.moving_frame().j;
+            matrix(py, j.transpose().as_slice().to_vec(), j.nrows(), j.ncols())
+        })
     }
 
-    fn bias_force<'py>(&mut self, py: Python<'py>) -> Vector<'py> {
-        self.inner.bias_force().into_pyarray(py)
+    fn bias_force<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
+        self.with(|held| Ok(held.inner.bias_force().into_pyarray(py)))
     }
 
     /// The matrices now, with the labels and the units of rows and columns.
-    fn moving_frame<'py>(&mut self, py: Python<'py>) -> PyResult<Vec<Block<'py>>> {
-        let blocks = self.inner.moving_frame().named(self.inner.model());
-        blocks
-            .into_iter()
-            .map(|block| {
-                let (rows, columns) = (block.row_labels.len(), block.column_labels.len());
-                let data = matrix(py, block.data, rows, columns)?;
-                let labels = [block.row_labels, block.column_labels];
-                Ok((block.name, data, labels, [block.row_units, block.column_units]))
-            })
-            .collect()
+    fn moving_frame<'py>(&self, py: Python<'py>) -> PyResult<Vec<Block<'py>>> {
+        self.with(|held| {
+            let blocks = held.inner.moving_frame().named(held.inner.model());
+            blocks
+                .into_iter()
+                .map(|block| {
+                    let (rows, columns) = (block.row_labels.len(), block.column_labels.len());
+                    let data = matrix(py, block.data, rows, columns)?;
+                    let labels = [block.row_labels, block.column_labels];
+                    Ok((block.name, data, labels, [block.row_units, block.column_units]))
+                })
+                .collect()
+        })
     }
 
     /// A and B by rows, the rates, and as JSON the names and units of states and inputs.
     fn linearize<'py>(&self, py: Python<'py>) -> PyResult<Linear<'py>> {
-        let linear = Linearizer::new(&self.scenario).map_err(errors::scenario)?.at(&self.inner);
-        let (n, m) = (linear.states.len(), linear.inputs.len());
-        let a = matrix(py, linear.a.transpose().as_slice().to_vec(), n, n)?;
-        let b = matrix(py, linear.b.transpose().as_slice().to_vec(), n, m)?;
-        let names = serde_json::to_string(&linear.names()).map_err(errors::input)?;
-        Ok((a, b, linear.rates.into_pyarray(py), names))
+        self.with(|held| {
+            let linear = Linearizer::new(&held.scenario).map_err(errors::scenario)?.at(&held.inner);
+            let (n, m) = (linear.states.len(), linear.inputs.len());
+            let a = matrix(py, linear.a.transpose().as_slice().to_vec(), n, n)?;
+            let b = matrix(py, linear.b.transpose().as_slice().to_vec(), n, m)?;
+            let names = serde_json::to_string(&linear.names()).map_err(errors::input)?;
+            Ok((a, b, linear.rates.into_pyarray(py), names))
+        })
+    }
+
+    /// The oscillations of bodies about the equilibrium nearby, as JSON: what the browser has.
+    fn natural_modes_json(&self, py: Python<'_>) -> PyResult<String> {
+        self.with(|held| {
+            let found = py.detach(|| analysis::natural_modes(&held.scenario, &held.inner)).map_err(errors::input)?;
+            serde_json::to_string(&found).map_err(errors::input)
+        })
     }
 
     /// Moves to an equilibrium: Newton's iterations, and the largest acceleration that is left.
-    fn settle(&mut self, py: Python<'_>) -> PyResult<(usize, f64)> {
-        let found = py.detach(|| self.inner.settle()).map_err(errors::input)?;
-        Ok((found.iterations, found.residual))
+    fn settle(&self, py: Python<'_>) -> PyResult<(usize, f64)> {
+        self.with(|held| {
+            let found = py.detach(|| held.inner.settle()).map_err(errors::input)?;
+            Ok((found.iterations, found.residual))
+        })
     }
 
     /// The matrices as formulas, as JSON; bodies by number or by name.
     fn symbols_json(&self, names: bool) -> PyResult<String> {
-        let naming = if names { Naming::Names } else { Naming::Numbers };
-        serde_json::to_string(&Symbols::new(self.inner.model(), naming).matrices()).map_err(errors::input)
+        self.with(|held| {
+            let naming = if names { Naming::Names } else { Naming::Numbers };
+            serde_json::to_string(&Symbols::new(held.inner.model(), naming).matrices()).map_err(errors::input)
+        })
     }
 
     /// The response to regular waves about rest, as JSON; of directions and frequencies as JSON.
     fn wave_response_json(&self, py: Python<'_>, waves_json: &str) -> PyResult<String> {
-        let waves = serde_json::from_str(waves_json).map_err(errors::input)?;
-        let found = py.detach(|| self.scenario.wave_response(&self.inner, &waves)).map_err(errors::input)?;
-        serde_json::to_string(&found).map_err(errors::input)
+        self.with(|held| {
+            let waves = serde_json::from_str(waves_json).map_err(errors::input)?;
+            let found = py.detach(|| held.scenario.wave_response(&held.inner, &waves)).map_err(errors::input)?;
+            serde_json::to_string(&found).map_err(errors::input)
+        })
     }
 
     /// How the hulls float at rest with the crane as it stands, as JSON.
     fn hydrostatics_json(&self, py: Python<'_>) -> PyResult<String> {
-        let report = py.detach(|| self.scenario.hydrostatic_report_at(&self.inner));
-        let report = report.map_err(|error| match error {
-            HydrostaticsError::Scenario(error) => errors::scenario(error),
-            HydrostaticsError::Hull { .. } => errors::input(error),
-        })?;
-        serde_json::to_string(&report).map_err(errors::input)
+        self.with(|held| {
+            let report = py.detach(|| held.scenario.hydrostatic_report_at(&held.inner));
+            let report = report.map_err(|error| match error {
+                HydrostaticsError::Scenario(error) => errors::scenario(error),
+                HydrostaticsError::Hull { .. } => errors::input(error),
+            })?;
+            serde_json::to_string(&report).map_err(errors::input)
+        })
     }
 
     fn model_json(&self) -> PyResult<String> {
-        serde_json::to_string(&self.scenario.describe().map_err(errors::scenario)?).map_err(errors::input)
+        self.with(|held| {
+            serde_json::to_string(&held.scenario.describe().map_err(errors::scenario)?).map_err(errors::input)
+        })
     }
-}
-
-/// Let Python see Ctrl-C and tell the progress callback where the run is.
-pub fn report(time_s: f64, progress: Option<&Py<PyAny>>) -> PyResult<()> {
-    Python::attach(|py| {
-        py.check_signals()?;
-        progress.map_or(Ok(()), |callback| callback.call1(py, (time_s,)).map(drop))
-    })
 }

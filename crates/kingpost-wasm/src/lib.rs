@@ -5,6 +5,7 @@
 mod thrown;
 
 use js_sys::JsString;
+use kingpost::analysis;
 use kingpost::scenario::{self, Files, Scenario};
 use serde_json::{Map, Value};
 use std::collections::HashMap;
@@ -38,6 +39,12 @@ impl Simulation {
     /// Goes back to time 0.
     pub fn reset(&mut self) {
         self.inner.reset();
+    }
+
+    /// The oscillations about the equilibrium that is nearest to where the simulation stands: coordinate, period and damping
+    /// ratio of each, the longest period first.
+    pub fn natural_modes_json(&self) -> Result<JsString, JsValue> {
+        json(&analysis::natural_modes(&self.scenario, &self.inner).map_err(thrown::input)?)
     }
 
     /// Time, s.

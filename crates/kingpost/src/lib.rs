@@ -35,7 +35,6 @@ pub mod scenario;
 
 pub mod hydrostatics;
 
-#[cfg(not(target_family = "wasm"))]
 pub mod analysis;
 #[cfg(not(target_family = "wasm"))]
 pub mod batch;

@@ -48,6 +48,14 @@ pub enum SnapshotError {
         /// Numbers in this simulation.
         allowed: usize,
     },
+    /// Some of its bytes are not those that were written.
+    #[error("the snapshot is damaged: its checksum is {found:016x}, that of its bytes {allowed:016x}")]
+    Damaged {
+        /// At its end.
+        found: u64,
+        /// Of the bytes before it.
+        allowed: u64,
+    },
     /// It ends too early or too late.
     #[error("the snapshot has {found} bytes, {allowed} are needed")]
     Length {
@@ -59,7 +67,7 @@ pub enum SnapshotError {
 }
 
 const MAGIC: [u8; 7] = *b"kingpst";
-const VERSION: u8 = 2;
+const VERSION: u8 = 3;
 
 /// Bytes before the numbers: the magic word and the version.
 const HEADER: usize = MAGIC.len() + 1;
@@ -67,6 +75,12 @@ const HEADER: usize = MAGIC.len() + 1;
 /// Words before the parts: the fingerprint and the steps.
 const LEAD: usize = 2;
 const PARTS: [&str; 6] = ["q", "v", "s", "d", "memory", "m"];
+
+/// A number that stands for bytes: FNV-1a (Fowler, Noll & Vo). A byte that differs changes it.
+pub(crate) fn digest(bytes: &[u8]) -> u64 {
+    let byte = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, byte)
+}
 
 impl<S: Copy> State<S> {
     fn parts(&self) -> [&Vec<S>; 5] {
@@ -101,6 +115,7 @@ impl State {
         }
         bytes.extend((self.m.len() as u64).to_le_bytes());
         bytes.extend(self.m.iter().flat_map(|mode| mode.to_le_bytes()));
+        bytes.extend(digest(&bytes).to_le_bytes());
         bytes
     }
 
@@ -132,7 +147,8 @@ impl State {
         let words: Vec<u64> = bytes[HEADER..].chunks_exact(8).map(word).collect();
         let [q, v, s, d, memory] = self.parts().map(Vec::len);
         let lengths = [q, v, s, d, memory, self.m.len()];
-        let allowed = HEADER + 8 * (LEAD + lengths.iter().map(|n| n + 1).sum::<usize>());
+        let before = HEADER + 8 * (LEAD + lengths.iter().map(|n| n + 1).sum::<usize>());
+        let allowed = before + 8;
         let wrong_length = SnapshotError::Length { found: bytes.len(), allowed };
         let found = *words.first().ok_or(wrong_length.clone())?;
         if found != fingerprint {
@@ -146,7 +162,11 @@ impl State {
             }
             at += 1 + length;
         }
-        if bytes.len() == allowed { Ok(words) } else { Err(wrong_length) }
+        if bytes.len() != allowed {
+            return Err(wrong_length);
+        }
+        let (found, allowed) = (words[at], digest(&bytes[..before]));
+        if found == allowed { Ok(words) } else { Err(SnapshotError::Damaged { found, allowed }) }
     }
 }
 
@@ -176,12 +196,22 @@ mod tests {
     }
 
     #[test]
+    fn a_snapshot_with_any_bit_flipped_is_refused() {
+        let good = state().snapshot(5);
+        for bit in 0..8 * good.len() {
+            let mut bytes = good.clone();
+            bytes[bit / 8] ^= 1 << (bit % 8);
+            assert!(state().restore(&bytes, 5).is_err(), "bit {bit} was flipped unseen");
+        }
+    }
+
+    #[test]
     fn a_snapshot_of_another_shape_is_refused_and_changes_nothing() {
         let mut other = State { v: vec![0.0; 2], ..state() };
         let before = other.clone();
         let refused = other.restore(&state().snapshot(5), 5);
         assert_eq!(refused, Err(SnapshotError::Shape { part: "v", found: 1, allowed: 2 }));
-        assert_eq!(other.restore(b"nonsense", 5), Err(SnapshotError::Format { allowed: 2 }));
+        assert_eq!(other.restore(b"nonsense", 5), Err(SnapshotError::Format { allowed: VERSION }));
         let short = &state().snapshot(5)[..28];
         assert!(matches!(other.restore(short, 5), Err(SnapshotError::Length { .. })));
         let foreign = other.restore(&state().snapshot(4), 5);

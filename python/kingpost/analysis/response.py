@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 ENDINGS = (".nc", ".csv", ".png")
 DIRECTIONS_DEG = tuple(range(0, 360, 45))
+PRINTED_RAD_S = 0.5e-4 * (1 + 1e-9)
+"""Half of the last digit of a frequency in messages."""
 FULL_TURN_RAD = 2 * np.pi
 AXES, ANGLES = ("x", "y", "z"), ("roll", "pitch", "yaw")
 PHASE = "_phase"
@@ -88,8 +90,8 @@ def rao(
         simulation = Simulation(as_scenario(scenario_or_simulation, overrides, parameters))
     given = np.deg2rad(DIRECTIONS_DEG) if directions_rad is None else np.atleast_1d(directions_rad)
     directions = _within_one_turn(np.asarray(given, float))
-    if frequencies_rad_s is None:
-        frequencies_rad_s = _frequencies_that_all_cover(simulation.scenario)
+    covered = _frequencies_that_all_cover(simulation.scenario)
+    frequencies_rad_s = covered if frequencies_rad_s is None else _onto_ends(frequencies_rad_s, covered)
     found = simulation.wave_response(directions, np.atleast_1d(np.asarray(frequencies_rad_s, float)))
     return _dataset(simulation, found, points)
 
@@ -108,6 +110,15 @@ def _frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
     between = first[:-1, None] + 0.25 * np.arange(4) * np.diff(first)[:, None]
     refined = np.concatenate([between.ravel(), first[-1:], ends])
     return np.unique(refined[(ends[0] <= refined) & (refined <= ends[1])])
+
+
+def _onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Frequencies as they are; those that are the lowest or the highest of the data but for the digits that
+    are printed of it are that."""
+    asked = np.atleast_1d(np.asarray(frequencies_rad_s, float))
+    for end in covered[[0, -1]] if covered.size else ():
+        asked = np.where(np.abs(asked - end) <= PRINTED_RAD_S, end, asked)
+    return asked
 
 
 def _within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -209,8 +220,11 @@ def complex_amplitude(found: xarray.Dataset, quantity: str) -> xarray.DataArray:
 
 
 def frame(found: xarray.Dataset) -> pandas.DataFrame:
-    """A row for each direction (deg) and frequency (rad/s); columns such as ``arm.tip.displacement.z``,
-    ``ship.rotation.roll`` and ``ship.rotation_phase.roll``."""
+    """A row for each direction (deg) and frequency (rad/s); columns with their units, such as
+    ``arm.tip.displacement.z [m/m]``, ``ship.rotation.roll [deg/m]`` and ``ship.rotation_phase.roll [deg]``.
+
+    Angles are in degrees, as in what is printed; the data set and NetCDF have radians, as their units say.
+    """
     import pandas
 
     directions, frequencies = np.meshgrid(found["direction"], found["omega"], indexing="ij")
@@ -223,7 +237,11 @@ def frame(found: xarray.Dataset) -> pandas.DataFrame:
         flat = values.stack(entry=dims)
         for entry in range(flat.sizes["entry"]):
             labels = {dim: flat[dim].values[entry] for dim in dims}
-            columns[results.column_name(values, labels)] = flat.isel(entry=entry).values.ravel()
+            column = flat.isel(entry=entry)
+            unit = results.unit_of(column)
+            turned = np.rad2deg(column.values) if unit.startswith("rad") else column.values
+            heading = f"{results.column_name(values, labels)} [{unit.replace('rad', 'deg')}]"
+            columns[heading] = turned.ravel()
     return pandas.DataFrame(columns)
 
 

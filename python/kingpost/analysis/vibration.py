@@ -129,6 +129,7 @@ def modes(
             The eigenvalues of A.
         ``shape``, ``shape_imaginary``
             By ``coordinate``: amplitudes, the largest 1, each in the unit that ``shape_unit`` says. With
+            ``moves`` says which are places and angles, and not states of a control or of the water. With
             eigenvalue s + i w the motion is ``exp(s t) (shape cos(w t) - shape_imaginary sin(w t))``.
 
         The attribute ``warning`` is there where a prescribed coordinate moves or accelerates: the
@@ -137,7 +138,7 @@ def modes(
     Raises
     ------
     KingpostError
-        When there is no equilibrium near.
+        When there is no equilibrium near, or nothing that is free to move.
 
     >>> found = modes("chain", hold_rotation=True)
     >>> float(found.frequency[0].round(4))
@@ -209,6 +210,8 @@ def _point(scenario: Scenario, state: State | None) -> _Point:
         status = "about a given state"
     linear, mass = simulation.linearize(), simulation.mass_matrix()
     free = len(linear.coordinates)
+    if not linear.states:
+        raise KingpostError("modes: found nothing that is free to move, allowed: a free coordinate")
     of_shape = [*range(free), *range(2 * free, len(linear.states))]
     names, units = ([of[i] for i in of_shape] for of in (linear.states, linear.units))
     found = eigenmodes(linear, mass, simulation.constraint_matrix())
@@ -238,6 +241,7 @@ def _dataset(
         "mode": np.arange(1, shape.shape[1] + 1),
         "coordinate": np.array(names, str),
         "memory": ("coordinate", points[0].memory),
+        "moves": ("coordinate", np.arange(len(names)) < len(points[0].mass_matrix)),
         **{results.unit_coordinate(name): units for name in ("shape", "shape_imaginary")},
     }
     attributes = results.attributes(scenario, points[-1].status)

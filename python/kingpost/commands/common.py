@@ -1,17 +1,31 @@
-"""What commands share: exit codes, the scenario with what is set over it, how a failure is said."""
+"""What commands share: exit codes, the scenario with what is set over it, what is printed and how."""
 
 from __future__ import annotations
 
 import argparse
 import json
 import logging
+import math
+import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
 
 from ..engine import engine
+from ..errors import KingpostError
 from ..scenario import Scenario, load
 
+WORD = re.compile(
+    r'"(?:[^"\\\\]|\\\\.)*"|'
+    r"(?:true|false|null|-?\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)(?=\s*[,}\]])|"
+    r"([^\s{}\[\],:\"][^{}\[\],\"]*?)(?=\s*(?::\s|[,}\]]))"
+)
+"""Texts in quotes, numbers and other words of JSON, and words that want quotes."""
+WARNING, WARNING_OF_RUNS = "warning: ", "warning, in "
+"""How lines of a report begin that one should not miss."""
 DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
@@ -24,8 +38,97 @@ def add_scenario(command: argparse.ArgumentParser) -> None:
 
 def scenario_of(options: argparse.Namespace) -> Scenario:
     """The scenario that the command line names."""
-    pairs = (engine.parse_assignment(assignment) for assignment in options.set)
-    return load(options.scenario, {name: json.loads(value) for name, value in pairs})
+    return load(options.scenario, dict(_assignment(given) for given in options.set))
+
+
+def _assignment(given: str) -> tuple[str, Any]:
+    """Name and value of ``name=value``; a value in braces is fields by name, as JSON."""
+    name, value = engine.parse_assignment(given)
+    value = json.loads(value)
+    if not (isinstance(value, str) and value.startswith("{")):
+        return name, value
+    try:
+        return name, json.loads(_quoted(value))
+    except json.JSONDecodeError:
+        raise KingpostError(
+            f"--set {name}: found {value!r}, allowed: fields as {{name: value, list: [1, 2]}}"
+        ) from None
+
+
+def _quoted(fields: str) -> str:
+    """Fields in braces as JSON, with quotes about words that have none.
+
+    >>> _quoted('{prescribed: {rate_rad_s: 0.1, on: true, "file": gallery:a/b.csv}}')
+    '{"prescribed": {"rate_rad_s": 0.1, "on": true, "file": "gallery:a/b.csv"}}'
+    """
+    return WORD.sub(lambda found: found[0] if found[1] is None else json.dumps(found[1].strip()), fields)
+
+
+def add_output(command: argparse.ArgumentParser) -> None:
+    """How much is printed, and in which form."""
+    how = command.add_mutually_exclusive_group()
+    how.add_argument("--json", action="store_true", help="print the numbers as JSON, in SI units")
+    how.add_argument("-q", "--quiet", action="store_true", help="print warnings and errors alone")
+
+
+def show(options: argparse.Namespace, text: Callable[[], str], data: Callable[[], Any]) -> None:
+    """Print a report: as text, as JSON, or nothing. What it warns of goes to stderr in each case."""
+    lines = printable(text()).split("\n")
+    if options.json:
+        print(json.dumps(plain(data()), indent=1, ensure_ascii=False, allow_nan=False))
+    elif not options.quiet:
+        print(_without_double_gaps(line for line in lines if not _is_warning(line)))
+    warn(line for line in lines if _is_warning(line))
+
+
+def note(options: argparse.Namespace, words: str) -> None:
+    """Print a line beside a report: not where JSON or nothing is wanted."""
+    if not (options.json or options.quiet):
+        print(printable(words))
+
+
+def warn(every: Iterable[str]) -> None:
+    """Print lines of warning on stderr."""
+    sys.stdout.flush()
+    for line in every:
+        print(printable(line), file=sys.stderr)
+
+
+def printable(text: str) -> str:
+    """A text without what steers a terminal: titles and names come from files.
+
+    >>> printable("a\\x1b[31mred\\nline")
+    'a?[31mred\\nline'
+    """
+    return "".join(sign if sign.isprintable() or sign == "\n" else "?" for sign in text)
+
+
+def plain(value: Any) -> Any:
+    """A value as JSON knows it; what is not a number is null.
+
+    >>> plain({"deviation": np.array([0.5, np.nan])})
+    {'deviation': [0.5, None]}
+    """
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        return {str(key): plain(entry) for key, entry in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(entry) for entry in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _is_warning(line: str) -> bool:
+    return line.startswith((WARNING, WARNING_OF_RUNS))
+
+
+def _without_double_gaps(lines: Iterable[str]) -> str:
+    """Lines, of empty ones one at a time and none at the end."""
+    kept: list[str] = []
+    for line in lines:
+        if line or (kept and kept[-1]):
+            kept.append(line)
+    return "\n".join(kept).rstrip()
 
 
 @contextmanager
@@ -43,5 +146,5 @@ def only_errors_of(library: str) -> Iterator[None]:
 def fail(error: object, code: int) -> int:
     """Say what went wrong, in one line, after what was printed so far."""
     sys.stdout.flush()
-    print(f"error: {' '.join(str(error).split())}", file=sys.stderr)
+    print(f"error: {printable(' '.join(str(error).split()))}", file=sys.stderr)
     return code

@@ -5,19 +5,24 @@ from __future__ import annotations
 import argparse
 
 from .. import gallery
-from .common import DONE
+from .common import DONE, add_output, show
 
 HELP = "list the gallery"
 
 
-def add_options(_command: argparse.ArgumentParser) -> None:
-    """It has none."""
+def add_options(command: argparse.ArgumentParser) -> None:
+    """The command's options."""
+    add_output(command)
 
 
-def run(_options: argparse.Namespace) -> int:
+def run(options: argparse.Namespace) -> int:
     """Print the names and titles of the gallery's scenarios."""
     from ..reports.tables import table
 
-    for line in table(((entry.name, entry.title) for entry in gallery.entries()), "<<"):
-        print(line)
+    entries = gallery.entries()
+    show(
+        options,
+        lambda: "\n".join(table(((entry.name, entry.title) for entry in entries), "<<")),
+        lambda: [{"name": entry.name, "title": entry.title} for entry in entries],
+    )
     return DONE

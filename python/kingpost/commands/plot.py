@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import argparse
 
-from .common import DONE
+from .common import DONE, add_output, note
 
 HELP = "a picture of recorded runs over time"
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """The command's options."""
+    add_output(command)
     command.add_argument("files", nargs="+", metavar="FILE", help="results in NetCDF")
     command.add_argument(
         "--channels", nargs="+", default=[], metavar="NAME",
@@ -27,5 +28,6 @@ def run(options: argparse.Namespace) -> int:
     from ..results import open_all
 
     runs = open_all(options.files)
-    print(f"written  {plot.write(runs, options.output, options.channels)}")
+    written = plot.write(runs, options.output, options.channels)
+    note(options, f"written  {written}")
     return DONE

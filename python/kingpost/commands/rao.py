@@ -6,7 +6,7 @@ import argparse
 import math
 
 from ..output import check as check_output
-from .common import DONE, add_scenario, scenario_of
+from .common import DONE, add_output, add_scenario, note, scenario_of, show
 
 HELP = "response of ship and crane to regular waves"
 
@@ -14,6 +14,7 @@ HELP = "response of ship and crane to regular waves"
 def add_options(command: argparse.ArgumentParser) -> None:
     """The command's options."""
     add_scenario(command)
+    add_output(command)
     command.add_argument(
         "-o", "--output", metavar="FILE", help="amplitudes and phases: .nc, .csv; .png for a picture"
     )
@@ -47,9 +48,9 @@ def run(options: argparse.Namespace) -> int:
         None if options.frequencies_rad_s is None else response.parse_range(options.frequencies_rad_s),
         response.main_points(scenario) if options.points is None else options.points,
     )
-    print(text(found))
+    show(options, lambda: text(found), found.to_dict)
     if output:
-        print(f"\nwritten  {response.write(found, output)}")
+        note(options, f"\nwritten  {response.write(found, output)}")
     if table:
-        print(f"\nwritten  {displacement_raos.write(found, table)}")
+        note(options, f"\nwritten  {displacement_raos.write(found, table)}")
     return DONE

@@ -3,16 +3,35 @@
 from __future__ import annotations
 
 import argparse
-import sys
+import json
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from ..errors import KingpostError, RunError
 from ..output import check as check_output
+from ..results import units as results_units
+from ..results.files import check_patterns
 from ..scenario import Scenario
-from ..simulation.outcomes import Outcome
 from ..simulation.simulate import Simulation
-from .common import DONE, FAILED, INTERRUPTED, add_scenario, fail, scenario_of
+from .common import (
+    DONE,
+    FAILED,
+    INTERRUPTED,
+    WARNING,
+    add_output,
+    add_scenario,
+    fail,
+    note,
+    scenario_of,
+    show,
+    warn,
+)
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ..simulation.seeds import OfSeed
 
 HELP = "simulate a scenario and print a summary"
 
@@ -26,20 +45,32 @@ def add_options(command: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="results: .nc, .csv or .parquet; .png, .svg or .pdf for a picture",
     )
+    add_output(command)
+    command.add_argument("--record", nargs="+", default=[], metavar="NAME",
+                         help="columns in the file, as ship.roll or 'load.*' (default: all)")  # fmt: skip
+    command.add_argument(
+        "--units", choices=results_units.CHOICES, default=results_units.NAMES,
+        help="of the numbers in a .csv or .parquet: si or engineering (deg, kN, t), with the unit in each "
+        "column's name; names: SI units, and names alone (default)",
+    )  # fmt: skip
     command.add_argument("--seeds", type=int, metavar="N",
-                         help="N runs, of the seeds 1 to N; -o has * for them, as run_*.nc")  # fmt: skip
+                         help="N runs, of the seeds 1 to N; -o has * for them, as run_*.nc; files .nc of the "
+                         "same runs that are there already are kept")  # fmt: skip
+    command.add_argument("--anew", action="store_true", help="with --seeds: run what is there already, too")
 
 
 def run(options: argparse.Namespace) -> int:
     """Run, print what came of it, write what was asked for."""
     from .. import progress, results
-    from ..reports import afloat, events, outcomes, plot
-    from ..reports.run import summary
+    from ..reports import outcomes, plot
+    from ..reports.run import numbers
 
     scenario = scenario_of(options)
     simulation = Simulation(scenario)
-    for words in simulation.model_warnings:
-        print(f"warning: {words}", file=sys.stderr)
+    warn(f"{WARNING}{words}" for words in simulation.model_warnings)
+    if options.record:
+        columns = results.dataset(scenario, simulation.channels, simulation.row()[None, :], "")
+        check_patterns(columns, options.record)
     if options.seeds is not None:
         return _run_seeds(scenario, options)
     existed = options.output is not None and Path(options.output).exists()
@@ -55,31 +86,34 @@ def run(options: argparse.Namespace) -> int:
             if simulation.results is None:
                 raise
             failure, recorded = error, simulation.results
-    print(summary(recorded, scenario))
-    came_of = outcomes.of_runs([recorded])
-    for block in (events.events(recorded), outcomes.limits(came_of)):
-        if block:
-            print("", *block, sep="\n")
-    _warn(came_of)
-    if words := afloat.text(recorded, scenario):
-        print(f"\n{words}\n")
+    # Before anything is printed: who reads a pipe may leave.
+    written = _write(recorded, output, options) if output else ""
+    show(options, lambda: _report(recorded, scenario), lambda: numbers(recorded, scenario))
+    warn(line for lines in outcomes.warnings(outcomes.of_runs([recorded])) for line in lines)
     if output:
-        over = ", replaces an older file" if existed else ""
-        write = plot.write if output.suffix.lower() in plot.ENDINGS else results.write
-        print(f"written         {write(recorded, output)}{over}")
+        note(options, f"\nwritten         {written}{', replaces an older file' if existed else ''}")
     if isinstance(failure, KeyboardInterrupt):
         return fail(f"interrupted at {recorded['time'].values[-1]:g} s", INTERRUPTED)
     return fail(failure, FAILED) if failure else DONE
 
 
-def _warn(came_of: Sequence[Outcome]) -> None:
-    """Say on stderr what the engine warned of."""
-    from ..reports.outcomes import warnings
+def _write(recorded: xarray.Dataset, output: Path, options: argparse.Namespace) -> Path:
+    from .. import results
+    from ..reports import plot
 
-    sys.stdout.flush()
-    for lines in warnings(came_of):
-        for line in lines:
-            print(line, file=sys.stderr)
+    if output.suffix.lower() in plot.ENDINGS:
+        return plot.write(recorded, output, options.record)
+    return results.write(recorded, output, options.record, options.units)
+
+
+def _report(recorded: xarray.Dataset, scenario: Scenario) -> str:
+    from ..reports import afloat, events, outcomes
+    from ..reports.run import summary
+
+    blocks = (events.events(recorded), outcomes.limits(outcomes.of_runs([recorded])))
+    afterwards = afloat.text(recorded, scenario)
+    said = [summary(recorded, scenario), *("\n".join(block) for block in blocks), afterwards]
+    return "\n\n".join(block for block in said if block)
 
 
 def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
@@ -93,19 +127,37 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
     paths = seeds.files(options.output, options.seeds)
     older = sum(path.exists() for path in paths)
     with progress.bar(options.seeds, "runs") as update:
-        runs = list(seeds.run(scenario, paths, update))
-    failed = [(path, found) for path, found in runs if found["status"] != FINISHED]
-    print(scenario.title, f"{len(runs)} runs, seeds 1 to {len(runs)}", sep="\n")
-    if failed:
-        of = ", ".join(str(found["seed"]) for _, found in failed)
-        print(f"{len(failed)} of {len(runs)} runs failed, of the seeds {of}: they count until then")
-    came_of = [outcomes.of_run(found, found["seed"]) for _, found in runs]
-    if limits := outcomes.limits(came_of):
-        print("", *limits, sep="\n")
-    _warn(came_of)
-    over = f", {older} replace an older file" if older else ""
-    print(f"\nwritten         {runs[0][0]} to {runs[-1][0]}{over}")
-    print(f"to go on        kingpost statistics {options.output}")
-    for path, found in failed:
-        fail(f"{path}: {found['status']}", FAILED)
+        found = seeds.run(scenario, paths, update, options.record, options.units, options.anew)
+        runs = list(found)
+    kept = sum(one.was_there for one in runs)
+    failed = [one for one in runs if one.attributes["status"] != FINISHED]
+    came_of = [outcomes.of_run(one.attributes, one.attributes["seed"]) for one in runs]
+    show(options, lambda: _of_seeds(scenario, runs), lambda: [_numbers_of(one) for one in runs])
+    warn(line for lines in outcomes.warnings(came_of) for line in lines)
+    over = f", {older - kept} replace an older file" if older > kept else ""
+    note(options, f"\nwritten         {paths[0]} to {paths[-1]}{over}")
+    if kept:
+        note(options, f"kept            {kept} of them, which were of the same runs (--anew runs them too)")
+    note(options, f"to go on        kingpost statistics {options.output}")
+    for one in failed:
+        fail(f"{one.path}: {one.attributes['status']}", FAILED)
     return FAILED if failed else DONE
+
+
+def _of_seeds(scenario: Scenario, runs: Sequence[OfSeed]) -> str:
+    from ..reports import outcomes
+    from ..simulation.batch import FINISHED
+
+    lines = [scenario.title, f"{len(runs)} runs, seeds 1 to {len(runs)}"]
+    failed = [str(one.attributes["seed"]) for one in runs if one.attributes["status"] != FINISHED]
+    if failed:
+        of = ", ".join(failed)
+        lines.append(f"{len(failed)} of {len(runs)} runs failed, of the seeds {of}: they count until then")
+    limits = outcomes.limits([outcomes.of_run(one.attributes, one.attributes["seed"]) for one in runs])
+    return "\n".join([*lines, *(["", *limits] if limits else [])])
+
+
+def _numbers_of(one: OfSeed) -> dict[str, Any]:
+    told = {name: json.loads(one.attributes.get(name, "[]")) for name in ("limits", "warnings")}
+    of = {"file": str(one.path), "seed": one.attributes["seed"], "status": one.attributes["status"]}
+    return of | {"was_there": one.was_there} | told

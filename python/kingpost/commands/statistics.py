@@ -6,7 +6,7 @@ import argparse
 
 from ..output import check as check_output
 from ..output import write_csv
-from .common import DONE
+from .common import DONE, add_output, note, show
 
 HELP = "statistics and extremes of recorded runs"
 
@@ -18,6 +18,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
                          help="leave out what is before, s (default: the ramp of the waves)")  # fmt: skip
     command.add_argument("--channels", nargs="+", default=[], metavar="NAME",
                          help="columns, as ship.roll or 'load.*' (default: the main ones)")  # fmt: skip
+    add_output(command)
     command.add_argument("-o", "--output", metavar="FILE", help="the table: .csv")
 
 
@@ -29,8 +30,8 @@ def run(options: argparse.Namespace) -> int:
     output = check_output(options.output, (".csv",)) if options.output is not None else None
     runs = open_all(options.files)
     found = frame(runs, options.after_s, options.channels)
-    print(text(runs, found, options.after_s))
+    show(options, lambda: text(runs, found, options.after_s), lambda: found.to_dict("records"))
     if output:
         write_csv(found, output)
-        print(f"\nwritten  {output}")
+        note(options, f"\nwritten  {output}")
     return DONE

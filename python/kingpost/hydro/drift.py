@@ -29,6 +29,9 @@ if TYPE_CHECKING:
     from .far_field import FarField
 
 HORIZONTAL = [0, 1, 5]
+RADII = ("roll_gyration_m", "pitch_gyration_m", "yaw_gyration_m")
+ROUNDING = 1e-6
+"""Of a radius: a flat body has the sum of the other two moments as its largest."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,14 @@ class Loading:
             least = 0.0 if field.name == "roll_damping_ratio" else np.nextafter(0, 1)
             if not least <= value < np.inf:
                 raise HydrodynamicsError(f"--loading {field.name}", f"{value:g}", "a number greater than 0")
+        radii = {name: getattr(self, name) for name in RADII}
+        name = max(radii, key=lambda one: radii[one])
+        most = np.sqrt(sum(radius**2 for one, radius in radii.items() if one != name))
+        if radii[name] > most * (1 + ROUNDING):
+            raise HydrodynamicsError(
+                f"--loading {name}", f"{radii[name]:g}",
+                f"at most {most:.6g}: no moment of inertia is greater than the sum of the other two",
+            )  # fmt: skip
 
     @property
     def note(self) -> str:

@@ -142,6 +142,14 @@ def _as_written(path: Path) -> Surface:
     surface = _read_gdf(path) if path.suffix.lower() == ".gdf" else _read_meshio(path)
     if len(surface.triangles) == 0:
         raise HydrodynamicsError("hull", "no triangles and no quadrangles", "a surface mesh", str(path))
+    wrong = surface.triangles[(surface.triangles < 0) | (surface.triangles >= len(surface.vertices))]
+    if wrong.size:
+        raise HydrodynamicsError(
+            "hull", "a face with a point that is not in the file",
+            f"faces of the {len(surface.vertices)} points that it lists", str(path),
+        )  # fmt: skip
+    if not (np.diff(np.sort(surface.triangles, axis=1), axis=1) > 0).all(axis=1).any():
+        raise HydrodynamicsError("hull", "faces without an area only", "a surface mesh", str(path))
     if not np.isfinite(surface.vertices).all():
         raise HydrodynamicsError("hull", "a point that is not finite", "finite coordinates", str(path))
     return surface.welded()

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import hydrostatics
+from ..results.units import engineering
+from . import hydrostatics, sea
 from .run import steps
-from .tables import table
+from .tables import kilograms, table
 
 if TYPE_CHECKING:
     from ..scenario import Scenario
 
 WORLD = "world"
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
 def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
@@ -25,14 +29,17 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         [scenario.title],
         _parts(described["parts"]),
         _bodies(described),
-        [f"total mass: {mass:g} kg", f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}"],
+        [
+            f"total mass: {kilograms(mass)}",
+            f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}",
+        ],
         _loops(described["loops"]),
         _parameters(described["parameters"]),
         _elements(described, "drives"),
         _prescribed(described["joints"]),
         _elements(described, "forces"),
         _elements(described, "sensors"),
-        _sea(described["sea"]),
+        sea.lines(scenario),
         *hydrostatics.sections(scenario),
         [f"warning: {words}" for words in described["warnings"]],
         [
@@ -41,6 +48,28 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         ],
     ]
     return "\n\n".join("\n".join(lines) for lines in sections if lines)
+
+
+def data(scenario: Scenario, coordinates: Sequence[str]) -> dict[str, Any]:
+    """The same as `text` says, in SI units: what the engine describes, the settings, and how hulls float."""
+    given = scenario.resolved
+    return {
+        "title": scenario.title,
+        "coordinates": list(coordinates),
+        "model": scenario.model,
+        "sea": given.get("sea"),
+        "wind": given.get("wind"),
+        "simulation": given["simulation"],
+        "hydrostatics": scenario.hydrostatics,
+    }
+
+
+def is_unstable(scenario: Scenario) -> bool:
+    """Whether a hull capsizes: in still water its metacentric height is negative, or it rests keel up."""
+    return any(
+        min(hull["metacentric_height_m"]) < 0 or abs(hull["heel_rad"]) > math.pi / 2
+        for hull in scenario.hydrostatics["hulls"]
+    )
 
 
 def _parts(parts: list[dict[str, Any]]) -> list[str]:
@@ -58,20 +87,8 @@ def _bodies(described: dict[str, Any]) -> list[str]:
     for body in described["bodies"]:
         joint = joints.get(body["name"])
         how = f"{joint['kind']} {joint['name']}" if joint else ""
-        rows.append((body["name"], f"{body['mass_kg']:g} kg", body.get("parent") or WORLD, how))
+        rows.append((body["name"], kilograms(body["mass_kg"]), body.get("parent") or WORLD, how))
     return table(rows, "<><<")
-
-
-def _sea(sea: dict[str, Any] | None) -> list[str]:
-    """What is cut off the spectra of the sea, if anything."""
-    lines = []
-    for cut in sea["cut_spectra"] if sea else []:
-        whole, kept = cut["significant_height_m"], 1 - cut["energy_cut_off"]
-        lines.append(
-            f"{cut['name']}: {100 * cut['energy_cut_off']:.2g} % of the spectrum's energy is cut off: "
-            f"Hs {whole * kept**0.5:.4g} m of {whole:.4g} m"
-        )
-    return lines
 
 
 def _loops(loops: list[dict[str, Any]]) -> list[str]:
@@ -107,13 +124,21 @@ def _elements(described: dict[str, Any], group: str) -> list[str]:
 
 
 def facts(given: list[dict[str, str]]) -> str:
-    """Facts in a line.
+    """Facts in a line, in the units of engineers.
 
-    >>> facts([{"label": "target", "value": "0.5", "unit": "rad"},
+    >>> facts([{"label": "target", "value": "1.5708", "unit": "rad"},
     ...        {"label": "joint", "value": "luff", "unit": ""}])
-    'target 0.5 rad, joint luff'
+    'target 90 deg, joint luff'
     """
-    return ", ".join(f"{fact['label']} {fact['value']} {fact['unit']}".rstrip() for fact in given)
+    return ", ".join(_fact(fact) for fact in given)
+
+
+def _fact(fact: dict[str, str]) -> str:
+    shown, size = engineering(fact["unit"])
+    value = fact["value"]
+    if size != 1.0:
+        value = NUMBER.sub(lambda found: f"{float(found.group()) / size:.5g}", value)
+    return f"{fact['label']} {value} {shown}".rstrip()
 
 
 def _prescribed(joints: list[dict[str, Any]]) -> list[str]:

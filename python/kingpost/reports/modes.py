@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
 
 from ..analysis.eigenmodes import DECAY, OSCILLATION, UNSTABLE
 from .tables import table
-
-if TYPE_CHECKING:
-    import xarray
 
 # Amplitudes of a mode below this share of the largest are not printed, nor more than so many.
 SMALLEST_AMPLITUDE = 0.005
@@ -22,8 +20,9 @@ WATERS_SHARE = 2 / 3
 def text(found: xarray.Dataset, all_modes: bool = False) -> str:
     """Modes of small motion as a table; of a sweep, a row for each value.
 
-    Modes of the water's memory, which come of fitting what the hull has radiated, are counted, and shown
-    with `all_modes`; of the others those states are left out of the shapes.
+    Modes of the water's memory, which come of fitting what the hull has radiated, and those in which a
+    control moves by itself are counted, and shown with `all_modes`; of the others those states are left out
+    of the shapes.
     """
     lines = [found.attrs["title"], found.attrs["status"], ""]
     if not found.sizes["mode"]:
@@ -31,29 +30,32 @@ def text(found: xarray.Dataset, all_modes: bool = False) -> str:
     sweep = next((str(dim) for dim in found["kind"].dims if dim != "mode"), None)
     waters = (found["memory_share"] > WATERS_SHARE) & (found["kind"] != UNSTABLE)
     waters = waters.all(sweep) if sweep else waters
-    shown_ones = found if all_modes else found.isel(mode=~waters.values)
+    controls = _of_controls(found) & ~waters if not sweep else xarray.zeros_like(waters)
+    shown_ones = found if all_modes else found.isel(mode=~(waters | controls).values)
     shown_ones = shown_ones if all_modes else shown_ones.isel(coordinate=~found["memory"].values)
-    lines += _modes_along(shown_ones, sweep) if sweep else _modes(shown_ones)
-    if not all_modes and waters.any():
-        lines += [
-            "",
-            f"and {int(waters.sum())} modes of the water's memory of radiated waves (--all shows them)",
-        ]
+    lines += _modes_along(shown_ones, sweep) if sweep else _modes(shown_ones, all_modes)
+    counts = (
+        (waters, "modes of the water's memory of radiated waves"),
+        (controls, "modes of what controls and drives keep"),
+    )
+    told = [f"and {int(those.sum())} {of} (--all shows them)" for those, of in counts if those.any()]
+    lines += ["", *told] if told and not all_modes else []
     lines += _unstable(found, sweep)
     if "warning" in found.attrs:
         lines += ["", f"warning: {found.attrs['warning']}"]
     return "\n".join(line.rstrip() for line in lines)
 
 
-def _modes(found: xarray.Dataset) -> list[str]:
+def _modes(found: xarray.Dataset, all_states: bool) -> list[str]:
+    names = _names(found)
     rows = [("mode", "named after", "kind", "natural frequency, Hz", "natural period, s", "damping ratio",
-             "time constant, s", "shape")]  # fmt: skip
+             "time constant, s", "shape, m and rad")]  # fmt: skip
     for number in found["mode"].values:
         mode = found.sel(mode=number)
-        rows.append((str(number), mode["named_after"].item(), mode["kind"].item(),
+        rows.append((str(number), names[number], mode["kind"].item(),
                      *(shown(value) for value in (mode["frequency"].item(), _natural_period_s(mode),
                        mode["damping_ratio"].item(), mode["time_constant"].item())),
-                     _shape(mode)))  # fmt: skip
+                     _shape(mode, all_states)))  # fmt: skip
     return table(rows, "><<>>>><")
 
 
@@ -72,9 +74,30 @@ def shown(value: float) -> str:
     return "" if np.isnan(value) else f"{value:.5g}"
 
 
-def _shape(mode: xarray.Dataset) -> str:
-    """The largest amplitudes of a mode."""
+def _of_controls(found: xarray.Dataset) -> xarray.DataArray:
+    """Which modes are named after a state that is neither a place nor an angle, and go by themselves."""
+    moving = found["coordinate"].values[found["moves"].values]
+    return ~found["named_after"].isin(moving) & found["kind"].isin([OSCILLATION, DECAY])
+
+
+def _names(found: xarray.Dataset) -> dict[int, str]:
+    """What modes are named after; of several with one name the second and the third say so."""
+    given = found["named_after"].values.tolist()
+    counts = [given[:k].count(name) for k, name in enumerate(given)]
+    return {
+        number: f"{name} ({count + 1})" if count else name
+        for number, name, count in zip(found["mode"].values.tolist(), given, counts, strict=True)
+    }
+
+
+def _shape(mode: xarray.Dataset, all_states: bool) -> str:
+    """The largest amplitudes of a mode; of one that is named after a place or an angle among those, since
+    what a control keeps has numbers of its own size."""
+    moves = mode["moves"]
+    if not all_states and moves.sel(coordinate=mode["named_after"].item()).item():
+        mode = mode.isel(coordinate=moves.values)
     shape = mode["shape"].values + 1j * mode["shape_imaginary"].values
+    shape = shape / max(1.0, np.abs(shape).max(initial=0.0))
     largest_first = sorted(range(len(shape)), key=lambda i: -round(float(abs(shape[i])), 9))
     entries = [i for i in largest_first if abs(shape[i]) > SMALLEST_AMPLITUDE]
     names = mode["coordinate"].values

@@ -12,6 +12,7 @@ from .tables import table
 
 if TYPE_CHECKING:
     import xarray
+    from numpy.typing import NDArray
 
 # Lines of one direction's table; the rest is in the file.
 MOST_FREQUENCIES = 16
@@ -27,11 +28,16 @@ def text(found: xarray.Dataset) -> str:
     return "\n".join(lines)
 
 
+def _lines(values: NDArray[np.float64]) -> list[int]:
+    """Which rows are printed: evenly spaced ones, and those where a column has its largest value."""
+    every = -(-len(values) // MOST_FREQUENCIES)
+    return sorted({*range(0, len(values), every), *values.argmax(axis=0).tolist()})
+
+
 def _table(found: xarray.Dataset) -> list[str]:
     floating = floating_bodies(found)
     points = [str(point) for point in found["point"].values]
     bodies = [str(body) for body in found["body"].values if body in floating]
-    every = -(-found.sizes["omega"] // MOST_FREQUENCIES)
     heading = ["", "", *(part for point in points for part in (f"{point},", "m/m", ""))]
     heading += [part for body in bodies for part in (f"{body},", "deg/m", "")]
     under = ["rad/s", "s", *(AXES * len(points)), *(("roll", "pitch", "yaw") * len(bodies))]
@@ -40,9 +46,9 @@ def _table(found: xarray.Dataset) -> list[str]:
     omega = found["omega"].values
     values = np.concatenate([moved.reshape(len(omega), -1), turned.reshape(len(omega), -1)], axis=1)
     rows = [heading, under]
-    for at, row in zip(omega[::every], values[::every], strict=True):
+    for k in _lines(values):
+        at, row = omega[k], values[k]
         rows.append([f"{at:.3f}", f"{2 * np.pi / at:.2f}", *(f"{value:.3f}" for value in row)])
-    # Of all frequencies: a resonance may lie between two lines.
     rows.append(["largest", "", *(f"{value:.3f}" for value in values.max(axis=0))])
     rows.append(["at rad/s", "", *(f"{omega[k]:.3f}" for k in values.argmax(axis=0))])
     return table(rows, ">" * len(under))

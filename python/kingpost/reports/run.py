@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..results.columns import unit_of
+from ..results.columns import columns, unit_of
+from ..results.units import engineering
+from .selection import is_single_force, is_single_number
 from .tables import fixed, joules, largest, significant, table
 
 if TYPE_CHECKING:
@@ -18,13 +21,15 @@ if TYPE_CHECKING:
 # Rows of a table that a summary prints.
 MOST_ROWS = 20
 
+AXES = ("x", "y", "z")
 ANGLES = {"roll": "x", "pitch": "y", "yaw": "z"}
 
 
 def summary(results: xarray.Dataset, scenario: Scenario) -> str:
-    """Final time, motion of each ship, joints, closed loops, forces and drives, energy and momentum of a run.
+    """Final time, motion of each ship, joints, closed loops, named points, forces and drives, energy and
+    momentum of a run.
 
-    Angles in degrees, rates in rad/s: roll, pitch and yaw rate are the body's angular velocity
+    Forces in kN, angles in degrees, rates in rad/s: roll, pitch and yaw rate are the body's angular velocity
     about its x, y and z axis.
     """
     time = results["time"].values
@@ -40,10 +45,31 @@ def summary(results: xarray.Dataset, scenario: Scenario) -> str:
         lines += ["", *_joints(results), "", *reactions]
     if results.sizes.get("loop", 0):
         lines += ["", *_reactions(results, "loop", "loop reaction, largest"), *_loop_error(results)]
-    if shown := _elements(results):
-        lines += ["", *shown]
+    for block in (_points(results), _elements(results)):
+        if block:
+            lines += ["", *block]
     lines += ["", *_ledger(results)]
     return "\n".join(lines)
+
+
+def numbers(results: xarray.Dataset, scenario: Scenario) -> dict[str, Any]:
+    """What came of a run, in SI units: its end, events, warnings and limits, and of each column the last,
+    the smallest and the largest value."""
+    of_columns = {
+        name: {"unit": unit_of(series), "last": series.values[-1], "smallest": series.values.min(),
+               "largest": series.values.max()}
+        for name, series in columns(results)
+    }  # fmt: skip
+    told = {name: json.loads(results.attrs.get(name, "[]"))
+            for name in ("limits", "events", "warnings", "model_warnings")}  # fmt: skip
+    return {
+        "title": scenario.title,
+        "status": results.attrs["status"],
+        "time_s": results["time"].values[-1],
+        "records": results.sizes["time"],
+        **told,
+        "columns": of_columns,
+    }
 
 
 def steps(simulation: dict[str, Any]) -> str:
@@ -96,10 +122,29 @@ def _joints(results: xarray.Dataset) -> list[str]:
             unit,
             *(fixed(value, 6) for value in (rate.values[-1], largest(rate.values))),
             unit_of(rate),
-            significant(largest(force.values), most_force),
-            unit_of(force),
+            *_shown(largest(force.values), most_force, unit_of(force)),
         ))  # fmt: skip
     return table(_shortened(rows), "<>><>><><")
+
+
+def _shown(value: float, most: float, unit: str) -> tuple[str, str]:
+    """A number with the unit that engineers say it in."""
+    shown, size = engineering(unit)
+    return significant(value / size, most / size), shown
+
+
+def _points(results: xarray.Dataset) -> list[str]:
+    """How far named points, as a crane's tip, went in each direction, and how fast they were at most."""
+    if not results.sizes.get("point", 0):
+        return []
+    rows = [("point, from least to most, m", *AXES, "largest speed, m/s")]
+    for name in results["point"].values:
+        position, velocity = (
+            results[variable].sel(point=name).values for variable in ("point_position", "point_velocity")
+        )
+        speed = np.linalg.norm(velocity, axis=-1).max()
+        rows.append((str(name), *(fixed(value, 4) for value in np.ptp(position, axis=0)), fixed(speed, 4)))
+    return table(_shortened(rows))
 
 
 def _reactions(results: xarray.Dataset, dim: str, heading: str) -> list[str]:
@@ -113,7 +158,7 @@ def _reactions(results: xarray.Dataset, dim: str, heading: str) -> list[str]:
     most = max(force.max(), moment.max())
     rows: list[tuple[str, ...]] = [(heading, "force", "", "moment", "")]
     for name, f, m in zip(results[dim].values, force, moment, strict=True):
-        rows.append((str(name), significant(f, most), "N", significant(m, most), "N m"))
+        rows.append((str(name), *_shown(f, most, "N"), *_shown(m, most, "N m")))
     return table(_shortened(rows), "<><><")
 
 
@@ -128,24 +173,22 @@ def _loop_error(results: xarray.Dataset) -> list[str]:
 def _elements(results: xarray.Dataset) -> list[str]:
     """What forces and drives show by single numbers: at the end, the smallest and the largest."""
     rows: list[tuple[str, ...]] = [("force or drive", "", "at the end", "smallest", "largest", "")]
-    shown = [variable for variable in results.data_vars.values() if _is_single_number(variable)]
+    shown = [variable for variable in results.data_vars.values() if is_single_number(variable)]
     names = Counter(variable.attrs["long_name"] for variable in shown)
-    for variable in shown:
+    # Forces first: hook load and lines are what people look for.
+    for variable in sorted(shown, key=lambda one: not is_single_force(one)):
         # The two ends of a rope have one short name.
         is_shared = names[variable.attrs["long_name"]] > 1
         words = variable.attrs["description" if is_shared else "long_name"]
         (things,) = (dim for dim in variable.dims if dim != "time")
         for thing in results[things].values:
             series = variable.sel({things: thing})
+            unit, size = engineering(unit_of(series))
             values = (series.values[-1], series.values.min(), series.values.max())
             most = np.abs(series.values).max()
-            rows.append((str(thing), words, *(significant(value, most) for value in values), unit_of(series)))
+            shown_values = (significant(value / size, most / size) for value in values)
+            rows.append((str(thing), words, *shown_values, unit))
     return table(_shortened(rows), "<<>>><") if len(rows) > 1 else []
-
-
-def _is_single_number(variable: xarray.DataArray) -> bool:
-    """Whether forces and drives show it, by one number a thing."""
-    return bool(variable.attrs.get("of_elements")) and len(variable.dims) == 2
 
 
 def _shortened(rows: list[tuple[str, ...]]) -> list[tuple[str, ...]]:

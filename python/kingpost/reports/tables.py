@@ -6,6 +6,9 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+LARGEST_IN_KG = 2e4
+"""Larger masses are in t."""
+
 
 def table(rows: Iterable[Sequence[str]], align: str = "") -> list[str]:
     """Cells in columns; `align` has ``<`` or ``>`` for each (default: the first ``<``).
@@ -53,6 +56,17 @@ def joules(value: float) -> str:
         if abs(value) >= size:
             return f"{value / size:.6g} {unit}"
     return f"{value + 0.0:.6g} J"
+
+
+def kilograms(value: float) -> str:
+    """A mass, large ones in t.
+
+    >>> kilograms(1.19e7), kilograms(500.0), kilograms(10000.0)
+    ('11900 t', '500 kg', '10000 kg')
+    """
+    if abs(value) > LARGEST_IN_KG:
+        return f"{value / 1000:.7g} t"
+    return f"{value:.6g} kg"
 
 
 def largest(values: np.ndarray) -> float:

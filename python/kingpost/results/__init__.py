@@ -4,9 +4,11 @@ from .columns import column, column_name, columns, floating_bodies, frame, unit_
 from .dataset import attributes, dataset
 from .events import events, warnings
 from .files import ENDINGS, check_output, check_parquet, open_all, read, write
+from .units import NAMES
 
 __all__ = [
     "ENDINGS",
+    "NAMES",
     "attributes",
     "check_output",
     "check_parquet",

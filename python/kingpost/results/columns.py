@@ -6,10 +6,12 @@ import difflib
 import json
 from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass
+from fnmatch import fnmatchcase
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from ..errors import KingpostError
+from .units import IN_ENGINEERING, NAMES, engineering
 
 if TYPE_CHECKING:
     import pandas
@@ -57,7 +59,7 @@ def unit_of(column: xarray.DataArray) -> str:
     return str(column.coords[name].item()) if name in column.coords else str(column.attrs.get("units", ""))
 
 
-def frame(results: xarray.Dataset) -> pandas.DataFrame:
+def frame(results: xarray.Dataset, patterns: Sequence[str] = (), units: str = NAMES) -> pandas.DataFrame:
     """Results as a flat table, one column per number.
 
     Columns are ``time`` and then such as ``ship.angular_velocity.x``, ``slew.joint_position``,
@@ -67,11 +69,16 @@ def frame(results: xarray.Dataset) -> pandas.DataFrame:
     ----------
     results
         A data set of a run.
+    patterns
+        Columns to take, whose names are like one, as ``ship.*``; all unless given.
+    units
+        ``names``: SI units, and names alone; ``si``: a name ends with its unit, as ``ship.roll [rad]``;
+        ``engineering``: so it does, ``ship.roll [deg]``, and the numbers are in that.
 
     Returns
     -------
     pandas.DataFrame
-        Shape (records, 1 + columns), SI units.
+        Shape (records, 1 + columns).
 
     >>> from kingpost import run
     >>> frame(run("paper", {"simulation.duration_s": 0.1})).shape[0]
@@ -79,8 +86,14 @@ def frame(results: xarray.Dataset) -> pandas.DataFrame:
     """
     import pandas
 
-    flat = {name: series.values for name, series in columns(results)}
-    return pandas.DataFrame({"time": results["time"].values, **flat})
+    flat = {}
+    for name, series in [("time", results["time"]), *columns(results)]:
+        if name == "time" or not patterns or any(fnmatchcase(name, pattern) for pattern in patterns):
+            unit = unit_of(series)
+            shown, size = engineering(unit) if units == IN_ENGINEERING else (unit, 1.0)
+            heading = name if units == NAMES else f"{name} [{shown}]"
+            flat[heading] = series.values if size == 1.0 else series.values / size
+    return pandas.DataFrame(flat)
 
 
 def columns(

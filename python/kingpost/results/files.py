@@ -8,6 +8,7 @@ import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,8 +17,9 @@ import numpy as np
 from .. import output
 from ..errors import KingpostError
 from . import xarrays
-from .columns import columns, frame, unit_of
+from .columns import columns, frame, places, unit_of
 from .events import events, warnings
+from .units import IN_ENGINEERING, NAMES, engineering
 
 if TYPE_CHECKING:
     import xarray
@@ -88,7 +90,9 @@ def check_parquet(path: Path) -> None:
         raise KingpostError(f'{path}: found no pyarrow, allowed: after pip install "kingpost[parquet]"')
 
 
-def write(results: xarray.Dataset, path: str | Path) -> Path:
+def write(
+    results: xarray.Dataset, path: str | Path, patterns: Sequence[str] = (), units: str = NAMES
+) -> Path:
     """Write results by the file's ending: ``.nc`` (NetCDF), ``.csv`` or ``.parquet``.
 
     A CSV holds the numbers alone; units and attributes are in the other two: in Parquet the unit of a
@@ -102,6 +106,10 @@ def write(results: xarray.Dataset, path: str | Path) -> Path:
         A data set of a run.
     path
         With the ending ``.nc``, ``.csv`` or ``.parquet``.
+    patterns
+        Columns to write, as ``ship.roll`` or ``load.*``; all unless given. NetCDF has whole variables.
+    units
+        How a CSV or a Parquet file says its units: ``names``, ``si`` or ``engineering`` (`frame`).
 
     Returns
     -------
@@ -111,7 +119,8 @@ def write(results: xarray.Dataset, path: str | Path) -> Path:
     Raises
     ------
     KingpostError
-        Another ending, or a file that cannot be written.
+        Another ending, a file that cannot be written, a pattern that no column has, or units in NetCDF,
+        which has its own.
 
     >>> import tempfile
     >>> from kingpost import run
@@ -121,27 +130,53 @@ def write(results: xarray.Dataset, path: str | Path) -> Path:
     """
     path = check_output(path)
     ending = path.suffix.lower()
+    check_patterns(results, patterns)
     if ending == ".nc":
-        return output.write_netcdf(results, path)
+        if units != NAMES:
+            raise KingpostError(
+                f"{path}: found the units {units}, allowed: of .csv and .parquet; NetCDF has SI"
+            )
+        return output.write_netcdf(_variables(results, patterns), path)
     if ending == ".csv":
-        output.write_csv(frame(results), path)
+        output.write_csv(frame(results, patterns, units), path)
         for of, table in (("event", events(results)), ("warning", warnings(results))):
             beside = path.with_suffix(f".{of}s.csv")
             if table.sizes[of] or beside.exists():
                 output.write_csv(table.to_dataframe(), beside)
     else:
         with output.whole(path) as beside:
-            _write_parquet(results, beside)
+            _write_parquet(results, beside, patterns, units)
     return path
 
 
-def _write_parquet(results: xarray.Dataset, path: Path) -> None:
+def check_patterns(results: xarray.Dataset, patterns: Sequence[str]) -> None:
+    """Make sure that each pattern is like the name of a column."""
+    names = list(places(results))
+    for pattern in patterns:
+        if not any(fnmatchcase(name, pattern) for name in names):
+            raise KingpostError(f"--record: found {pattern!r}, allowed: columns as ship.roll, or ship.*")
+
+
+def _variables(results: xarray.Dataset, patterns: Sequence[str]) -> xarray.Dataset:
+    """The variables of which a column is like one of the patterns."""
+    if not patterns:
+        return results
+    every = places(results).items()
+    wanted = {of.variable for name, of in every if any(fnmatchcase(name, pattern) for pattern in patterns)}
+    return results[[name for name in results.data_vars if name in wanted]]
+
+
+def _write_parquet(results: xarray.Dataset, path: Path, patterns: Sequence[str], units: str) -> None:
     import pyarrow
     import pyarrow.parquet
 
-    table = pyarrow.Table.from_pandas(frame(results), preserve_index=False)
-    units = {"time": unit_of(results["time"]), **{name: unit_of(series) for name, series in columns(results)}}
-    fields = [field.with_metadata({"units": units[field.name]}) for field in table.schema]
+    table = pyarrow.Table.from_pandas(frame(results, patterns, units), preserve_index=False)
+    si = {"time": unit_of(results["time"]), **{name: unit_of(series) for name, series in columns(results)}}
+    fields = []
+    for field in table.schema:
+        unit = si[field.name.partition(" [")[0]]
+        shown = engineering(unit)[0] if units == IN_ENGINEERING else unit
+        fields.append(field.with_metadata({"units": shown}))
     attributes = {key: str(value) for key, value in results.attrs.items()}
     metadata = {**(table.schema.metadata or {}), **attributes}
     pyarrow.parquet.write_table(table.cast(pyarrow.schema(fields, metadata)), path)

@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import math
 
+NAMES, SI, IN_ENGINEERING = "names", "si", "engineering"
+CHOICES = (NAMES, SI, IN_ENGINEERING)
+"""How a table of results says its units: not at all, which is SI; in the names of its columns; and there, of
+numbers as engineers say them."""
 ENGINEERING = {
     "rad": ("deg", math.pi / 180),
     "rad/s": ("deg/s", math.pi / 180),
@@ -12,6 +16,7 @@ ENGINEERING = {
     "N m": ("kN m", 1e3),
     "N s": ("kN s", 1e3),
     "N/m": ("kN/m", 1e3),
+    "N s/m": ("kN s/m", 1e3),
     "Pa": ("kPa", 1e3),
     "kg": ("t", 1e3),
     "J": ("kJ", 1e3),

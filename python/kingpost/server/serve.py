@@ -1,35 +1,26 @@
-"""The browser app, served from the package by the standard library."""
+"""The browser app, served from the package: which files, at which address."""
 
 from __future__ import annotations
 
 import errno
 import json
-import mimetypes
 import re
-import socket
-import sys
 import threading
-from functools import partial
-from http import HTTPStatus
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
-from io import BytesIO
 from pathlib import Path
-from typing import Any, BinaryIO
-from urllib.parse import quote, unquote, urlsplit
+from typing import Any
+from urllib.parse import quote
 from urllib.request import urlopen
 
 from .. import gallery
 from ..engine import engine
 from ..errors import KingpostError
 from ..scenario import load
-from .bodies import PICTURES, POLICY, TYPES, Body, Compressor, accepts_gzip, content_type, is_host_of
+from .application import Application
+from .bodies import content_type
+from .listening import LOOPBACK, Server, from_here, reachable
 
-LOOPBACK = "127.0.0.1"
 FIRST_PORT = 8000
 PORTS_TRIED = 100
-IDLE_S = 60
-"""How long a connection may say nothing, s."""
-EVERYWHERE = ("0.0.0.0", "::", "")
 
 
 def command(scenario: str | None, port: int | None, host: str | None, check: bool) -> int:
@@ -120,91 +111,6 @@ def _listed(
     return entry | in_group | ({"opens": True} if name == chosen else {})
 
 
-class Handler(SimpleHTTPRequestHandler):
-    """Serves the app's folder, and the scenarios from memory under `scenarios/`."""
-
-    extensions_map = mimetypes.types_map | {"": "application/octet-stream"} | TYPES | PICTURES
-    protocol_version = "HTTP/1.1"
-    timeout = IDLE_S
-
-    server: Server
-
-    def send_head(self) -> BinaryIO | None:
-        """The head of the answer with a scenario or a file of the app, and its body.
-
-        Nothing is sent again that the browser says it has.
-        """
-        path = unquote(urlsplit(self.path).path)
-        if not is_host_of(self.headers.get("Host"), self.server.named):
-            self.send_error(HTTPStatus.MISDIRECTED_REQUEST)
-            return None
-        if not path.isprintable():
-            self.send_error(HTTPStatus.NOT_FOUND)
-            return None
-        body = self._body(path)
-        if body is None:
-            return super().send_head()
-        known = body.tag in self.headers.get("If-None-Match", "")
-        self.send_response(HTTPStatus.NOT_MODIFIED if known else HTTPStatus.OK)
-        for name, value in (body.validators() if known else body.headers()).items():
-            self.send_header(name, value)
-        self.end_headers()
-        return None if known else BytesIO(body.content)
-
-    def _body(self, path: str) -> Body | None:
-        """The scenario at this path of the address, else the file; None where there is neither."""
-        gzipped = accepts_gzip(self.headers.get("Accept-Encoding"))
-        page = self.server.pages.get(path)
-        if page is not None:
-            return self.server.compressor.body(page, content_type(path), gzipped)
-        place = Path(self.translate_path(self.path))
-        if path.endswith("/"):
-            place /= "index.html"
-        try:
-            return self.server.compressor.body(place.read_bytes(), self.guess_type(str(place)), gzipped)
-        except OSError:
-            return None
-
-    def end_headers(self) -> None:
-        """Let no browser keep an older build, nor load what is not from here."""
-        self.send_header("Cache-Control", "no-cache")
-        for name, value in POLICY.items():
-            self.send_header(name, value)
-        super().end_headers()
-
-    def list_directory(self, path: Any) -> None:
-        """Folders are not listed."""
-        self.send_error(HTTPStatus.NOT_FOUND)
-
-    def log_message(self, *_args: Any) -> None:
-        """Requests are not printed."""
-
-
-class Server(ThreadingHTTPServer):
-    """A server whose port is its own: a busy one is an error, on every system."""
-
-    daemon_threads = True
-    allow_reuse_address = sys.platform != "win32"
-
-    def __init__(self, address: tuple[str, int], folder: Path, pages: dict[str, bytes]) -> None:
-        self.folder = folder
-        self.pages = pages
-        self.named = address[0]
-        self.compressor = Compressor()
-        super().__init__(address, partial(Handler, directory=str(folder)))
-
-    def handle_error(self, request: Any, client_address: Any) -> None:
-        """Say nothing of a browser that left before it had all."""
-        if not isinstance(sys.exc_info()[1], ConnectionError):
-            super().handle_error(request, client_address)
-
-
-class Server6(Server):
-    """The same for an IPv6 address."""
-
-    address_family = socket.AF_INET6
-
-
 def open_server(
     folder: Path,
     files: dict[str, str],
@@ -227,11 +133,10 @@ def open_server(
     pages = {f"/scenarios/{file}": text.encode() for file, text in (files | databases).items()}
     pages["/offline.js"] = _leaving(folder)
     pages["/scenarios/index.json"] = json.dumps(index(files, databases, chosen)).encode()
-    kind = Server6 if ":" in host else Server
     ports = range(FIRST_PORT, FIRST_PORT + PORTS_TRIED) if port is None else [port]
     for candidate in ports:
         try:
-            return kind((host, candidate), folder, pages)
+            return Server((host, candidate), Application(folder, pages, host))
         except OverflowError:
             raise KingpostError(f"--port: found {port}, allowed: 0 to 65535") from None
         except OSError as error:
@@ -251,26 +156,6 @@ def _leaving(folder: Path) -> bytes:
     return script.read_bytes() if script.is_file() else b""
 
 
-def reachable(host: str | None) -> str:
-    """The host as another machine writes it in an address."""
-    if host is None:
-        return LOOPBACK
-    if host in EVERYWHERE:
-        host = lan_address()
-    return f"[{host}]" if ":" in host else host
-
-
-def lan_address() -> str:
-    """This machine's address on its network; the loopback address where there is none."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        try:
-            # Connecting a datagram socket sends nothing; it only picks the interface.
-            probe.connect(("192.0.2.1", 9))
-            return probe.getsockname()[0]
-        except OSError:
-            return LOOPBACK
-
-
 def qr_code(address: str) -> str:
     """A QR code of the address, for a terminal."""
     import io
@@ -288,8 +173,7 @@ def _check(server: Server, query: str, chosen: str | None) -> int:
     thread.start()
     try:
         for path, kind in _expected(server, chosen):
-            host = LOOPBACK if server.server_address[0] in EVERYWHERE else server.server_address[0]
-            address = f"http://{reachable(str(host))}:{server.server_port}/{path}"
+            address = f"http://{from_here(server.host)}:{server.server_port}/{path}"
             with urlopen(address + (query if not path else ""), timeout=30) as answer:
                 size, found = len(answer.read()), answer.headers.get_content_type()
             if found != kind or not size:
@@ -305,9 +189,10 @@ def _check(server: Server, query: str, chosen: str | None) -> int:
 
 def _expected(server: Server, chosen: str | None) -> list[tuple[str, str]]:
     """Paths to fetch and the type of each: the page, the engine, the scenarios."""
-    engines = sorted(server.folder.rglob("*.wasm"))
+    folder, pages = server.application.folder, server.application.pages
+    engines = sorted(folder.rglob("*.wasm"))
     if not engines:
-        raise KingpostError(f"{server.folder}: the built app has no engine (.wasm); run: make web")
-    paths = ["scenarios/index.json", *(path.relative_to(server.folder).as_posix() for path in engines)]
-    paths += [page.lstrip("/") for page in server.pages if chosen and Path(page).stem == chosen]
+        raise KingpostError(f"{folder}: the built app has no engine (.wasm); run: make web")
+    paths = ["scenarios/index.json", *(path.relative_to(folder).as_posix() for path in engines)]
+    paths += [page.lstrip("/") for page in pages if chosen and Path(page).stem == chosen]
     return [("", "text/html"), *((path, content_type(path).split(";")[0]) for path in paths)]

@@ -25,6 +25,11 @@ LOG = logging.getLogger(__name__)
 FINISHED = "finished"
 SEED = "simulation.seed"
 
+MOST_MEMORY_GB = 2.0
+"""What the rows of all runs may take; their data set takes as much again while it is put together."""
+LARGEST_MEMORY_GB = 1e6
+"""No machine has so much; above it lies nothing but infinity."""
+
 
 class Batch:
     """Variants of one scenario, run together.
@@ -67,7 +72,9 @@ class Batch:
     def __len__(self) -> int:
         return len(next(iter(self.parameters.values())))
 
-    def run(self, threads: int = 0, progress: Progress | None = None) -> xarray.Dataset:
+    def run(
+        self, threads: int = 0, progress: Progress | None = None, memory_gb: float = MOST_MEMORY_GB
+    ) -> xarray.Dataset:
         """Run every variant from start to end.
 
         Parameters
@@ -76,6 +83,9 @@ class Batch:
             How many to take; 0 takes as many as the machine has.
         progress
             Called now and then with the number of runs that are done.
+        memory_gb
+            What the rows of all runs may take; their data set takes as much again while it is put
+            together.
 
         Returns
         -------
@@ -91,7 +101,10 @@ class Batch:
         ScenarioError
             When a variant is wrong; nothing ran.
         KingpostError
-            When the variants differ in their bodies, or in the times at which rows are recorded.
+            When the variants differ in their bodies, or in the times at which rows are recorded;
+            when they would record more than `memory_gb`.
+        KeyboardInterrupt
+            On Ctrl-C, within a second; nothing is kept.
 
         >>> found = Batch("paper", {"crane_x_m": [0, 5]}, {"simulation.duration_s": 0.1}).run()
         >>> found.sizes["run"]
@@ -99,6 +112,10 @@ class Batch:
         """
         if threads < 0:
             raise KingpostError(f"threads: found {threads}, allowed: 0 or more")
+        if not 0 < memory_gb < LARGEST_MEMORY_GB:
+            raise KingpostError(
+                f"memory_gb: found {memory_gb}, allowed: more than 0, and less than {LARGEST_MEMORY_GB:g}"
+            )
         variants = [self.scenario.overrides + variant for variant in self._variants()]
         known = self._known()
         rows, errors, published = engine.batch(
@@ -107,6 +124,7 @@ class Batch:
             self.scenario.files,
             json.dumps(variants),
             threads,
+            int(1e9 * memory_gb),
             progress,
         )
         status = [FINISHED if error is None else str(error) for error in errors]

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import results
+from ..engine import engine
 from ..errors import KingpostError
 from .batch import FINISHED, SEED, Batch
 from .simulate import Progress
@@ -44,20 +48,76 @@ def files(pattern: str | Path, count: int) -> list[Path]:
     return [results.check_output(path.with_name(name)) for name in names]
 
 
-def run(
-    scenario: Scenario, paths: Sequence[Path], progress: Progress | None = None
-) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Run a scenario with a seed from 1 on for each of the `files`; yields them and the runs' attributes.
+@dataclass(frozen=True)
+class OfSeed:
+    """A run in a file: its attributes, and whether the file was there already, of the same run."""
 
-    Each has the bits that it has alone. `progress` is called with the number of runs that are done.
+    path: Path
+    attributes: dict[str, Any]
+    was_there: bool = False
+
+
+def run(
+    scenario: Scenario,
+    paths: Sequence[Path],
+    progress: Progress | None = None,
+    patterns: Sequence[str] = (),
+    units: str = results.NAMES,
+    anew: bool = False,
+) -> Iterator[OfSeed]:
+    """Run a scenario with a seed from 1 on for each of the `files`, in order.
+
+    Each has the bits that it has alone. A NetCDF file that is there already, finished, of the same
+    scenario, files and engine, as its attribute ``fingerprint`` says, is kept, unless `anew`. `patterns` and
+    `units` are those of `results.write`. `progress` is called with the number of runs that are done.
     """
-    count = len(paths)
-    for first in range(1, count + 1, TOGETHER):
-        seeds = list(range(first, min(first + TOGETHER, count + 1)))
-        together = Batch(scenario, {SEED: seeds}).run(progress=_from(first - 1, progress))
-        for seed in seeds:
-            one = _alone(scenario.with_overrides({SEED: seed}), together, seed - first)
-            yield results.write(one, paths[seed - 1]), one.attrs
+    seeds = {path: seed for seed, path in enumerate(paths, 1)}
+    prints = {path: fingerprint(scenario, seed, patterns) for path, seed in seeds.items()}
+    there = {} if anew else {path: found for path in paths if (found := _finished(path, prints[path]))}
+    new = [path for path in paths if path not in there]
+    done = dict(there)
+    for first in range(0, len(new), TOGETHER):
+        some = new[first : first + TOGETHER]
+        together = Batch(scenario, {SEED: [seeds[path] for path in some]}).run(
+            progress=_from(len(there) + first, progress)
+        )
+        for k, path in enumerate(some):
+            one = _alone(scenario.with_overrides({SEED: seeds[path]}), together, k)
+            one.attrs["fingerprint"] = prints[path]
+            results.write(one, path, patterns, units)
+            done[path] = one.attrs
+    for path in paths:
+        yield OfSeed(path, done[path], path in there)
+
+
+def fingerprint(scenario: Scenario, seed: int, patterns: Sequence[str] = ()) -> str:
+    """SHA-256 of all that decides what is in the file of a run: the resolved scenario with its seed, the
+    files that it names, the engine, and which columns are written."""
+    of_seed = scenario.with_overrides({SEED: seed})
+    parts = [of_seed.json, of_seed.digests, _engine_digest(), list(patterns)]
+    return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
+
+
+@cache
+def _engine_digest() -> str:
+    with open(engine.__file__, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _finished(path: Path, expected: str) -> dict[str, Any] | None:
+    """The attributes of a run that is in a file already; None of another run, and of what cannot be read."""
+    import xarray
+
+    if path.suffix.lower() != ".nc" or not path.is_file():
+        return None
+    try:
+        with xarray.open_dataset(path, engine="h5netcdf") as found:
+            attributes = dict(found.attrs)
+    except Exception:
+        # Whatever it is, a run takes its place.
+        return None
+    matches = attributes.get("fingerprint") == expected and attributes.get("status") == FINISHED
+    return attributes if matches else None
 
 
 def _from(done: int, progress: Progress | None) -> Progress | None:

@@ -16,8 +16,6 @@ export class AheadLine {
   private readonly inFull = this.box.querySelector("p")!;
 
   constructor(private readonly ahead: Ahead) {
-    this.button.append(texts.ahead.button);
-    this.button.title = texts.ahead.help;
     this.inFull.title = texts.ahead.judged_by;
     this.box.open = matchMedia(WIDE).matches;
     this.button.addEventListener("click", () => ahead.switch(!ahead.isOn));

@@ -2,6 +2,7 @@ import type { Aside } from "../app/aside";
 import type { Session } from "../app/session";
 import { fetched, said } from "../engine/network";
 import moduleUrl from "../engine/pkg/kingpost_wasm_bg.wasm?url";
+import { language } from "../texts";
 import { Ahead } from "./ahead";
 import { Foreseers } from "./pool";
 
@@ -11,7 +12,7 @@ const MOST_WORKERS = 6;
 export function openAhead(session: Session, aside: Aside, folder: string): Ahead {
   const cores = navigator.hardwareConcurrency || 2;
   const count = Math.max(1, Math.min(MOST_WORKERS, cores > 2 ? cores - 1 : cores));
-  const startWorker = () => new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
+  const startWorker = () => new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: language });
   return new Ahead(session, aside, new Foreseers(startWorker, loadModule, count), folder);
 }
 

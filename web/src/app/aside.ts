@@ -23,6 +23,11 @@ export class Aside {
     });
   }
 
+  /** How they float at rest with the crane as the run began, without some bodies; null where the same asked for something newer. */
+  hydrostaticsAtStart(session: Session, without: readonly string[], asker: string): Promise<Hydrostatics | null> {
+    return this.inTurn(`hydrostatics for ${asker}`, async () => (await this.opened(session))?.hydrostatics(without) ?? null);
+  }
+
   /** The matrices of the method at the moment that is shown; null where the same asked for something newer. */
   equations(session: Session, asker = "panel"): Promise<Equations | null> {
     return this.inTurn(`equations for ${asker}`, async () => {

@@ -1,6 +1,8 @@
 import type { SimulationSettings } from "../generated/scenario";
+import { texts } from "../texts";
 
-type Integrator = NonNullable<SimulationSettings["integrator"]>;
+const INTEGRATORS: Record<NonNullable<SimulationSettings["integrator"]>, string> = texts.settings.integrators;
+const FORMS: Record<NonNullable<SimulationSettings["form"]>, string> = texts.settings.forms;
 
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
@@ -36,28 +38,11 @@ export function length(metres: number): string {
   return metres < 0.5 ? `${Number((metres * 100).toPrecision(3))} cm` : `${Number(metres.toPrecision(3))} m`;
 }
 
-const INTEGRATORS: Record<Integrator, string> = {
-  forward_euler: "Forward Euler",
-  midpoint_euler: "Midpoint Euler",
-  semi_implicit_euler: "Semi-implicit Euler",
-  rk4: "RK4 (Munthe-Kaas)",
-  dormand_prince: "Dormand-Prince 5(4)",
-  newmark: "Newmark",
-  generalized_alpha: "Generalized-alpha",
-  implicit_midpoint: "Implicit midpoint",
-};
-
 export function integratorName(name: string): string {
-  return INTEGRATORS[name as Integrator] ?? name;
+  return INTEGRATORS[name as keyof typeof INTEGRATORS] ?? name;
 }
 
 export const INTEGRATOR_NAMES = Object.keys(INTEGRATORS);
-
-const FORMS: Record<NonNullable<SimulationSettings["form"]>, string> = {
-  recursive: "Recursive (fast)",
-  moving_frame: "Moving frame (the paper's)",
-  moving_frame_without_d: "Moving frame, D left out",
-};
 
 export function formName(name: string): string {
   return FORMS[name as keyof typeof FORMS] ?? name;

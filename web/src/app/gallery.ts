@@ -1,6 +1,7 @@
 import type { Fault } from "../engine/engine";
 import { faultOfNetwork } from "../engine/faults";
 import { fetchText } from "../engine/network";
+import { texts } from "../texts";
 import type { Source } from "./run";
 
 export interface GalleryEntry {
@@ -38,7 +39,7 @@ export class Gallery {
     try {
       return new Gallery(base, JSON.parse(text) as GalleryEntry[]);
     } catch {
-      throw faultOfNetwork(href, "it is no JSON");
+      throw faultOfNetwork(href, texts.engine.no_json);
     }
   }
 
@@ -89,6 +90,6 @@ export function firstSentence(description: string): string {
 
 async function textAt(url: string): Promise<string> {
   const text = await fetchText(url);
-  if (text === null) throw faultOfNetwork(url, "it is not there");
+  if (text === null) throw faultOfNetwork(url, texts.engine.not_there);
   return text;
 }

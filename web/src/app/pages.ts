@@ -30,7 +30,7 @@ export class Pages {
     if (isStart) return this.showStart();
     const simulator = await this.simulate();
     await simulator?.goTo(state);
-    this.entitle();
+    simulator?.entitle();
   }
 
   /** A scenario that was chosen on the start page. */
@@ -43,7 +43,7 @@ export class Pages {
   async openFiles(texts: Record<string, string>): Promise<void> {
     const simulator = await this.simulate();
     await simulator?.openFiles(texts);
-    this.entitle();
+    simulator?.entitle();
   }
 
   /** Says on the page that is shown what could not be opened. */
@@ -76,9 +76,5 @@ export class Pages {
       this.start.say(texts.start.no_simulator(thrown instanceof Error ? thrown.message : String(thrown)));
     }
     return this.loaded;
-  }
-
-  private entitle(): void {
-    if (this.loaded) document.title = this.loaded.title;
   }
 }

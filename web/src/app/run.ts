@@ -20,6 +20,8 @@ export interface Run {
   /** With the values that they have. */
   inputs: InputInfo[];
   jointAxes: JointAxis[];
+  /** What is set to switch the scenario's timeline off. */
+  timelineSwitch: string;
   /** Of the scenario's text and of all files that it stands on. */
   digest: string;
   accuracy: Accuracy;
@@ -56,7 +58,7 @@ export interface Listener {
   faulted?(fault: Fault | null): void;
 }
 
-export function runOf({ model, lines, channels, inputs, joint_axes, digest }: Opened): Run {
+export function runOf({ model, lines, channels, inputs, joint_axes, timeline_switch, digest }: Opened): Run {
   const columns = new Columns(channels);
-  return { model, lines, channels, columns, inputs, jointAxes: joint_axes, digest, accuracy: new Accuracy(columns) };
+  return { model, lines, channels, columns, inputs, jointAxes: joint_axes, timelineSwitch: timeline_switch, digest, accuracy: new Accuracy(columns) };
 }

@@ -54,8 +54,9 @@ export class EngineClient {
     return this.ask({ kind: "step" });
   }
 
-  hydrostatics(): Promise<Replies["hydrostatics"]> {
-    return this.ask({ kind: "hydrostatics" });
+  /** As it stands, or as it stood at the start and without some bodies. */
+  hydrostatics(without: readonly string[] | null = null): Promise<Replies["hydrostatics"]> {
+    return this.ask({ kind: "hydrostatics", without });
   }
 
   equations(): Promise<Replies["equations"]> {

@@ -93,6 +93,15 @@ export function readJointAxes(resolvedJson: string): JointAxis[] {
   });
 }
 
+/** Whether the scenario's timeline steers. */
+const TIMELINE = "operation.enabled";
+
+/** What is set to switch the timeline of a resolved scenario off: the parameter for it, else the field itself. */
+export function readTimelineSwitch(resolvedJson: string): string {
+  const { parameters = [] } = JSON.parse(resolvedJson) as { parameters?: { name: string; writes?: string[] }[] };
+  return parameters.find(({ writes }) => writes?.includes(TIMELINE))?.name ?? TIMELINE;
+}
+
 function isVector(given: unknown): given is [number, number, number] {
   return Array.isArray(given) && given.length === 3;
 }
@@ -101,6 +110,8 @@ function isVector(given: unknown): given is [number, number, number] {
 export interface Fault {
   kind: string;
   message: string;
+  /** What the page adds to it, in its own language. */
+  note?: string;
   file?: string;
   line?: number;
   column?: number;

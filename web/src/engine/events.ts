@@ -1,3 +1,4 @@
+import { texts } from "../texts";
 import type { Engine, Warning } from "./engine";
 import type { LeverMove } from "./messages";
 
@@ -25,7 +26,7 @@ export class Events {
     this.seen += fresh.length;
     fresh.forEach((happened) => this.keep(happened));
     const moves = JSON.parse(engine.lever_moves_json()) as LeverMove[];
-    const told = moves.filter(isEnd).map(({ time_s, input, value }) => ({ time_s, name: input, text: `set to ${Number(value.toPrecision(4))} by hand` }));
+    const told = moves.filter(isEnd).map(({ time_s, input, value }) => ({ time_s, name: input, text: texts.scrubber.by_hand(Number(value.toPrecision(4))) }));
     return [...this.kept, ...told];
   }
 

@@ -1,25 +1,34 @@
+import { texts } from "../texts";
 import type { Fault } from "./engine";
+
+/** Kinds of faults whose message is the page's own, in its language; those of the engine are in English. */
+export const OF_PAGE = ["database", "engine", "file", "link", "network", "restarted", "saved", "setting", "two_operations"];
 
 /** What went wrong between the page and the engine, in words. The kind `engine`: there is no engine any more. */
 export function isOfEngine(fault: unknown): boolean {
   return typeof fault === "object" && fault !== null && "kind" in fault && fault.kind === "engine";
 }
 
-export const UNLOADED: Fault = { kind: "engine", message: "The engine did not load. The connection may be down." };
+/** Whether its message is in the engine's words. */
+export function isInEnglish({ kind }: Fault): boolean {
+  return !OF_PAGE.includes(kind);
+}
+
+export const UNLOADED: Fault = { kind: "engine", message: texts.engine.unloaded };
 
 export function faultOfLoading(why: string): Fault {
-  return { kind: "engine", message: `The engine did not load: ${why}.` };
+  return { kind: "engine", message: texts.engine.not_loaded(why) };
 }
 
 export function faultOfSilence(silent_s: number): Fault {
-  return { kind: "engine", message: `The engine gave no answer for ${silent_s} s.` };
+  return { kind: "engine", message: texts.engine.silent(silent_s) };
 }
 
 export function faultOfBreakdown(why: string): Fault {
-  return { kind: "engine", message: `The engine broke down: ${why}.` };
+  return { kind: "engine", message: texts.engine.broke_down(why) };
 }
 
 /** A file that may well be there, but did not come. */
 export function faultOfNetwork(url: string, why: string): Fault {
-  return { kind: "network", message: `${url.slice(url.lastIndexOf("/") + 1)} could not be fetched: ${why}.` };
+  return { kind: "network", message: texts.engine.not_fetched(url.slice(url.lastIndexOf("/") + 1), why) };
 }

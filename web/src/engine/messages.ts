@@ -19,7 +19,7 @@ export type Request =
   | OpenRequest
   | { kind: "advance"; wall_s: number; speed: number; until_s: number }
   | { kind: "step" }
-  | { kind: "hydrostatics" }
+  | { kind: "hydrostatics"; without: readonly string[] | null }
   | { kind: "equations" }
   | { kind: "input"; name: string; value: number }
   | { kind: "replay" }
@@ -79,6 +79,8 @@ export interface Opened {
   channels: Channel[];
   inputs: InputInfo[];
   joint_axes: JointAxis[];
+  /** What is set to switch the scenario's timeline off. */
+  timeline_switch: string;
   /** Of the scenario's text and of all files that it stands on. */
   digest: string;
   frame: Frame;

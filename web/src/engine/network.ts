@@ -1,3 +1,4 @@
+import { texts } from "../texts";
 import { faultOfNetwork } from "./faults";
 
 /** Longest time that a file may take to come, ms. */
@@ -17,10 +18,10 @@ export async function fetched(url: string): Promise<Response> {
   try {
     return await fetch(url, { signal: AbortSignal.timeout(LONGEST_MS) });
   } catch (thrown) {
-    throw faultOfNetwork(url, thrown instanceof Error && thrown.name === "TimeoutError" ? "it took too long" : "the connection failed");
+    throw faultOfNetwork(url, thrown instanceof Error && thrown.name === "TimeoutError" ? texts.engine.too_long : texts.engine.no_connection);
   }
 }
 
 export function said({ status, statusText }: Response): string {
-  return `the server answered ${status} ${statusText}`.trimEnd();
+  return texts.engine.answered(`${status} ${statusText}`.trimEnd());
 }

@@ -1,11 +1,12 @@
 import { Changes } from "./changes";
 import type { Change } from "./changes";
 import { digestOf } from "./digest";
-import { asFault, readJointAxes, readModel, readSettings } from "./engine";
+import { asFault, readJointAxes, readModel, readSettings, readTimelineSwitch } from "./engine";
 import type { Engine, Equations, Fault, Hydrostatics, OpenEngine, Value, Values, Warning } from "./engine";
 import { Events } from "./events";
 import type { Frame, LeverMove, Opened, Replay, Restored, Snapshot } from "./messages";
 import { SurfaceGrid } from "./surface";
+import { withoutBodies } from "./without";
 
 /** Longest stretch of wall time that one frame may catch up with, s: a slow machine runs slowly. */
 const LONGEST_WALL_S = 0.25;
@@ -33,6 +34,7 @@ const nothing = (): Taken => ({ steps: 0, rows: [], poses: [], line_points: [], 
 /** Owns the engine: opens scenarios, steps to the wall clock, records rows. */
 export class Runner {
   private engine: Engine | null = null;
+  private source = { file: "", files: "{}" };
   private grid: SurfaceGrid | null = null;
   private steps = 0;
   private stepsPerRecord = 1;
@@ -58,10 +60,12 @@ export class Runner {
    * changes are made at their times, until a hand sets something.
    */
   open(text: string, file: string, overrides: Values, files: Record<string, string> = {}, changes: readonly Change[] = []): Opened {
-    const engine = this.openEngine(text, file, JSON.stringify(overrides), JSON.stringify(files));
+    const source = { file, files: JSON.stringify(files) };
+    const engine = this.openEngine(text, file, JSON.stringify(overrides), source.files);
     const model = readModel(engine.model_json());
     this.engine?.free();
     this.engine = engine;
+    this.source = source;
     this.grid = SurfaceGrid.around(model);
     this.steps = 0;
     this.stepsPerRecord = Math.max(1, Math.round(model.record_every_s / engine.step_s()));
@@ -79,6 +83,7 @@ export class Runner {
       lines: JSON.parse(engine.lines_json()),
       settings: readSettings(resolved),
       joint_axes: readJointAxes(resolved),
+      timeline_switch: readTimelineSwitch(resolved),
       channels: JSON.parse(engine.channels_json()),
       inputs: JSON.parse(engine.inputs_json()),
       digest: digestOf(text, ...Object.entries(files).sort(([a], [b]) => (a < b ? -1 : 1)).flat()),
@@ -129,10 +134,17 @@ export class Runner {
     return { inputs: JSON.parse(engine.inputs_json()), frame: this.frame(nothing()) };
   }
 
-  /** How the hulls float at rest with the crane as it stands; a hull that cannot float is a warning. */
-  hydrostatics(): Hydrostatics {
+  /**
+   * How the hulls float at rest with the crane as it stands, or as it stood at the start and without some bodies; a hull that
+   * cannot float is a warning.
+   */
+  hydrostatics(without: readonly string[] | null = null): Hydrostatics {
     try {
-      return JSON.parse(this.current().hydrostatics_json()) as Hydrostatics;
+      if (!without) return JSON.parse(this.current().hydrostatics_json()) as Hydrostatics;
+      const lighter = this.openEngine(withoutBodies(this.current().resolved_json(), without), this.source.file, "{}", this.source.files);
+      const found = JSON.parse(lighter.hydrostatics_json()) as Hydrostatics;
+      lighter.free();
+      return found;
     } catch (thrown) {
       return { hulls: [], warnings: [asFault(thrown).message] };
     }

@@ -51,7 +51,7 @@ async function answer(request: Request): Promise<unknown> {
     case "step":
       return runner.step();
     case "hydrostatics":
-      return runner.hydrostatics();
+      return runner.hydrostatics(request.without);
     case "equations":
       return runner.equations();
     case "input":

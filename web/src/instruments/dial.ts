@@ -1,4 +1,5 @@
 import { fixed } from "../app/format";
+import { texts } from "../texts";
 import { svg } from "./svg";
 
 /** Degrees of a ship's inclination that a degree of it turns the picture by: 5 degrees of heel are to be seen. */
@@ -37,7 +38,7 @@ export class Dial {
     this.ship.setAttribute("transform", `rotate(${turn})`);
     this.needle.setAttribute("transform", `rotate(${turn})`);
     this.range.setAttribute("d", arc(this.turned(low), this.turned(high)));
-    this.element.setAttribute("aria-label", `${this.label} ${fixed(angle, 1)}°, from ${fixed(low, 1)}° to ${fixed(high, 1)}°`);
+    this.element.setAttribute("aria-label", texts.instruments.dial(this.label, `${fixed(angle, 1)}°`, `${fixed(low, 1)}°`, `${fixed(high, 1)}°`));
   }
 
   private turned(angle: number): number {

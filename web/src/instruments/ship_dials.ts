@@ -18,7 +18,7 @@ export class ShipDials {
     body: string,
     private readonly session: Session,
   ) {
-    const { heel, trim } = texts.instruments;
+    const { heel, trim } = texts.floating;
     this.dials = [
       // From aft, a heel to starboard turns the ship clockwise; from starboard, a trim by the bow does.
       { column: `${body}.roll`, dial: new Dial(heel, "aft", 1), ...words() },

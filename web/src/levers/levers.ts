@@ -35,7 +35,6 @@ export class Levers {
   private messageTimer = 0;
 
   constructor(private readonly session: Session) {
-    this.write();
     this.button.addEventListener("click", () => this.toggle());
     session.listen({
       opened: (run, { poses }) => this.open(run, poses),
@@ -49,13 +48,6 @@ export class Levers {
       (axis, deflection) => this.takeAxis(axis, "gamepad", deflection),
       (name, isThere) => this.say(isThere ? texts.levers.gamepad(name) : texts.levers.gamepad_gone),
     );
-  }
-
-  private write(): void {
-    this.box.setAttribute("aria-label", texts.levers.title);
-    setText(this.button, texts.levers.title);
-    setText(byId("about-sticks-title"), texts.levers.about_title);
-    setText(byId("about-sticks"), texts.levers.about);
   }
 
   /** Asks which input each axis has. */

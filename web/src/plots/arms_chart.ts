@@ -1,10 +1,10 @@
-import uPlot from "uplot";
+import type uPlot from "uplot";
 import { fixed } from "../app/format";
 import type { Shown } from "../app/recording/shown";
 import type { Columns } from "../engine/columns";
 import type { Hydrostatics } from "../engine/engine";
 import { texts } from "../texts";
-import { acrossAxis, dot, heightsOf, paddingOf, stroke, styleOf, tick, uprightAxis } from "./chart";
+import { dot, endsOf, heightsOf, Painted, stroke, tick } from "./chart";
 import type { Chart, Style } from "./chart";
 import { inWords } from "./lines";
 import { armAt, heelToSide } from "./stability";
@@ -34,7 +34,7 @@ const COLOURS = ["yaw", "roll", "pitch", "line-4"];
 
 /** Righting arms of the hulls over their heel, in degrees, with where each ship now is. */
 export class ArmsChart implements Chart {
-  private chart: uPlot | null = null;
+  private chart: Painted | null = null;
   private curves: Curve[] = [];
 
   constructor(
@@ -51,11 +51,7 @@ export class ArmsChart implements Chart {
     const [left, right] = [Math.min(0, ...this.curves.map(({ heel }) => heel)), Math.max(1, ...all.map(([x]) => x))];
     const heights = all.map(([, y]) => y);
     const [bottom, top] = heightsOf(Math.min(0, ...heights), Math.max(0, ...heights), 1e-3, []);
-    this.chart.setData([[left, right], [null, null]] as uPlot.AlignedData, false);
-    this.chart.batch(() => {
-      this.chart!.setScale("x", { min: left, max: right });
-      this.chart!.setScale("y", { min: bottom, max: top });
-    });
+    this.chart.fit([left, right], [bottom, top]);
   }
 
   private read(): Curve[] {
@@ -80,7 +76,7 @@ export class ArmsChart implements Chart {
   }
 
   resize(width: number, height: number): void {
-    this.chart?.setSize({ width, height });
+    this.chart?.resize(width, height);
   }
 
   values(): string[] {
@@ -114,7 +110,7 @@ export class ArmsChart implements Chart {
   }
 
   canvas(): HTMLCanvasElement | null {
-    return this.chart?.ctx.canvas ?? null;
+    return this.chart?.canvas ?? null;
   }
 
   destroy(): void {
@@ -122,29 +118,17 @@ export class ArmsChart implements Chart {
     this.chart = null;
   }
 
-  private make(): uPlot {
-    const style = styleOf();
-    const options: uPlot.Options = {
-      width: this.area.clientWidth,
-      height: this.area.clientHeight,
-      legend: { show: false },
-      padding: paddingOf(1),
-      cursor: { show: false },
-      scales: { x: { time: false }, y: {} },
-      axes: [acrossAxis(style, (value) => `${tick(value)}°`, texts.plots.heel_axis), uprightAxis(style, "y", 0, texts.plots.arm_axis)],
-      hooks: { draw: [(u) => this.drawCurves(u, style)] },
-      series: [{}, { scale: "y" }],
-    };
-    return new uPlot(options, [[0, 1], [null, null]], this.area);
+  private make(): Painted {
+    const axes = { across: texts.plots.heel_axis, upwards: texts.plots.arm_axis, written: (value: number) => `${tick(value)}°` };
+    return new Painted(this.area, axes, (u, style) => this.drawCurves(u, style));
   }
 
   private drawCurves(u: uPlot, style: Style): void {
-    const { min = 0, max = 1 } = u.scales.x;
-    stroke(u, [[min!, 0], [max!, 0]], "y", { colour: style.colour("edge"), width: 1 });
+    const [left, right, bottom, top] = endsOf(u);
+    stroke(u, [[left, 0], [right, 0]], "y", { colour: style.colour("edge"), width: 1 });
     for (const { points, colour, heel, arm_m } of this.curves) {
       stroke(u, points, "y", { colour: style.colour(colour), width: 2 });
-      const { min: bottom = 0, max: top = 0 } = u.scales.y;
-      stroke(u, [[heel, bottom!], [heel, top!]], "y", { colour: style.colour("accent"), width: 1, dash: [4, 3] });
+      stroke(u, [[heel, bottom], [heel, top]], "y", { colour: style.colour("accent"), width: 1, dash: [4, 3] });
       if (!Number.isNaN(arm_m)) dot(u, [heel, arm_m], "y", style.colour("accent"), style.colour("surface"));
     }
   }

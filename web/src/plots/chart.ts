@@ -105,6 +105,62 @@ export function heightsOf(low: number | null, high: number | null, least: number
   return [bottom - margin, top + margin];
 }
 
+/** What is written along the axes of a chart that is painted by hand. */
+export interface PaintedAxes {
+  across: string;
+  upwards: string;
+  /** How a number of the axis across is written. */
+  written?: (value: number) => string;
+}
+
+/** A chart whose axes alone are the library's: what is between them is painted by hand. */
+export class Painted {
+  private readonly chart: uPlot;
+
+  constructor(area: HTMLElement, { across, upwards, written = tick }: PaintedAxes, paint: (u: uPlot, style: Style) => void) {
+    const style = styleOf();
+    const options: uPlot.Options = {
+      width: area.clientWidth,
+      height: area.clientHeight,
+      legend: { show: false },
+      padding: paddingOf(1),
+      cursor: { show: false },
+      scales: { x: { time: false }, y: {} },
+      axes: [acrossAxis(style, written, across), uprightAxis(style, "y", 0, upwards)],
+      hooks: { draw: [(u) => paint(u, style)] },
+      series: [{}, { scale: "y" }],
+    };
+    this.chart = new uPlot(options, [[0, 1], [null, null]], area);
+  }
+
+  /** Paints it anew between these ends of its axes. */
+  fit([left, right]: [number, number], [bottom, top]: [number, number]): void {
+    this.chart.setData([[left, right], [null, null]], false);
+    this.chart.batch(() => {
+      this.chart.setScale("x", { min: left, max: right });
+      this.chart.setScale("y", { min: bottom, max: top });
+    });
+  }
+
+  resize(width: number, height: number): void {
+    this.chart.setSize({ width, height });
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.chart.ctx.canvas;
+  }
+
+  destroy(): void {
+    this.chart.destroy();
+  }
+}
+
+/** The ends of the axes of a chart: left, right, bottom, top. */
+export function endsOf(u: uPlot): [number, number, number, number] {
+  const { x, y } = u.scales;
+  return [x.min ?? 0, x.max ?? 1, y.min ?? 0, y.max ?? 1];
+}
+
 /** A line from point to point on a chart, in the unit of its axes. */
 export function stroke(u: uPlot, points: Iterable<[number, number]>, scale: string, style: { colour: string; width: number; dash?: number[] }): void {
   const { ctx, bbox } = u;
@@ -118,6 +174,19 @@ export function stroke(u: uPlot, points: Iterable<[number, number]>, scale: stri
   ctx.lineWidth = style.width * devicePixelRatio;
   ctx.setLineDash((style.dash ?? []).map((one) => one * devicePixelRatio));
   ctx.stroke();
+  ctx.restore();
+}
+
+/** The area that a line of points goes round, on a chart. */
+export function fill(u: uPlot, points: Iterable<[number, number]>, scale: string, colour: string): void {
+  const { ctx } = u;
+  ctx.save();
+  ctx.beginPath();
+  for (const [x, y] of points) ctx.lineTo(u.valToPos(x, "x", true), u.valToPos(y, scale, true));
+  ctx.closePath();
+  ctx.globalAlpha = 0.3;
+  ctx.fillStyle = colour;
+  ctx.fill();
   ctx.restore();
 }
 

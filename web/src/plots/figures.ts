@@ -1,6 +1,6 @@
 import type { Channel, ModelInfo } from "../engine/engine";
 import { texts } from "../texts";
-import { inWords, labelOf, linesOf } from "./lines";
+import { beside, inWords, labelOf, linesOf } from "./lines";
 import type { Line } from "./lines";
 
 /** Lines that belong together, to be chosen at once. */
@@ -112,7 +112,8 @@ export class Figures {
     const words = inWords(variable);
     return units.map((unit) => {
       const own = lines.filter((line) => line.unit === unit).slice(0, MOST_LINES);
-      const title = units.length > 1 ? `${inWords(thing)}: ${words} (${unit})` : `${inWords(thing)}: ${words}`;
+      const heading = `${inWords(thing)}: ${beside(thing, words)}`;
+      const title = units.length > 1 ? `${heading} (${unit})` : heading;
       return { title, lines: own, labels: own.map(({ what }) => what.slice(words.length + 1) || what) };
     });
   }

@@ -30,7 +30,7 @@ const TURNS_AROUND = ["roll", "pitch", "yaw"];
 function lineOf(channel: Channel, place: number): Line {
   const { variable, long_name, columns, units } = channel;
   const [thing, components] = labelsAt(channel, place);
-  const words = [variable, ...components].map(inWords).join(" ");
+  const words = [variable, ...components].map(inWords).reduce((so, next) => `${so} ${beside(so, next)}`);
   return {
     id: columns[place],
     thing,
@@ -77,7 +77,14 @@ export function linesOf(model: ModelInfo, channels: readonly Channel[]): Line[] 
 
 /** As a legend has it. */
 export function labelOf({ thing, what }: Line): string {
-  return thing === "" ? what : `${inWords(thing)} ${what}`;
+  return thing === "" ? what : `${inWords(thing)} ${beside(thing, what)}`;
+}
+
+/** What is said of a thing, without words at its head that the name beside it has: of `aft_line` the `line speed` is its `speed`. */
+export function beside(thing: string, what: string): string {
+  const known = inWords(thing).split(" ");
+  const words = what.split(" ");
+  return words.slice(words.findIndex((word, at) => !known.includes(word) || at === words.length - 1)).join(" ");
 }
 
 /** A name of the scenario as a person writes it. */

@@ -1,14 +1,14 @@
-import uPlot from "uplot";
+import type uPlot from "uplot";
 import { fixed } from "../app/format";
 import { texts } from "../texts";
-import { acrossAxis, dot, heightsOf, paddingOf, stroke, styleOf, tick, uprightAxis } from "./chart";
+import { dot, heightsOf, Painted, stroke } from "./chart";
 import type { Chart, Content, Style } from "./chart";
 import type { DrawnLine } from "./drawn";
 import { places } from "./table";
 
 /** The first line across, the second upwards: the path of the two over the stretch in sight. */
 export class PhaseChart implements Chart {
-  private chart: uPlot | null = null;
+  private chart: Painted | null = null;
   private content: Content | null = null;
 
   constructor(private readonly area: HTMLElement) {}
@@ -17,16 +17,11 @@ export class PhaseChart implements Chart {
     this.content = content;
     this.chart ??= this.make(content);
     const [, xs, ys] = content.stretch.data;
-    const [x, y] = [endsOf(xs ?? []), endsOf(ys ?? [])];
-    this.chart.setData([x, [null, null]] as unknown as uPlot.AlignedData, false);
-    this.chart.batch(() => {
-      this.chart!.setScale("x", { min: x[0], max: x[1] });
-      this.chart!.setScale("y", { min: y[0], max: y[1] });
-    });
+    this.chart.fit(roundOf(xs ?? []), roundOf(ys ?? []));
   }
 
   resize(width: number, height: number): void {
-    this.chart?.setSize({ width, height });
+    this.chart?.resize(width, height);
   }
 
   values(content: Content): string[] {
@@ -49,7 +44,7 @@ export class PhaseChart implements Chart {
   }
 
   canvas(): HTMLCanvasElement | null {
-    return this.chart?.ctx.canvas ?? null;
+    return this.chart?.canvas ?? null;
   }
 
   destroy(): void {
@@ -57,21 +52,9 @@ export class PhaseChart implements Chart {
     this.chart = null;
   }
 
-  private make({ lines }: Content): uPlot {
-    const style = styleOf();
-    const [across, upwards] = lines;
-    const options: uPlot.Options = {
-      width: this.area.clientWidth,
-      height: this.area.clientHeight,
-      legend: { show: false },
-      padding: paddingOf(1),
-      cursor: { show: false },
-      scales: { x: { time: false }, y: {} },
-      axes: [acrossAxis(style, tick, across ? nameOf(across) : ""), uprightAxis(style, "y", 0, upwards ? nameOf(upwards) : "")],
-      hooks: { draw: [(u) => this.drawPath(u, style)] },
-      series: [{}, { scale: "y" }],
-    };
-    return new uPlot(options, [[0, 1], [null, null]], this.area);
+  private make({ lines: [across, upwards] }: Content): Painted {
+    const axes = { across: across ? nameOf(across) : "", upwards: upwards ? nameOf(upwards) : "" };
+    return new Painted(this.area, axes, (u, style) => this.drawPath(u, style));
   }
 
   /** The path in time, and where the moment that is shown lies on it. */
@@ -90,7 +73,8 @@ function nameOf({ label, shown }: DrawnLine): string {
   return shown.unit ? `${label}, ${shown.unit}` : label;
 }
 
-function endsOf(values: ArrayLike<number>): [number, number] {
+/** Room around the values. */
+function roundOf(values: ArrayLike<number>): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (let i = 0; i < values.length; i++) [low, high] = [Math.min(low, values[i]), Math.max(high, values[i])];
   return heightsOf(low <= high ? low : null, low <= high ? high : null, 1e-9, []);

@@ -121,7 +121,7 @@ export class Plot {
     if (kind === "time") return title;
     if (kind === "arms") return texts.plots.kinds.arms;
     if (kind === "phase" && labels.length > 1) return texts.plots.against(labels[1], labels[0]);
-    return texts.plots.with_kind(title, texts.plots.kinds[kind]);
+    return texts.plots.with_kind(title, texts.plots.kinds[kind].toLowerCase());
   }
 
   private drawEntries(hasUnits: boolean): void {

@@ -7,10 +7,14 @@ export function heelToSide({ side }: Pick<RightingArmCurve, "side">, heel_rad: n
 
 /** The righting arm at a heel to the curve's side, m, on the line between two points; NaN beyond the curve. */
 export function armAt({ points }: Pick<RightingArmCurve, "points">, heel_rad: number): number {
-  const after = points.findIndex((point) => point.heel_rad >= heel_rad);
-  if (after < 0 || points.length === 0) return NaN;
-  const [to, from] = [points[after], points[after - 1]];
-  if (to.heel_rad === heel_rad) return to.arm_m;
-  if (!from) return NaN;
-  return from.arm_m + ((heel_rad - from.heel_rad) / (to.heel_rad - from.heel_rad)) * (to.arm_m - from.arm_m);
+  return onLine(points.map((point) => point.heel_rad), points.map(({ arm_m }) => arm_m), heel_rad);
+}
+
+/** The height over a place of a line through points from left to right; NaN beyond its ends. */
+export function onLine(across: readonly number[], upwards: readonly number[], at: number): number {
+  const after = across.findIndex((one) => one >= at);
+  if (across[after] === at) return upwards[after];
+  if (after < 1) return NaN;
+  const share = (at - across[after - 1]) / (across[after] - across[after - 1]);
+  return upwards[after - 1] + share * (upwards[after] - upwards[after - 1]);
 }

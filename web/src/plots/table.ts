@@ -1,3 +1,5 @@
+import { texts } from "../texts";
+
 /** Most moments that a table has. */
 const MOST_ROWS = 12;
 
@@ -11,5 +13,5 @@ export function places(length: number, most = MOST_ROWS): number[] {
 export function rowsOf(times: ArrayLike<number>, lines: readonly ArrayLike<number>[], write: (value: number, line: number) => string): string[][] {
   const moments = places(times.length).map((at) => [`${Number(times[at].toPrecision(6))} s`, ...lines.map((line, i) => write(line[at], i))]);
   const ends = (of: (a: number, b: number) => number) => lines.map((line, i) => write(Array.from(line).reduce((so, value) => of(so, value), line[0]), i));
-  return times.length > 0 ? [["Least", ...ends(Math.min)], ["Greatest", ...ends(Math.max)], ...moments] : [];
+  return times.length > 0 ? [[texts.plots.least, ...ends(Math.min)], [texts.plots.greatest, ...ends(Math.max)], ...moments] : [];
 }

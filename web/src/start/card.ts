@@ -9,7 +9,7 @@ export const PICTURE = { width: 480, height: 300 };
 
 /** A link that opens a scenario: its picture, its title and what it is in a sentence. */
 export function cardOf(entry: GalleryEntry): HTMLAnchorElement {
-  const words = [make("h3", {}, entry.title), make("p", {}, firstSentence(entry.description))];
+  const words = [make("h3", { lang: "en" }, entry.title), make("p", { lang: "en" }, firstSentence(entry.description))];
   return make("a", { class: "card", href: addressOf(entry.name), "data-testid": `card-${entry.name}` }, pictureOf(entry), ...words);
 }
 

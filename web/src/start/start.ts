@@ -1,7 +1,8 @@
 import type { Gallery, Group } from "../app/gallery";
 import { OPENING } from "../app/opening";
-import { texts } from "../texts";
+import { language, texts } from "../texts";
 import { byId, make } from "../ui/dom";
+import { languageChoice } from "../ui/language";
 import { addressOf, cardOf } from "./card";
 
 const { start } = texts;
@@ -18,7 +19,7 @@ export class StartPage {
     private readonly prepare: () => void,
   ) {
     this.page.append(this.hero(), make("main", { class: "start-main" }, this.alert, make("h2", { class: "visually-hidden" }, start.choose), this.groups));
-    this.page.append(make("footer", { class: "start-foot" }, start.about));
+    this.page.append(make("footer", { class: "start-foot" }, make("p", {}, start.about)));
     this.page.addEventListener("click", (event) => this.follow(event));
     for (const sign of ["pointerover", "focusin", "touchstart"]) this.page.addEventListener(sign, (event) => this.notice(event), { passive: true });
   }
@@ -29,13 +30,13 @@ export class StartPage {
     const words = make(
       "div",
       { class: "hero-words" },
-      make("h1", {}, start.title),
+      make("h1", {}, texts.page.name),
       make("p", { class: "hero-lead" }, start.lead),
       make("p", {}, start.intro),
       make("div", { class: "hero-actions" }, paper, file),
     );
     const picture = make("img", { class: "hero-picture", src: "./cards/hero.webp", alt: "", width: 1600, height: 700, loading: "lazy" });
-    return make("header", { class: "hero" }, picture, words);
+    return make("header", { class: "hero" }, picture, words, languageChoice("language"));
   }
 
   /** The cards; they need the gallery's list and nothing of the engine. */
@@ -73,7 +74,7 @@ export class StartPage {
 
 function section({ title, entries }: Group, k: number): HTMLElement {
   const id = `group-${k}`;
-  const heading = make("h2", { id }, title ?? start.ungrouped);
+  const heading = make("h2", { id, lang: title ? "en" : language }, title ?? start.ungrouped);
   return make("section", { class: "start-group", "aria-labelledby": id }, heading, make("div", { class: "cards" }, ...entries.map(cardOf)));
 }
 

@@ -1,7 +1,15 @@
-import { en } from "./en";
+import * as en from "./en";
+import { languageHere } from "./language";
+import type { Language } from "./language";
+import * as nb from "./nb";
 
 /** What the texts of a language must have. */
 export type Texts = typeof en;
 
+const ALL: Record<Language, Texts> = { en, nb };
+
+/** Of the texts of the page. */
+export const language: Language = languageHere();
+
 /** The texts of the page. */
-export const texts: Texts = en;
+export const texts: Texts = ALL[language];

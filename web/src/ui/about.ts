@@ -1,5 +1,6 @@
 import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
+import { texts } from "../texts";
 import { byId, make, setText } from "./dom";
 
 const DOI = /doi:\s*(10\.\d{4,}\/[^\s,;]*[^\s,;.)])/g;
@@ -8,7 +9,8 @@ const DOI = /doi:\s*(10\.\d{4,}\/[^\s,;]*[^\s,;.)])/g;
 export function showAbout(session: Session): void {
   session.listen({
     opened: ({ model }) => {
-      document.title = `Kingpost – ${model.title}`;
+      // The gallery's own are in English; of others nobody knows.
+      for (const id of ["about-title", "about-text"]) byId(id).lang = session.source?.gallery === undefined ? "" : "en";
       setText(byId("about-title"), model.title);
       const parts = linked(model.description).map(({ text, href }) => (href ? make("a", { href }, text) : text));
       byId("about-text").replaceChildren(...parts);
@@ -20,7 +22,8 @@ export function showAbout(session: Session): void {
 /** A force or a drive with what is given of it. */
 function acting({ name, kind, enabled, facts }: ModelInfo["elements"][number]): HTMLElement[] {
   const words = facts.map(({ label, value, unit }) => `${label} ${value} ${unit}`.trimEnd()).join(", ");
-  return [make("dt", {}, `${name}: ${kind}${enabled ? "" : ", off"}`), make("dd", {}, words)];
+  const heading = `${name}: ${kind}`;
+  return [make("dt", {}, enabled ? heading : texts.about.off(heading)), make("dd", {}, words)];
 }
 
 /** A text in parts, each DOI with its address. */

@@ -1,5 +1,6 @@
 import { fixed } from "../app/format";
 import type { Session } from "../app/session";
+import { texts } from "../texts";
 import { byId, setText } from "./dom";
 
 /** How long nothing changes before it is said, ms: Step pressed many times is one message. */
@@ -27,15 +28,13 @@ function wordsOf(session: Session): string {
   const { run, status, shown } = session;
   const { moment } = shown;
   const time = run && moment ? `${fixed(run.columns.read(moment.row, "time"), 2)} s` : "";
+  const say = texts.announcer;
   const words: Record<typeof status, string> = {
-    loading: "Loading the engine.",
-    empty: "Nothing is open.",
-    idle: `${run?.model.title ?? ""}: at the start.`,
-    stepping: "Stepping.",
-    running: "Running.",
-    paused: `Paused at ${time}.`,
-    stopped: `Stopped at ${time}.`,
+    ...say,
+    idle: say.idle(run?.model.title ?? ""),
+    paused: say.paused(time),
+    stopped: say.stopped(time),
   };
-  if (shown.isBack) return `Shows ${time} of ${fixed(shown.recording!.now.time_s, 2)} s.`;
+  if (shown.isBack) return say.back(time, fixed(shown.recording!.now.time_s, 2));
   return `${words[status]} ${byId("hint").textContent}`.trimEnd();
 }

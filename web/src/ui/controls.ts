@@ -32,14 +32,14 @@ export class Controls {
     this.items = made.map(({ item }) => item);
     const of = (kind: ParameterInfo["kind"]) => made.filter((one) => one.kind === kind).map((one) => one.item.element);
     const groups = [
-      group("Switches", "group-switches", of("boolean")),
-      group("Choices", "group-choices", of("choice")),
-      group("Numbers", "group-numbers", of("number")),
+      group(texts.controls.switches, "group-switches", of("boolean")),
+      group(texts.controls.choices, "group-choices", of("choice")),
+      group(texts.controls.numbers, "group-numbers", of("number")),
     ];
     this.form.replaceChildren(...groups.filter((one) => one !== null), this.levers);
     this.showLevers();
     if (this.items.length + this.levers.childElementCount === 0) {
-      this.form.append(make("p", { class: "muted" }, "This scenario has no parameters."));
+      this.form.append(make("p", { class: "muted" }, texts.controls.none));
     }
     this.show();
   }
@@ -55,11 +55,11 @@ export class Controls {
   private showLevers(): void {
     const inputs = this.session.run?.inputs ?? [];
     this.inputs = inputs.filter((input) => !input.signal).map(({ name }) => this.lever(name));
-    const free = group("Levers", "group-numbers", this.inputs.map(({ element }) => element));
+    const free = group(texts.levers.title, "group-numbers", this.inputs.map(({ element }) => element));
     const taken = inputs.filter((input) => input.signal);
-    const words = taken.map((input) => `${input.name.replaceAll("_", " ")} by ${input.signal}`).join(", ");
-    const note = taken.length > 0 ? make("p", { class: "muted" }, `Set by the scenario: ${words}.`) : null;
-    const kept = free ? make("p", { class: "muted" }, "Save scenario keeps the lever moves as an operation.") : null;
+    const words = taken.map((input) => texts.controls.by(input.name.replaceAll("_", " "), String(input.signal))).join(", ");
+    const note = taken.length > 0 ? make("p", { class: "muted" }, texts.controls.set_by_scenario(words)) : null;
+    const kept = free ? make("p", { class: "muted" }, texts.controls.moves_are_kept) : null;
     this.levers.replaceChildren(...[free, this.axesButton(inputs), kept, note].filter((one) => one !== null));
   }
 

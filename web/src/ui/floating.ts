@@ -4,6 +4,7 @@ import { fixed } from "../app/format";
 import type { Run, Session } from "../app/session";
 import type { Hydrostatics } from "../engine/engine";
 import type { Moment } from "../app/recording/recording";
+import { texts } from "../texts";
 import { byId, byTestId, make, setText } from "./dom";
 
 /** Hydrostatics are asked for once the controls have been left alone for so long, ms: they cost more than many frames. */
@@ -57,7 +58,7 @@ export class Floating {
     setText(byTestId("metacentric-height"), height_m === undefined ? "–" : `${fixed(height_m, 2)} m`);
     this.warnings.hidden = !found || found.warnings.length === 0;
     this.warnings.querySelector("ul")!.replaceChildren(...(found?.warnings ?? []).map((warning) => make("li", {}, warning)));
-    setText(this.warnings.querySelector("summary")!, found && found.warnings.length > 1 ? `${found.warnings.length} warnings` : "Warning");
+    setText(this.warnings.querySelector("summary")!, texts.warnings.title(found?.warnings.length ?? 1));
   }
 }
 

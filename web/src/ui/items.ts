@@ -107,7 +107,7 @@ function sliderFor(name: string, text: string, [lower, upper]: [number, number])
     min: lower,
     max: upper,
     step: sliderStep(lower, upper),
-    "aria-label": `${text}, slider`,
+    "aria-label": texts.controls.slider(text),
     "data-testid": `slider-${name}`,
   });
 }

@@ -1,5 +1,6 @@
 import { fixed } from "../app/format";
 import type { Warning } from "../engine/engine";
+import { texts } from "../texts";
 
 /** What happened closer together than this share of the track has one mark. */
 const TOGETHER = 1 / 150;
@@ -29,7 +30,7 @@ export function marksOf(happened: readonly Warning[], from_s: number, to_s: numb
 
 function wordsOf(all: Warning[]): string {
   const words = all.slice(0, MOST_WORDS).map(({ time_s, name, text }) => `${fixed(time_s, 2)} s, ${name}: ${text}`);
-  return [...words, ...(all.length > MOST_WORDS ? [`and ${all.length - MOST_WORDS} more`] : [])].join("\n");
+  return [...words, ...(all.length > MOST_WORDS ? [texts.scrubber.more(all.length - MOST_WORDS)] : [])].join("\n");
 }
 
 /** Words of the mark that is nearest to a place, where one is near. */

@@ -1,6 +1,7 @@
 import { fixed } from "../app/format";
 import { Pace } from "../app/pace";
 import type { Session } from "../app/session";
+import { texts } from "../texts";
 import { byId, setText } from "./dom";
 
 /** How fast the run goes against the wall, and that it lags where it does. */
@@ -11,7 +12,8 @@ export function showPace(session: Session): void {
     const { factor } = pace;
     const isSlow = session.status === "running" && pace.isSlow(session.speed);
     shown.classList.toggle("is-slow", isSlow);
-    setText(shown, `${Number.isNaN(factor) ? "–" : `${fixed(factor, factor < 10 ? 2 : 1)}×`}${isSlow ? " slow" : ""}`);
+    const words = Number.isNaN(factor) ? "–" : `${fixed(factor, factor < 10 ? 2 : 1)}×`;
+    setText(shown, isSlow ? texts.readouts.slow(words) : words);
   };
   let speed = session.speed;
   session.listen({

@@ -2,6 +2,7 @@ import type { Frame } from "../engine/messages";
 import type { Recording } from "../app/recording/recording";
 import type { Run, Session } from "../app/session";
 import { duration, fixed, integratorName, scientific } from "../app/format";
+import { texts } from "../texts";
 import { byTestId, setText } from "./dom";
 
 /** The time, always in sight, and how it is computed with which errors, in one line that opens. */
@@ -48,7 +49,7 @@ export class Readouts {
     setText(this.energyAbsolute, `${scientific(errors.energy_J)} J`);
     setText(this.momentumAbsolute, `${scientific(errors.momentum_N_m_s)} N m s`);
     const worst = Math.max(errors.energy || 0, errors.momentum || 0);
-    setText(this.summary, `${this.how}; errors ${worst > 0 ? scientific(worst) : "none"}`);
+    setText(this.summary, texts.readouts.errors(this.how, worst > 0 ? scientific(worst) : texts.readouts.no_errors));
   }
 }
 

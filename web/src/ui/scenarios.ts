@@ -10,7 +10,7 @@ import { isOfEngine } from "../engine/faults";
 import { scenarioAmong } from "../engine/files";
 import { runIn } from "../share/link";
 import type { SharedRun } from "../share/shared_run";
-import { texts } from "../texts";
+import { language, texts } from "../texts";
 import { byId, make } from "./dom";
 
 /** Before the names of files, and of links, among the choices. */
@@ -88,7 +88,7 @@ export class Scenarios {
   private async openLink(hash: string): Promise<void> {
     const why = await this.triedLink(hash);
     if (!why) return;
-    if (!this.session.run && !isOfEngine(why)) return this.openFirst({ ...why, message: `${why.message} ${texts.share.opened_first}` });
+    if (!this.session.run && !isOfEngine(why)) return this.openFirst({ ...why, note: texts.share.opened_first });
     if (this.session.run) this.write();
     this.session.report(why);
   }
@@ -188,8 +188,8 @@ export class Scenarios {
 
   private fill(): void {
     const named = this.gallery.groups.map(({ title, entries }) => {
-      const options = entries.map((entry) => make("option", { value: entry.name }, entry.title || entry.name));
-      return make("optgroup", { label: title ?? texts.start.ungrouped }, ...options);
+      const options = entries.map((entry) => make("option", { value: entry.name, lang: "en" }, entry.title || entry.name));
+      return make("optgroup", { label: title ?? texts.start.ungrouped, lang: title ? "en" : language }, ...options);
     });
     const own = Array.from(this.own, ([choice, { title }]) => make("option", { value: choice }, title));
     this.select.replaceChildren(...named, ...own);

@@ -1,5 +1,6 @@
 import { fixed } from "../app/format";
 import type { Session } from "../app/session";
+import { texts } from "../texts";
 import { byId, byTestId, make, setText } from "./dom";
 import { marksOf, wordsNear } from "./marks";
 import type { Mark } from "./marks";
@@ -47,7 +48,7 @@ export class Scrubber {
     this.range.min = String(start_s);
     this.range.max = String(now.time_s);
     this.range.value = String(time_s);
-    const words = `${fixed(time_s, 2)} s of ${fixed(now.time_s, 2)} s`;
+    const words = texts.scrubber.time(fixed(time_s, 2), fixed(now.time_s, 2));
     setText(this.time, `${fixed(time_s, 2)} / ${fixed(now.time_s, 2)} s`);
     this.showMarks();
     const length_s = now.time_s - start_s;
@@ -62,7 +63,7 @@ export class Scrubber {
     const listed = this.marks.map(({ share, words }) => `${share.toFixed(3)} ${words}`).join("\n");
     if (listed === this.listed) return;
     this.listed = listed;
-    const item = ({ share, words }: Mark) => make("li", { style: `left: ${(100 * share).toFixed(2)}%` }, make("span", { class: "visually-hidden" }, words));
+    const item = ({ share, words }: Mark) => make("li", { style: `left: ${(100 * share).toFixed(2)}%` }, make("span", { class: "visually-hidden", lang: "en" }, words));
     this.list.replaceChildren(...this.marks.map(item));
   }
 }

@@ -1,9 +1,12 @@
 import { FORM_NAMES, formName, INTEGRATOR_NAMES, integratorName } from "../app/format";
-import { SETTING_LABELS } from "../app/faults";
 import type { Session } from "../app/session";
+import { texts } from "../texts";
 import { byId } from "./dom";
 import { choice, number } from "./items";
 import type { Item } from "./items";
+import { languageChoice } from "./language";
+
+const { labels } = texts.settings;
 
 /** The advanced fold: integrator, form of the equations and step size, which are paths of the scenario. */
 export class Settings {
@@ -13,18 +16,18 @@ export class Settings {
     this.items = [
       this.named("simulation.integrator", INTEGRATOR_NAMES, integratorName),
       this.named("simulation.form", FORM_NAMES, formName),
-      number({ name: "simulation.step_s", label: SETTING_LABELS["simulation.step_s"], unit: "s", range: null }, (value) =>
+      number({ name: "simulation.step_s", label: labels["simulation.step_s"], unit: "s", range: null }, (value) =>
         session.set("simulation.step_s", value),
       ),
     ];
     const form = byId<HTMLFormElement>("settings");
     form.addEventListener("submit", (event) => event.preventDefault());
-    form.append(...this.items.map((item) => item.element));
+    form.append(...this.items.map((item) => item.element), languageChoice("language-setting"));
     session.listen({ valuesChanged: () => this.show() });
   }
 
   private named(path: string, choices: string[], nameOf: (choice: string) => string): Item {
-    const item = choice({ name: path, label: SETTING_LABELS[path], choices }, (value) => this.session.set(path, value));
+    const item = choice({ name: path, label: labels[path], choices }, (value) => this.session.set(path, value));
     for (const option of item.element.querySelectorAll("option")) option.textContent = nameOf(option.value);
     return item;
   }

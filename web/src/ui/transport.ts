@@ -1,6 +1,9 @@
 import type { Session, Status } from "../app/session";
 import { fixed } from "../app/format";
+import { texts } from "../texts";
 import { byId, setText } from "./dom";
+
+const words = texts.transport;
 
 const PLAY = "M5 3v14l12-7z";
 const PAUSE = "M4 3h4v14H4zM12 3h4v14h-4z";
@@ -44,23 +47,23 @@ export class Transport {
     const running = this.session.isGoing;
     const { isBack } = this.session.shown;
     const dead = (status === "stopped" && !isBack) || status === "loading" || status === "empty";
-    setText(byId("start-label"), running ? "Pause" : isBack ? "From here" : status === "paused" ? "Resume" : "Start");
-    this.start.title = isBack ? "Goes on from the moment that is shown; what came after it is dropped" : "";
+    setText(byId("start-label"), running ? words.pause : isBack ? words.from_here : status === "paused" ? words.resume : words.start);
+    this.start.title = isBack ? words.from_here_help : "";
     byId("start-icon").setAttribute("d", running ? PAUSE : PLAY);
     this.start.disabled = dead;
     this.step.disabled = dead;
     this.reset.disabled = status === "loading" || this.session.source === null;
     const pending = status !== "idle" && status !== "empty" && this.session.pending().length > 0;
     this.reset.classList.toggle("is-due", pending || status === "stopped" || (status === "empty" && !this.reset.disabled));
-    setText(this.hint, pending ? "Reset to apply the changes." : this.line(status));
+    setText(this.hint, pending ? words.reset_to_apply : this.line(status));
     document.documentElement.dataset.status = status;
   }
 
   private line(status: Status): string {
     const { run, shown } = this.session;
-    if (status === "loading") return "Loading the engine…";
-    if (status === "empty") return this.session.source ? "Reset tries again." : "Open a scenario.";
+    if (status === "loading") return words.loading;
+    if (status === "empty") return this.session.source ? words.try_again : words.open_one;
     if (!run || !shown.recording || status !== "stopped") return "";
-    return `Stopped at ${fixed(shown.recording.now.time_s, 3)} s. Reset to start again.`;
+    return words.stopped(fixed(shown.recording.now.time_s, 3));
   }
 }

@@ -1,5 +1,6 @@
 import type { Session } from "../app/session";
 import type { Warning } from "../engine/engine";
+import { texts } from "../texts";
 import { byId, make } from "./dom";
 
 /** Shows what the engine warns of in a run, each until it is dismissed or another run begins. */
@@ -9,17 +10,17 @@ export function showWarnings(session: Session): void {
   let dismissed = 0;
   const show = (warnings: readonly Warning[]): void => {
     const left = warnings.length > dismissed ? warnings : [];
-    const texts = left.map(({ name, text }) => `${name}: ${text}`);
-    if (texts.join("\n") === shown) return;
-    shown = texts.join("\n");
-    if (texts.length === 0) return region.replaceChildren();
-    const close = make("button", { type: "button", class: "button alert-close", "aria-label": "Dismiss" }, "×");
+    const said = left.map(({ name, text }) => `${name}: ${text}`);
+    if (said.join("\n") === shown) return;
+    shown = said.join("\n");
+    if (said.length === 0) return region.replaceChildren();
+    const close = make("button", { type: "button", class: "button alert-close", "aria-label": texts.warnings.dismiss }, "×");
     close.addEventListener("click", () => {
       dismissed = warnings.length;
       show(warnings);
     });
-    const heading = make("p", { class: "alert-heading" }, texts.length > 1 ? `${texts.length} warnings` : "Warning");
-    const words = make("div", { class: "alert-text" }, heading, ...texts.map((text) => make("p", {}, text)));
+    const heading = make("p", { class: "alert-heading" }, texts.warnings.title(said.length));
+    const words = make("div", { class: "alert-text" }, heading, ...said.map((text) => make("p", { lang: "en" }, text)));
     region.replaceChildren(make("div", { class: "alert-box" }, words, close));
   };
   session.listen({

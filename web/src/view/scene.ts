@@ -6,6 +6,7 @@ import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
 import { length } from "../app/format";
 import type { Highlight } from "../equations/highlight";
+import { texts } from "../texts";
 import { byId, setText } from "../ui/dom";
 import { Watched } from "./overlays/watched";
 import { Tools } from "./tools";
@@ -29,7 +30,7 @@ export function createScene(session: Session, aside: Aside): Scene {
   } catch {
     const message = byId("scene-message");
     message.hidden = false;
-    message.textContent = "This browser offers no WebGL, so there is no picture; the numbers and plots run.";
+    message.textContent = texts.picture.no_graphics;
     return { draw() {}, highlight() {}, foresee() {}, picture: () => null };
   }
   showLosses(byId("canvas"), view);
@@ -88,7 +89,7 @@ function showLosses(canvas: HTMLElement, view: View): void {
   const message = byId("scene-message");
   canvas.addEventListener("webglcontextlost", () => {
     message.hidden = false;
-    message.textContent = "The browser took the graphics away: the picture comes back with them. The numbers and plots run.";
+    message.textContent = texts.picture.graphics_lost;
   });
   canvas.addEventListener("webglcontextrestored", () => {
     message.hidden = true;
@@ -98,7 +99,7 @@ function showLosses(canvas: HTMLElement, view: View): void {
 
 /** What the picture shows of water. */
 function noteOf({ sea, hulls }: ModelInfo, spacing: number): string {
-  if (!sea || hulls.length === 0) return `Grid ${length(spacing)}. No water in this scenario.`;
-  if (sea.wave_components === 0) return "Still water.";
-  return `Incident waves, ${sea.wave_components} in all.`;
+  if (!sea || hulls.length === 0) return texts.picture.no_water(length(spacing));
+  if (sea.wave_components === 0) return texts.picture.still_water;
+  return texts.picture.waves(sea.wave_components);
 }

@@ -10,9 +10,9 @@ export const WINDOW = { width: 1000, height: 640 };
 export const PAPER = "?scenario=paper&motor_1=true&load=true&torque_history=pulse";
 
 /** Opens a scenario in the app and waits until it is there. The app is kept on the device only where that is tested: it takes time. */
-export async function openApp({ browser, address }, { query = PAPER, colorScheme = "light", viewport = WINDOW, serviceWorkers = "block" } = {}) {
+export async function openApp({ browser, address }, { query = PAPER, colorScheme = "light", viewport = WINDOW, serviceWorkers = "block", locale } = {}) {
   const isPhone = viewport.width < 600;
-  const context = await browser.newContext({ viewport, colorScheme, hasTouch: isPhone, isMobile: isPhone, serviceWorkers });
+  const context = await browser.newContext({ viewport, colorScheme, hasTouch: isPhone, isMobile: isPhone, serviceWorkers, locale });
   const page = await context.newPage();
   page.setDefaultTimeout(30_000);
   const problems = [];

@@ -22,7 +22,7 @@ function targets() {
     });
 }
 
-async function assertUncropped(page, screen) {
+export async function assertUncropped(page, screen) {
   const scrolls = await page.evaluate(() => getComputedStyle(document.body).overflowY === "auto");
   const size = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
   assert.ok(size[0] <= screen.width && (scrolls || size[1] <= screen.height), `the page is ${size}, the screen ${screen.width}`);

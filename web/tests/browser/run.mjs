@@ -9,12 +9,14 @@ import ahead from "./ahead.mjs";
 import controls from "./controls.mjs";
 import faults from "./faults.mjs";
 import gestures from "./gestures.mjs";
+import languages from "./languages.mjs";
 import layout from "./layout.mjs";
 import levers from "./levers.mjs";
 import losses from "./losses.mjs";
 import numbers from "./numbers.mjs";
 import offline from "./offline.mjs";
 import panels from "./panels.mjs";
+import physics from "./physics.mjs";
 import picture from "./picture.mjs";
 import plots from "./plots.mjs";
 import recording from "./recording.mjs";
@@ -41,7 +43,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, addresses, losses, saving, sea, panels, levers, picture, plots, sharing, offline, ahead];
+const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, languages, addresses, losses, saving, sea, panels, physics, levers, picture, plots, sharing, offline, ahead];
 const tests = SUITES.flatMap(Object.entries).filter(([name]) => name.includes(wanted));
 // A sub-path, as on many a static host.
 const { address, stop } = await serve(DIST, "/a/folder/");

@@ -1,10 +1,16 @@
 //! What is known of a model without a run, and of a run beside its numbers: exact linearisation
 //! and gradients along parameters.
 
+#[cfg(not(target_family = "wasm"))]
 mod gradient;
 mod linearization;
+mod natural_modes;
+#[cfg(not(target_family = "wasm"))]
 mod response;
 
+#[cfg(not(target_family = "wasm"))]
 pub use gradient::{Gradient, gradient};
 pub use linearization::{LinearNames, Linearization, Linearizer};
+pub use natural_modes::{ModesError, NaturalMode, natural_modes};
+#[cfg(not(target_family = "wasm"))]
 pub use response::{ResponseError, WaveGrid, WaveResponse};

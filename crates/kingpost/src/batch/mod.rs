@@ -39,6 +39,20 @@ pub enum BatchError {
         /// Which, from 0.
         run: usize,
     },
+    /// More numbers would be recorded than may be held.
+    #[error(
+        "{runs} runs: found {:.1} GB to be recorded, allowed: {:.1} GB; record less often (simulation.record_every_s), \
+         or fewer runs at once",
+        *found as f64 / 1e9, *allowed as f64 / 1e9
+    )]
+    Memory {
+        /// How many runs there are.
+        runs: usize,
+        /// Bytes of all rows.
+        found: u64,
+        /// Bytes that are allowed.
+        allowed: u64,
+    },
     /// The threads could not be started.
     #[error("{0} threads could not be started")]
     Threads(usize),
@@ -56,6 +70,9 @@ pub struct Batch {
     pub runs: Vec<Run>,
 }
 
+/// What [`run`] may record, bytes.
+pub const MOST_BYTES: u64 = 4 << 30;
+
 /// Runs every variant of a scenario from start to end. `threads` 0 takes as many as the machine
 /// has. `progress` hears how many runs are done; it may stop the batch by returning false.
 ///
@@ -69,7 +86,7 @@ pub struct Batch {
 /// ```
 ///
 /// # Errors
-/// A variant that does not read or build, or whose channels are not those of the first.
+/// A variant that does not read or build, or whose channels are not those of the first; more than [`MOST_BYTES`] of rows.
 pub fn run(
     text: &str,
     file: &str,
@@ -78,10 +95,26 @@ pub fn run(
     threads: usize,
     progress: impl Fn(usize) -> bool + Sync,
 ) -> Result<Batch, BatchError> {
+    run_within(text, file, files, variants, threads, MOST_BYTES, progress)
+}
+
+/// The same as [`run`] where the rows of all runs may take so many bytes.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn run_within(
+    text: &str,
+    file: &str,
+    files: &Files,
+    variants: &[Variant],
+    threads: usize,
+    most_bytes: u64,
+    progress: impl Fn(usize) -> bool + Sync,
+) -> Result<Batch, BatchError> {
     let pool = pool(threads)?;
     pool.install(|| {
         let members = members(text, file, files, variants)?;
-        run_all(&members, &progress)
+        run_all(&members, most_bytes, &progress)
     })
 }
 
@@ -114,15 +147,20 @@ pub fn run_built(
     threads: usize,
     progress: impl Fn(usize) -> bool + Sync,
 ) -> Result<Batch, BatchError> {
-    pool(threads)?.install(|| run_all(built, &progress))
+    pool(threads)?.install(|| run_all(built, MOST_BYTES, &progress))
 }
 
 fn pool(threads: usize) -> Result<rayon::ThreadPool, BatchError> {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|_| BatchError::Threads(threads))
 }
 
-fn run_all(built: &impl Built, progress: &(impl Fn(usize) -> bool + Sync)) -> Result<Batch, BatchError> {
+fn run_all(
+    built: &impl Built,
+    most_bytes: u64,
+    progress: &(impl Fn(usize) -> bool + Sync),
+) -> Result<Batch, BatchError> {
     let channels = common_channels(built)?;
+    check_memory(built, &channels, most_bytes)?;
     let done = AtomicUsize::new(0);
     let run_group = |group: &[usize]| {
         let runs = run_group(group, built, &|| progress(done.load(Ordering::Relaxed)));
@@ -134,6 +172,17 @@ fn run_all(built: &impl Built, progress: &(impl Fn(usize) -> bool + Sync)) -> Re
     let mut runs: Vec<(usize, Run)> = groups.into_iter().flatten().zip(by_group.into_iter().flatten()).collect();
     runs.sort_by_key(|(run, _)| *run);
     Ok(Batch { channels, runs: runs.into_iter().map(|(_, run)| run).collect() })
+}
+
+/// An error where the rows of all runs would not fit.
+fn check_memory(built: &impl Built, channels: &[Channel], allowed: u64) -> Result<(), BatchError> {
+    let columns: usize = channels.iter().map(|channel| channel.columns.len()).sum();
+    let rows = |run: usize| built.setup(run).settings.rows();
+    let found = (0..built.count()).map(rows).sum::<f64>() * (columns * size_of::<f64>()) as f64;
+    if found > allowed as f64 {
+        return Err(BatchError::Memory { runs: built.count(), found: found as u64, allowed });
+    }
+    Ok(())
 }
 
 /// The channels that all runs have.

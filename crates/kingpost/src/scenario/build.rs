@@ -137,6 +137,9 @@ fn settings(given: &schema::SimulationSettings) -> Result<Settings, FieldError> 
     Ok(Settings { scheme, step_s, duration_s, record_every_s, rate_limit, form })
 }
 
+/// Least share of a step that the steps within it may be held to: more of them would keep a step from ending.
+const LEAST_SHARE: f64 = 1e-3;
+
 /// The integrator with its settings.
 fn scheme(given: &schema::SimulationSettings) -> Result<SchemeName, FieldError> {
     Ok(match given.integrator {
@@ -147,6 +150,11 @@ fn scheme(given: &schema::SimulationSettings) -> Result<SchemeName, FieldError> 
         Integrator::DormandPrince => {
             let schema::DormandPrinceSettings { absolute_tolerance, relative_tolerance, largest_step_s } =
                 given.dormand_prince;
+            let least_s = LEAST_SHARE * given.step_s.get();
+            if largest_step_s.get() < least_s {
+                let allowed = format!("at least {least_s:e} s, a thousandth of simulation.step_s");
+                return Err(FieldError::new("simulation.dormand_prince.largest_step_s", largest_step_s.get(), allowed));
+            }
             SchemeName::DormandPrince(Tolerances {
                 absolute: absolute_tolerance.get(),
                 relative: relative_tolerance.get(),
@@ -172,12 +180,11 @@ fn scheme(given: &schema::SimulationSettings) -> Result<SchemeName, FieldError> 
 
 /// What a run records must fit in memory.
 fn check_recording(setup: &Setup) -> Result<(), FieldError> {
-    let Settings { step_s, duration_s, record_every_s, .. } = setup.settings;
+    let Settings { duration_s, record_every_s, .. } = setup.settings;
     let columns = Channels::new(&setup.model, &Layout::new(&setup.elements, 0)).columns();
-    let rows = duration_s / record_every_s.max(step_s);
-    if rows * columns as f64 > MOST_NUMBERS {
-        let least = duration_s * columns as f64 / MOST_NUMBERS;
-        let allowed = format!("at least {least:.3e} s, for {MOST_NUMBERS:e} numbers in all");
+    if setup.settings.rows() * columns as f64 > MOST_NUMBERS {
+        let least = libm::ceil(duration_s * columns as f64 / MOST_NUMBERS * 1e3) / 1e3;
+        let allowed = format!("at least {least} s, for {MOST_NUMBERS:e} numbers in all");
         return Err(FieldError::new("simulation.record_every_s", record_every_s, allowed));
     }
     Ok(())

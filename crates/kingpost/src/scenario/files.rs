@@ -5,6 +5,7 @@ use super::schema::{Force, Joint, Scenario, Waves};
 use crate::sea::database::Database;
 use crate::sea::raos::RaoTable;
 use crate::sea::waves::ElevationTable;
+use crate::state::digest;
 use indexmap::IndexMap;
 use std::borrow::Cow;
 use std::fmt;
@@ -144,12 +145,6 @@ impl NamedFiles {
     pub fn raos(&self, name: &str) -> Option<&Arc<RaoTable>> {
         self.raos.get(name)
     }
-}
-
-/// A number that stands for bytes: FNV-1a (Fowler, Noll & Vo).
-fn digest(bytes: &[u8]) -> u64 {
-    let byte = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, byte)
 }
 
 /// What a file is to the scenario that names it.

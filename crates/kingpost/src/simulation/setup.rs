@@ -54,6 +54,13 @@ pub struct Settings {
     pub form: Form,
 }
 
+impl Settings {
+    /// Rows that a run records, but for one at each end.
+    pub fn rows(&self) -> f64 {
+        self.duration_s / self.record_every_s.max(self.step_s)
+    }
+}
+
 /// Everything that a simulation is made of.
 #[derive(Clone, Debug)]
 pub struct Setup<S: Scalar = f64> {

@@ -90,6 +90,15 @@ fn a_variant_that_is_wrong_is_named_before_anything_runs() {
 }
 
 #[test]
+fn a_batch_that_records_more_than_is_allowed_does_not_begin() {
+    let variants = [variant(&[]), variant(&[])];
+    let run = |most_bytes| batch::run_within(TEXT, "paper.yaml", &Files::default(), &variants, 1, most_bytes, |_| true);
+    let error = run(1000).expect_err("30 rows of some 100 numbers each");
+    assert!(matches!(error, BatchError::Memory { runs: 2, found: 2000.., allowed: 1000 }), "{error}");
+    assert!(run(1_000_000).is_ok());
+}
+
+#[test]
 fn a_batch_can_be_stopped() {
     let stopped = batch::run(TEXT, "paper.yaml", &Files::default(), &variants()[..8], 2, |done| done < 4);
     assert!(matches!(stopped, Err(BatchError::Stopped)));

@@ -8,6 +8,8 @@ use kingpost::Simulation;
 use kingpost::simulation::RunError;
 use serde_json::{Value, json};
 
+const TEXT: &str = include_str!("../../../../scenarios/paper.yaml");
+
 /// Both motors, crane at the centre, no load.
 fn centred(more: &[(&'static str, Value)]) -> Simulation {
     let mut all = vec![
@@ -171,4 +173,20 @@ fn the_state_is_handed_out_where_it_was_asked_for() {
         let error = distance(&end(step_s), &exact);
         assert!(error < 1e-8, "{step_s}: {error:e}");
     }
+}
+
+#[test]
+fn steps_held_to_less_than_a_thousandth_of_the_step_are_refused() {
+    let of = |largest_s: f64| {
+        let values = [
+            ("simulation.integrator", json!("dormand_prince")),
+            ("simulation.dormand_prince.largest_step_s", json!(largest_s)),
+            ("simulation.step_s", json!(0.01)),
+        ]
+        .map(|(name, value)| (name.to_owned(), value));
+        kingpost::scenario::read(TEXT, "paper.yaml", &values).and_then(|scenario| scenario.setup().map(drop))
+    };
+    let error = of(1e-12).expect_err("a step would take 10^10 of them").to_string();
+    assert!(error.contains("allowed: at least 1e-5 s, a thousandth of simulation.step_s"), "{error}");
+    assert!(of(1e-5).is_ok());
 }

@@ -417,6 +417,8 @@ fn what_cannot_hold_a_ship_is_refused() {
         &format!("{field}.gains.natural_periods.yaw.integral_time_s: found 7, allowed: more than"),
     );
     refused(GAINS, WEAK, ", wave_filter: {notch_periods_s: [8, 0]}", "wave_filter.notch_periods_s.1: found 0");
+    let tiny = ", wave_filter: {notch_periods_s: [1.0e-100]}";
+    refused(GAINS, WEAK, tiny, "wave_filter.notch_periods_s.0: found 1e-100, allowed: a number from 0.1 to 1000");
     // A low pass of 40 s delays at 100 s by more than the damping has to spare; one of 10 s does not.
     let filter = ", wave_filter: {notch_periods_s: [8], cutoff_period_s: 40}";
     refused(

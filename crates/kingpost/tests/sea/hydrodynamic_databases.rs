@@ -75,12 +75,35 @@ fn a_memory_that_gives_energy_or_drags_on_a_steady_drift_is_refused() {
 }
 
 #[test]
+fn a_mean_drift_of_another_shape_is_refused() {
+    let (frequencies, directions) = {
+        let all = database();
+        let count = |name: &str| all[name].as_array().expect("a list").len();
+        (count("frequencies_rad_s"), count("wave_directions_rad"))
+    };
+    let allowed = format!("3 finite numbers for each of {frequencies} frequencies and {directions} directions");
+    let whole = vec![vec![[0.0; 3]; directions]; frequencies];
+    let mut short = whole.clone();
+    short[frequencies - 1].pop();
+    for spoilt in [json!([]), json!([[]]), json!(short)] {
+        let error = refused(|all| all["mean_drift"] = spoilt.clone());
+        assert_eq!(error, format!("mean_drift: found another shape, allowed: {allowed}"));
+    }
+    let mut fine = database();
+    fine["mean_drift"] = json!(whole);
+    assert!(Database::read(&fine.to_string()).is_ok());
+}
+
+#[test]
 fn a_sea_beyond_the_frequencies_is_refused_on_either_side() {
     // The barge's go from 0.1 to 4 rad/s, its swell is regular.
     let swell = |period_s: f64| {
-        let pairs =
-            [("sea.waves.swell.regular.enabled", json!(true)), ("sea.waves.swell.regular.period_s", json!(period_s))]
-                .map(|(name, value)| (name.to_owned(), value));
+        let pairs = [
+            ("sea.waves.swell.regular.enabled", json!(true)),
+            ("sea.waves.swell.regular.height_m", json!(0.2)),
+            ("sea.waves.swell.regular.period_s", json!(period_s)),
+        ]
+        .map(|(name, value)| (name.to_owned(), value));
         read_with(barge::TEXT, "barge.yaml", &pairs, &barge::files()).map(|_| ()).map_err(|error| error.to_string())
     };
     for period_s in [1.5, 100.0] {

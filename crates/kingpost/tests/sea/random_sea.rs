@@ -1,5 +1,6 @@
 //! Random seas and measured records: energy, sampling, repetition, seeds.
 
+use kingpost::scenario::read;
 use kingpost::sea::waves::{
     Amplitudes, Band, ElevationRecord, ElevationTable, Jonswap, PiersonMoskowitz, Spectrum, Spreading, Water,
     WaveComponent, WaveField, WaveSystem, significant_height_of_components_m,
@@ -7,6 +8,29 @@ use kingpost::sea::waves::{
 use std::f64::consts::TAU;
 
 const THREE_HOURS_S: f64 = 10_800.0;
+
+#[test]
+fn waves_that_would_have_broken_are_refused() {
+    let sea = |waves: &str| {
+        let text = format!(
+            "version: 1\ntitle: Sea\nsimulation: {{step_s: 0.1, duration_s: 1}}\nbodies:\n  ball: {{mass_kg: 1, shape: \
+             {{sphere: {{radius_m: 1}}}}, joint: {{floating: {{}}}}}}\nforces: {{gravity: {{gravity: {{}}}}}}\n\
+             sea: {{waves: {{w: {waves}}}}}\n"
+        );
+        read(&text, "sea.yaml", &[]).and_then(|s| s.setup().map(drop)).map_err(|error| error.to_string())
+    };
+    // 0.142 g T^2 / 2 pi of 4.5 s.
+    let allowed = "allowed: at most 4.49 m, at which waves of 4.5 s break";
+    let refused = |waves: &str, field: &str| {
+        let error = sea(waves).expect_err(waves);
+        assert!(error.contains(field) && error.contains(allowed), "{error}");
+    };
+    refused("{regular: {height_m: 20, period_s: 4.5}}", "sea.waves.w.regular.height_m: found 20");
+    refused("{regular: {height_m: 4.5, period_s: 4.5}}", "sea.waves.w.regular.height_m: found 4.5");
+    refused("{jonswap: {significant_height_m: 5, peak_period_s: 4.5}}", "w.jonswap.significant_height_m: found 5");
+    refused("{pierson_moskowitz: {significant_height_m: 5, peak_period_s: 4.5}}", "significant_height_m: found 5");
+    assert_eq!(sea("{regular: {height_m: 4.48, period_s: 4.5}}"), Ok(()));
+}
 
 fn system() -> WaveSystem {
     WaveSystem {

@@ -381,7 +381,11 @@ fn what_a_database_lacks_is_told_at_its_field() {
         let deep = kingpost::scenario::read_with(barge::TEXT, "barge.yaml", &[], &pool).expect_err("another depth");
         assert!(deep.to_string().contains("allowed: that of the sea, inf m"), "{deep}");
     }
-    let ripples = error(&[(SWELL, ON), ("sea.waves.swell.regular.period_s", json!(1.0))]);
+    let ripples = error(&[
+        (SWELL, ON),
+        ("sea.waves.swell.regular.height_m", json!(0.1)),
+        ("sea.waves.swell.regular.period_s", json!(1.0)),
+    ]);
     assert!(ripples.contains("100.0 % of the waves' energy outside"), "{ripples}");
     let weightless = error(&[("forces.gravity.gravity.enabled", OFF)]);
     assert!(weightless.contains("found water on a hull, and no gravity"), "{weightless}");

@@ -52,9 +52,7 @@ def _check_scipy(path: str) -> None:
     try:
         import scipy  # noqa: F401
     except ImportError:
-        allowed = (
-            "NetCDF 4; for the classic format SciPy is needed, and comes with pip install kingpost[hydro]"
-        )
+        allowed = "NetCDF 4; for the classic format SciPy is needed, which `pip install scipy` installs"
         raise reading_error("NetCDF of the classic format", allowed, path) from None
 
 

@@ -40,7 +40,7 @@ def load(path: str) -> tuple[Entry, str]:
     try:
         import yaml
     except ImportError:
-        needed = "PyYAML, which comes with pip install kingpost[hydro]"
+        needed = "PyYAML, which `pip install pyyaml` installs"
         raise reading_error("YAML", needed, path) from None
     try:
         text = Path(path).read_text(encoding="utf-8-sig")

@@ -1,3 +1,4 @@
+import { texts } from "../../texts";
 import type { EngineClient } from "../../engine/client";
 import type { Value, Values } from "../../engine/engine";
 import type { Restored } from "../../engine/messages";
@@ -16,7 +17,7 @@ export async function rewind(
   set: (name: string, value: Value) => void,
 ): Promise<Restored> {
   const keyframe = recording.keyframeAt(time_s);
-  if (!keyframe) throw { kind: "input", message: "The recording has no state left so early: Reset starts the run again." };
+  if (!keyframe) throw { kind: "setting", message: texts.faults.no_state };
   // The engine takes a state back only with the parameters that it was of.
   for (const [name, value] of Object.entries(keyframe.values)) {
     if (values[name] === value) continue;

@@ -3,7 +3,7 @@
 use super::super::schema::{self, Force as ForceSchema, PositioningGains, Scenario, ThrustPriority};
 use super::FieldError;
 use super::damping::{from_centre, rigid};
-use super::positioning_loop::Loop;
+use super::positioning_loop::{Growth, Loop};
 use crate::elements::dynamic_positioning::{
     Allocation, DynamicPositioning, Gains, Planar, Target, Thruster, ThrusterKind, WaveFilter,
 };
@@ -155,7 +155,20 @@ pub fn check_stability(scenario: &Scenario) -> Result<(), FieldError> {
     })
 }
 
+/// Periods of waves, s: a filter of waves has no use for others.
+const WAVE_PERIODS_S: core::ops::RangeInclusive<f64> = 0.1..=1e3;
+
+fn check_filter(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
+    let Some(filter) = &given.wave_filter else { return Ok(()) };
+    let notches = (0..).zip(&filter.notch_periods_s).map(|(k, period)| (format!("notch_periods_s.{k}"), period));
+    let cutoff = filter.cutoff_period_s.iter().map(|period| ("cutoff_period_s".to_owned(), period));
+    let wrong = notches.chain(cutoff).find(|(_, period)| !WAVE_PERIODS_S.contains(&period.get()));
+    let Some((name, period)) = wrong else { return Ok(()) };
+    Err(FieldError::new(format!("{field}.wave_filter.{name}"), period.get(), "a number from 0.1 to 1000"))
+}
+
 fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
+    check_filter(given, field)?;
     let PositioningGains::NaturalPeriods(periods) = &given.gains else { return Ok(()) };
     let gains = numbers(&given.gains);
     let running = given.thrusters.values().filter(|thruster| thruster.enabled());
@@ -167,15 +180,26 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
             filter: given.wave_filter.as_ref(),
             time_constant_s: slowest,
         };
-        if let Some(root) = of.growing() {
-            let found = format!(
-                "{} s, with which the delays of wave filter and thrusters make an oscillation of {:.1} s grow",
-                tuning.period_s,
-                TAU / root.im.abs()
-            );
-            let allowed = "a longer natural period, or filter periods and thrusters' time constants that are shorter";
-            return Err(FieldError::new(format!("{field}.gains.natural_periods.{name}.period_s"), found, allowed));
-        }
+        let delays = "the delays of wave filter and thrusters";
+        let (found, allowed) = match of.growth() {
+            Growth::None => continue,
+            Growth::Of(root) => (
+                format!(
+                    "{} s, with which {delays} make an oscillation of {:.1} s grow",
+                    tuning.period_s,
+                    TAU / root.im.abs()
+                ),
+                "a longer natural period, or filter periods and thrusters' time constants that are shorter",
+            ),
+            Growth::Unknown => (
+                format!(
+                    "{} s, with which {delays} differ so much in size that their stability cannot be found",
+                    tuning.period_s
+                ),
+                "filter periods and thrusters' time constants whose sizes compare with it",
+            ),
+        };
+        return Err(FieldError::new(format!("{field}.gains.natural_periods.{name}.period_s"), found, allowed));
     }
     Ok(())
 }

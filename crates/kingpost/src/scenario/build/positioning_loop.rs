@@ -4,6 +4,19 @@ use super::super::schema;
 use core::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix};
 
+/// What a controlled ship does when it is left alone.
+pub(super) enum Growth {
+    /// It comes to rest.
+    None,
+    /// This root grows.
+    Of(Complex<f64>),
+    /// Rates of such different sizes that no roots are found.
+    Unknown,
+}
+
+/// Of the search for roots; it takes a few for each root where their sizes compare.
+const MOST_ITERATIONS: usize = 1000;
+
 /// One of surge, sway and yaw.
 pub(super) struct Loop<'a> {
     /// m, K_p, K_d, K_i.
@@ -15,11 +28,16 @@ pub(super) struct Loop<'a> {
 }
 
 impl Loop<'_> {
-    /// The root that grows fastest of a free ship, m x'' = T, under the controller; `None` where none grows.
-    pub(super) fn growing(&self) -> Option<Complex<f64>> {
-        let roots = self.rates().complex_eigenvalues();
-        let fastest = roots.iter().copied().max_by(|a, b| a.re.total_cmp(&b.re))?;
-        (fastest.re > ROUNDING * fastest.im.abs().max(1.0 / self.time_constant_s)).then_some(fastest)
+    /// The root that grows fastest of a free ship, m x'' = T, under the controller.
+    pub(super) fn growth(&self) -> Growth {
+        let Some(schur) = self.rates().try_schur(f64::EPSILON, MOST_ITERATIONS) else { return Growth::Unknown };
+        let roots = schur.complex_eigenvalues();
+        let fastest = roots.iter().copied().max_by(|a, b| a.re.total_cmp(&b.re)).unwrap_or_default();
+        if fastest.re > ROUNDING * fastest.im.abs().max(1.0 / self.time_constant_s) {
+            Growth::Of(fastest)
+        } else {
+            Growth::None
+        }
     }
 
     /// The matrix of the rates of x, v, thrust, integral (both over m), and the filter's states, all without units but s.

@@ -6,7 +6,7 @@ use super::world::{gravity, water_of};
 use crate::scenario::leaf::Quantity;
 use crate::sea::waves::{
     Amplitudes, Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Spreading,
-    Torsethaugen, Water, WaveComponent, WaveError, WaveSystem,
+    Torsethaugen, Water, WaveComponent, WaveError, WaveSystem, unbroken,
 };
 
 /// A wave of the sea: its amplitude may carry derivatives, or be another in each lane; what else it is decides the structure.
@@ -97,6 +97,9 @@ fn regular<S: Quantity>(wave: &schema::RegularWave<S>, water: &Water) -> Result<
     let schema::RegularWave { height_m, period_s, direction_rad, phase_rad, .. } = wave;
     let height_m = height_m.get();
     let of = |height: f64| WaveComponent::regular(height, period_s.get(), *direction_rad, *phase_rad, water);
+    if let Some(height) = height_m.outside(|height| unbroken("height_m", height, period_s.get(), water).is_ok()) {
+        unbroken("height_m", height, period_s.get(), water)?;
+    }
     // Each lane's height is one that a wave may have, and all waves are alike but for it.
     match height_m.outside(|height| of(height).is_ok()) {
         Some(height) => of(height).map(|_| Vec::new()),
@@ -124,26 +127,35 @@ fn of_spectrum<S: Quantity>(
     at: &Place,
 ) -> Result<Option<(WaveSystem, S)>, FieldError> {
     let in_place = |error| at.of_realisation(error);
+    let unbroken = |part: &str, height: f64, period: &Positive| {
+        unbroken(&format!("{part}significant_height_m"), height, period.get(), water).map_err(in_place)
+    };
     let height_field = at.field("significant_height_m");
     let (spectrum, direction_rad, realisation, scale) = match waves {
         Waves::Regular(_) | Waves::Record(_) => return Ok(None),
         Waves::Jonswap(sea) => {
             let (height, scale) = sea.significant_height_m.get().scaled(&height_field)?;
+            unbroken("", height, &sea.peak_period_s)?;
             let spectrum = Jonswap::new(height, sea.peak_period_s.get(), sea.gamma.get()).map_err(in_place)?;
             (Spectrum::Jonswap(spectrum), sea.direction_rad, &sea.realisation, scale)
         }
         Waves::PiersonMoskowitz(sea) => {
             let (height, scale) = sea.significant_height_m.get().scaled(&height_field)?;
+            unbroken("", height, &sea.peak_period_s)?;
             let spectrum = PiersonMoskowitz::new(height, sea.peak_period_s.get()).map_err(in_place)?;
             (Spectrum::PiersonMoskowitz(spectrum), sea.direction_rad, &sea.realisation, scale)
         }
         Waves::OchiHubble(sea) => {
+            for (name, part) in [("swell.", &sea.swell), ("wind_sea.", &sea.wind_sea)] {
+                unbroken(name, part.significant_height_m.get(), &part.peak_period_s)?;
+            }
             let spectrum = OchiHubble::new([&sea.swell, &sea.wind_sea].map(ochi_hubble_part)).map_err(in_place)?;
             (Spectrum::OchiHubble(spectrum), sea.direction_rad, &sea.realisation, S::ONE)
         }
         Waves::Torsethaugen(sea) => {
             let height = sea.significant_height_m.get().same(&height_field)?;
             let spectrum = Torsethaugen::new(height, sea.peak_period_s.get(), water.gravity_m_s2).map_err(in_place)?;
+            unbroken("", height, &sea.peak_period_s)?;
             (Spectrum::Torsethaugen(spectrum), sea.direction_rad, &sea.realisation, S::ONE)
         }
         Waves::Spectrum(sea) => {

@@ -23,6 +23,7 @@ pub(super) fn check(database: &Database) -> Checked {
     check_matrices(database)?;
     check_excitation("froude_krylov", database, &database.froude_krylov)?;
     check_excitation("diffraction", database, &database.diffraction)?;
+    check_mean_drift(database)?;
     physical::check_matrices(database)?;
     database.radiation.as_ref().map_or(Ok(()), |model| {
         check_radiation(model)?;
@@ -97,14 +98,21 @@ fn is_finite(matrix: &SixBySix) -> bool {
 }
 
 fn check_excitation(field: &str, database: &Database, given: &Excitation) -> Checked {
+    check_waves(&format!("{field}.real"), database, &given.real)?;
+    check_waves(&format!("{field}.imaginary"), database, &given.imaginary)
+}
+
+fn check_mean_drift(database: &Database) -> Checked {
+    database.mean_drift.as_ref().map_or(Ok(()), |drift| check_waves("mean_drift", database, drift))
+}
+
+/// Numbers for each frequency and direction.
+fn check_waves<const N: usize>(field: &str, database: &Database, given: &[Vec<[f64; N]>]) -> Checked {
     let (frequencies, directions) = (database.frequencies_rad_s.len(), database.wave_directions_rad.len());
-    let fits = |part: &Vec<Vec<[f64; 6]>>| {
-        part.len() == frequencies
-            && part.iter().all(|row| row.len() == directions && row.iter().flatten().all(|x| x.is_finite()))
-    };
-    let allowed = format!("six finite numbers for each of {frequencies} frequencies and {directions} directions");
-    unless(fits(&given.real), &format!("{field}.real"), "another shape", &allowed)?;
-    unless(fits(&given.imaginary), &format!("{field}.imaginary"), "another shape", &allowed)
+    let fits = given.len() == frequencies
+        && given.iter().all(|row| row.len() == directions && row.iter().flatten().all(|x| x.is_finite()));
+    let allowed = format!("{N} finite numbers for each of {frequencies} frequencies and {directions} directions");
+    unless(fits, field, "another shape", &allowed)
 }
 
 fn check_radiation(model: &RadiationModel) -> Checked {

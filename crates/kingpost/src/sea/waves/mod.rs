@@ -7,6 +7,7 @@
 
 mod at_body;
 mod at_points;
+mod breaking;
 mod components;
 mod dispersion;
 mod error;
@@ -22,6 +23,8 @@ mod water;
 
 pub use at_body::{LocalSurface, WavesAtBody};
 pub use at_points::WavesAtPoints;
+pub use breaking::breaking_height_m;
+pub(crate) use breaking::unbroken;
 pub use components::{MOST_COMPONENTS, WaveComponent, significant_height_of_components_m};
 pub use dispersion::{group_velocity_m_s, wave_number};
 pub use error::WaveError;

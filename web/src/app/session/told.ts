@@ -1,8 +1,8 @@
-import type { Fault } from "../engine/engine";
-import { isOfEngine } from "../engine/faults";
-import { Listeners } from "./listeners";
-import { Shown } from "./recording/shown";
-import type { Listener, Run, Status } from "./run";
+import type { Fault } from "../../engine/engine";
+import { isOfEngine } from "../../engine/faults";
+import { Listeners } from "../listeners";
+import { Shown } from "../recording/shown";
+import type { Listener, Run, Status } from "../run";
 
 /** The run in hand: how it stands, which moment of it is shown and what went wrong, and those who are told of it. */
 export class Told {

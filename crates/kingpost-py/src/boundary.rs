@@ -1,0 +1,77 @@
+//! Where a call from Python enters the engine: a defect comes out as an error, and Ctrl-C is seen.
+
+use crate::errors;
+use pyo3::prelude::*;
+use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, mpsc};
+use std::thread;
+use std::time::Duration;
+
+/// What the last defect was, and where; threads of a batch hand over neither.
+static DEFECT: Mutex<String> = Mutex::new(String::new());
+
+/// Time between two looks for Ctrl-C while others compute.
+const LOOK_EVERY: Duration = Duration::from_millis(50);
+
+/// Keeps what a panic says for [`guarded`] instead of printing it.
+pub fn keep_defects() {
+    panic::set_hook(Box::new(|info: &PanicHookInfo<'_>| {
+        let place = info.location().map(|at| format!("{}:{}: ", at.file(), at.line())).unwrap_or_default();
+        let what = info.payload_as_str().unwrap_or("no message");
+        *DEFECT.lock().unwrap_or_else(|poisoned| poisoned.into_inner()) = format!("{place}{what}");
+    }));
+}
+
+/// The result of a call into the engine; a panic is an error like the others.
+pub fn guarded<T>(call: impl FnOnce() -> PyResult<T>) -> PyResult<T> {
+    panic::catch_unwind(AssertUnwindSafe(call)).unwrap_or_else(|_| {
+        let what = DEFECT.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        Err(errors::defect(&what))
+    })
+}
+
+/// Lets Python see Ctrl-C and tells the progress callback how far the work is.
+pub struct Look(pub Option<Py<PyAny>>);
+
+impl Look {
+    /// Python's main thread alone sees Ctrl-C: it has to be the one that calls this.
+    pub fn now(&self, done: f64) -> PyResult<()> {
+        Python::attach(|py| {
+            py.check_signals()?;
+            self.0.as_ref().map_or(Ok(()), |callback| callback.call1(py, (done,)).map(drop))
+        })
+    }
+}
+
+/// Work on threads of its own, while the one that called looks for Ctrl-C and tells how much is done. The work is handed a
+/// function that takes how much that is, and says whether to go on.
+pub fn watched<T: Send>(
+    py: Python<'_>,
+    look: &Look,
+    work: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> T + Send,
+) -> PyResult<T> {
+    let (done, stop) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let go_on = |now: usize| {
+        done.fetch_max(now, Ordering::Relaxed);
+        !stop.load(Ordering::Relaxed)
+    };
+    py.detach(|| {
+        thread::scope(|scope| {
+            let (ended, end) = mpsc::channel::<()>();
+            let worker = scope.spawn(|| {
+                let _held = ended;
+                work(&go_on)
+            });
+            let mut seen = Ok(());
+            while end.recv_timeout(LOOK_EVERY) == Err(mpsc::RecvTimeoutError::Timeout) {
+                if seen.is_ok() {
+                    seen = look.now(done.load(Ordering::Relaxed) as f64);
+                    stop.store(seen.is_err(), Ordering::Relaxed);
+                }
+            }
+            let found = worker.join().unwrap_or_else(|defect| panic::resume_unwind(defect));
+            seen.and_then(|()| look.now(done.load(Ordering::Relaxed) as f64)).map(|()| found)
+        })
+    })
+}

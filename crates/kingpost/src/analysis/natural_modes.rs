@@ -1,0 +1,139 @@
+//! The oscillations that a model makes by itself about its equilibrium.
+
+use super::{Linearization, Linearizer};
+use crate::scenario::{Scenario, ScenarioError};
+use crate::simulation::{NoEquilibrium, Simulation};
+use core::f64::consts::TAU;
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
+use nalgebra::{Complex, DMatrix, DVector, Schur};
+use serde::Serialize;
+use thiserror::Error;
+
+/// An oscillation `exp(-zeta w t) cos(w_d t)` of small motions: of bodies, not of filters or of the water's memory alone.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NaturalMode {
+    /// The coordinate with the largest share in the kinetic energy, each by itself.
+    pub coordinate: String,
+    /// Time between two maxima, 2 pi / w_d, s.
+    pub period_s: f64,
+    /// zeta: below 0 the oscillation grows.
+    pub damping_ratio: f64,
+}
+
+/// Why there are no modes.
+#[derive(Clone, Debug, Error)]
+pub enum ModesError {
+    /// No equilibrium is near.
+    #[error(transparent)]
+    Settle(#[from] NoEquilibrium),
+    /// The scenario does not build.
+    #[error(transparent)]
+    Scenario(#[from] ScenarioError),
+    /// The eigenvalues do not converge.
+    #[error("modes: found no eigenvalues in {MOST_ITERATIONS} iterations, allowed: rates whose sizes compare")]
+    NoEigenvalues,
+}
+
+/// Of the search for eigenvalues; it takes some three for each.
+const MOST_ITERATIONS: usize = 20_000;
+/// Periods beyond this are drift, s.
+const LONGEST_PERIOD_S: f64 = 1e4;
+/// What coordinates and their rates take part in a mode of bodies at least.
+const LEAST_SHARE: f64 = 0.5;
+/// How far beside an eigenvalue the matrix of the inverse iteration is taken, as part of its modulus.
+const BESIDE: f64 = 1e-9;
+
+/// The oscillations about the equilibrium that is nearest to where a simulation stands, the longest period first.
+///
+/// The eigenvalues of [`Linearization`]'s A, those of bodies by their participation factors: of the parts l_k x_k / l x of
+/// the states in a mode, with its left and right vector (Perez-Arriaga, Verghese & Schweppe, *IEEE Trans. PAS* 101(9), 1982),
+/// coordinates and their rates have half or more. The Python package's `modes` gives all modes, with their shapes.
+///
+/// ```
+/// // A pendulum of 2 m: 2 pi sqrt(L / g).
+/// let text = "version: 1\ntitle: Pendulum\nsimulation: {step_s: 0.01, duration_s: 1}\nbodies:\n  bob: {mass_kg: 3, shape: \
+///     {point: {}}, joint: {revolute: {axis: [0, 1, 0], child_position_m: [0, 0, 2]}}}\nforces: {gravity: {gravity: {}}}\n";
+/// let scenario = kingpost::scenario::read(text, "pendulum.yaml", &[])?;
+/// let modes = kingpost::analysis::natural_modes(&scenario, &scenario.simulation()?).expect("it hangs");
+/// let period_s = std::f64::consts::TAU * (2.0_f64 / 9.80665).sqrt();
+/// assert!((modes[0].period_s / period_s - 1.0).abs() < 1e-9 && modes[0].damping_ratio.abs() < 1e-9);
+/// # Ok::<(), kingpost::scenario::ScenarioError>(())
+/// ```
+///
+/// # Errors
+/// No equilibrium near, or rates of such different sizes that no eigenvalues are found.
+pub fn natural_modes(scenario: &Scenario, simulation: &Simulation) -> Result<Vec<NaturalMode>, ModesError> {
+    let mut settled = simulation.clone();
+    settled.settle()?;
+    let linear = Linearizer::new(scenario)?.at(&settled);
+    let masses = diagonal(&settled.mass_matrix());
+    of_system(&linear, &masses)
+}
+
+fn diagonal(matrix: &[f64]) -> Vec<f64> {
+    let n = libm::sqrt(matrix.len() as f64) as usize;
+    (0..n).map(|i| matrix[i * n + i]).collect()
+}
+
+fn of_system(linear: &Linearization, masses: &[f64]) -> Result<Vec<NaturalMode>, ModesError> {
+    if masses.is_empty() {
+        return Ok(Vec::new());
+    }
+    // States in units in which rows of A are as large as its columns.
+    let mut a = linear.a.clone();
+    let units = balance_parlett_reinsch(&mut a);
+    let schur = Schur::try_new(a.clone(), f64::EPSILON, MOST_ITERATIONS).ok_or(ModesError::NoEigenvalues)?;
+    let slowest = TAU / LONGEST_PERIOD_S;
+    let values = schur.complex_eigenvalues();
+    let mut modes: Vec<NaturalMode> = values
+        .iter()
+        .filter(|value| value.im > slowest)
+        .filter_map(|&value| mode(linear, masses, &a, &units, value))
+        .collect();
+    modes.sort_by(|one, other| other.period_s.total_cmp(&one.period_s));
+    Ok(modes)
+}
+
+/// The mode of an eigenvalue; `None` where bodies have little part in it.
+fn mode(
+    linear: &Linearization,
+    masses: &[f64],
+    a: &DMatrix<f64>,
+    units: &DVector<f64>,
+    value: Complex<f64>,
+) -> Option<NaturalMode> {
+    let right = vector(a, value)?;
+    let left = vector(&a.transpose(), value)?;
+    let parts: Vec<f64> = left.iter().zip(&right).map(|(l, x)| size(l * x)).collect();
+    let of_bodies: f64 = parts[..2 * masses.len()].iter().sum();
+    if of_bodies < LEAST_SHARE * parts.iter().sum::<f64>() {
+        return None;
+    }
+    let energy = |i: usize| masses[i] * (right[i] * units[i]).norm_sqr();
+    let largest = (0..masses.len()).max_by(|&i, &j| energy(i).total_cmp(&energy(j)))?;
+    Some(NaturalMode {
+        coordinate: linear.states[largest].clone(),
+        period_s: TAU / value.im,
+        damping_ratio: -value.re / size(value),
+    })
+}
+
+fn size(value: Complex<f64>) -> f64 {
+    libm::hypot(value.re, value.im)
+}
+
+/// The vector of an eigenvalue, by inverse iteration beside it.
+fn vector(a: &DMatrix<f64>, value: Complex<f64>) -> Option<DVector<Complex<f64>>> {
+    let n = a.nrows();
+    let beside = value * (1.0 + BESIDE);
+    let shifted = DMatrix::from_fn(n, n, |i, j| Complex::from(a[(i, j)]) - if i == j { beside } else { Complex::ZERO });
+    let factors = shifted.lu();
+    // Entries of different sizes, so that no vector is across them all.
+    let mut found = DVector::from_fn(n, |i, _| Complex::new(1.0 + 0.1 * (i % 7) as f64, 0.3));
+    for _ in 0..2 {
+        found = factors.solve(&found)?;
+        let size = found.norm();
+        found.unscale_mut(size);
+    }
+    found.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(found)
+}

@@ -1,0 +1,79 @@
+"""What the server answers: files of the app's folder and pages from memory, where it is asked by its name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from http import HTTPStatus
+from pathlib import Path
+from typing import Any
+
+from .bodies import POLICY, Body, Compressor, accepts_gzip, content_type, is_host_of
+
+METHODS = ("GET", "HEAD")
+Start = Callable[[str, list[tuple[str, str]]], Any]
+
+
+@dataclass(frozen=True)
+class Application:
+    """The app as a WSGI application (PEP 3333).
+
+    Attributes
+    ----------
+    folder
+        The built app.
+    pages
+        Contents by their paths of the address, which come before files: the scenarios.
+    named
+        The host that the server was told to listen on.
+    """
+
+    folder: Path
+    pages: Mapping[str, bytes]
+    named: str
+    compressor: Compressor = field(default_factory=Compressor)
+
+    def __call__(self, environ: dict[str, Any], start: Start) -> Iterable[bytes]:
+        """The answer to one request. Nothing is sent again that the browser says it has."""
+        if environ["REQUEST_METHOD"] not in METHODS:
+            return _refused(start, HTTPStatus.METHOD_NOT_ALLOWED, {"Allow": ", ".join(METHODS)})
+        if not is_host_of(environ.get("HTTP_HOST"), self.named):
+            return _refused(start, HTTPStatus.MISDIRECTED_REQUEST)
+        path = environ.get("PATH_INFO", "").encode("latin-1").decode("utf-8", "replace")
+        body = self._body(path, accepts_gzip(environ.get("HTTP_ACCEPT_ENCODING")))
+        if body is None:
+            return _refused(start, HTTPStatus.NOT_FOUND)
+        if body.tag in environ.get("HTTP_IF_NONE_MATCH", ""):
+            _begin(start, HTTPStatus.NOT_MODIFIED, body.validators())
+            return []
+        _begin(start, HTTPStatus.OK, body.headers())
+        return [] if environ["REQUEST_METHOD"] == "HEAD" else [body.content]
+
+    def _body(self, path: str, gzipped: bool) -> Body | None:
+        """The page at this path of the address, else the file; None where there is neither."""
+        if not path.isprintable():
+            return None
+        if path in self.pages:
+            return self.compressor.body(self.pages[path], content_type(path), gzipped)
+        folder = self.folder.resolve()
+        try:
+            place = (folder / path.lstrip("/")).resolve()
+            place = place / "index.html" if path.endswith("/") else place
+            if not place.is_relative_to(folder):
+                return None
+            return self.compressor.body(place.read_bytes(), content_type(place.name), gzipped)
+        except (OSError, ValueError):
+            return None
+
+
+def _begin(start: Start, status: HTTPStatus, headers: Mapping[str, str]) -> None:
+    """The head of an answer: no browser keeps an older build, nor loads what is not from here."""
+    every = {**headers, "Cache-Control": "no-cache", **POLICY}
+    start(f"{status.value} {status.phrase}", list(every.items()))
+
+
+def _refused(start: Start, status: HTTPStatus, headers: Mapping[str, str] | None = None) -> list[bytes]:
+    words = f"{status.phrase}\n".encode()
+    about = {"Content-Type": "text/plain; charset=utf-8", "Content-Length": str(len(words))}
+    _begin(start, status, about | dict(headers or {}))
+    return [words]

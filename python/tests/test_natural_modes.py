@@ -1,0 +1,47 @@
+"""The oscillations that the browser finds are those of `kingpost.modes`."""
+
+import json
+import re
+
+import kingpost
+import numpy as np
+import pytest
+from kingpost import gallery
+from kingpost.engine import engine
+from kingpost.errors import KingpostError
+
+SAME = 1e-6
+"""Of a period; the eigenvalues of both are of one matrix, scaled in two ways."""
+SLOWEST_S = 1e4
+MEMORY_SHARE = 0.3
+"""What the water's memory takes part in a mode of bodies at most."""
+
+
+def of_the_browser(name: str) -> list[dict]:
+    scenario = kingpost.load(name)
+    simulation = engine.Simulation(scenario.text, scenario.file, "[]", scenario.files)
+    return json.loads(simulation.natural_modes_json())
+
+
+@pytest.mark.parametrize("name", gallery.names())
+def test_the_oscillations_of_the_browser_are_those_of_the_package(name: str) -> None:
+    try:
+        expected = kingpost.modes(name)
+    except KingpostError as error:
+        with pytest.raises(KingpostError, match=re.escape(str(error).rpartition(": ")[2])):
+            of_the_browser(name)
+        return
+    swings = expected.damped_period.values < SLOWEST_S
+    pairs = expected.isel(mode=np.flatnonzero(swings))
+    found = of_the_browser(name)
+    periods = [mode["period_s"] for mode in found]
+    assert periods == sorted(periods, reverse=True)
+    for mode in found:
+        beside = np.abs(pairs.damped_period.values / mode["period_s"] - 1) < SAME
+        assert beside.any(), mode
+        assert np.abs(pairs.damping_ratio.values[beside] - mode["damping_ratio"]).min() < SAME, mode
+    # What the water's memory has little part in is not missing.
+    is_missing = [
+        np.abs(period / np.array(periods) - 1).min(initial=1) > SAME for period in pairs.damped_period.values
+    ]
+    assert (pairs.memory_share.values[is_missing] > MEMORY_SHARE).all(), pairs.isel(mode=is_missing)

@@ -1,0 +1,85 @@
+"""What people stumble over: meshes and records that are not whole, titles that steer a terminal, fields in
+braces, pages whose lines do not run."""
+
+import re
+from pathlib import Path
+
+import kingpost
+import numpy as np
+import pytest
+from kingpost.cli import main
+from kingpost.errors import HydrodynamicsError
+from kingpost.hydro import hull_files
+from kingpost.hydro.drift import Loading
+
+AFLOAT = Path(__file__).resolve().parents[2] / "docs" / "afloat.md"
+POINTS = "v 0 0 -1\nv 1 0 -1\nv 0 1 -1\n"
+ESCAPES = 'version: 1\ntitle: "a\\e[31mred\\x07"\nbodies:\n  a: {mass_kg: 1, joint: {floating: {}}, shape: {box: {length_m: 1, width_m: 1, height_m: 1}}}\n'  # noqa: E501
+
+
+@pytest.mark.parametrize(
+    ("faces", "found"),
+    [
+        ("f 1 2 9\n", "found a face with a point that is not in the file, allowed: faces of the 3 points"),
+        ("f 0 2 3\n", "found a face with a point that is not in the file"),
+        ("f 1 1 2\nf 2 2 2\n", "found faces without an area only"),
+    ],
+)
+def test_a_mesh_with_faces_of_nothing_is_refused(tmp_path, faces, found) -> None:
+    pytest.importorskip("meshio")
+    path = tmp_path / "hull.obj"
+    path.write_text(POINTS + faces, encoding="utf-8")
+    with pytest.raises(HydrodynamicsError, match=found):
+        hull_files.read(path)
+
+
+def test_a_radius_of_gyration_that_no_body_has_is_named() -> None:
+    """Source: of any body the moments hold to the inequality of a triangle; of a disc they meet it."""
+    Loading(5.0, 3.0, 4.0, 5.0)
+    with pytest.raises(HydrodynamicsError, match=r"--loading yaw_gyration_m: found 9, allowed: at most 5:"):
+        Loading(5.0, 3.0, 4.0, 9.0)
+
+
+def test_a_title_does_not_reach_the_terminal_as_commands(tmp_path, capsys) -> None:
+    path = tmp_path / "red.yaml"
+    path.write_text(ESCAPES, encoding="utf-8")
+    for command in (["check"], ["run", "--set", "simulation.duration_s=0.01"]):
+        assert main([command[0], str(path), *command[1:]]) == 0
+        shown = capsys.readouterr().out
+        assert shown.startswith("a?[31mred?\n")
+        assert "\x1b" not in shown
+
+
+def test_texts_that_begin_with_a_byte_order_mark_are_read(tmp_path) -> None:
+    """Source: what a spreadsheet writes as CSV in UTF-8."""
+    table = tmp_path / "ship.raos.csv"
+    assert main(["rao", "offshore_vessel", "--displacement-raos", str(table), "--directions-deg",
+                 "0", "90", "180", "--quiet"]) == 0  # fmt: skip
+    (page,) = re.findall(r"## A ship that its RAOs move.*?```yaml\n(.*?)```", AFLOAT.read_text("utf-8"), re.S)
+    path = tmp_path / "moved.yaml"
+    path.write_text(page, encoding="utf-8")
+    settings = {"simulation.duration_s": 1}
+    plain = kingpost.run(path, settings)["position"].values
+    for file in (table, path):
+        file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes())
+    np.testing.assert_array_equal(kingpost.run(path, settings)["position"].values, plain)
+
+
+def test_fields_in_braces_are_set(capsys) -> None:
+    """Source: the same set one by one."""
+    settings = ["--set", "motor_1=off", "--set", "simulation.duration_s=0.2"]
+    assert main(["run", "paper", *settings, "--set",
+                 "bodies.tower.joint.revolute.mode={prescribed: {rate_rad_s: 0.1}}"]) == 0  # fmt: skip
+    in_braces = capsys.readouterr().out
+    assert main(["run", "paper", *settings, "--set",
+                 'bodies.tower.joint.revolute.mode={"prescribed": {"rate_rad_s": 0.1}}']) == 0  # fmt: skip
+    assert capsys.readouterr().out == in_braces
+    assert main(["run", "barge", "--set", "sea={waves: {}}", "--set", "simulation.duration_s=0.1"]) == 0
+    assert main(["run", "barge", "--set", "sea={waves: "]) == 2
+    assert "--set sea: found '{waves:', allowed: fields as" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("option", ["--directions-deg", "--directions_deg"])
+def test_hyphens_and_underscores_of_an_option_are_one(option, capsys) -> None:
+    assert main(["rao", "barge", option, "180", "--quiet"]) == 0
+    assert capsys.readouterr().out == ""

@@ -1,0 +1,160 @@
+import type { EngineClient } from "../../engine/client";
+import type { Fault, Values } from "../../engine/engine";
+import { isOfEngine } from "../../engine/faults";
+import type { Opened } from "../../engine/messages";
+import { faultOfControl, faultOfLostRun } from "../faults";
+import { Recording } from "../recording/recording";
+import { runOf } from "../run";
+import type { Source } from "../run";
+import { Turns } from "../turns";
+import { SetValues } from "../values";
+import { Told } from "./told";
+
+/** Opens scenarios, brings the run in hand back to its start, and begins it anew where the engine is gone. */
+export abstract class Opening extends Told {
+  readonly values = new SetValues();
+  /** What Reset opens. */
+  source: Source | null = null;
+  /** Openings and resets under way. */
+  protected readonly turns = new Turns(() => this.goOn());
+  /** What was asked for while one was under way, to be done after it. */
+  protected due: "start" | "step" | null = null;
+  private resetDue = false;
+  private isRecovering = false;
+
+  constructor(protected readonly client: EngineClient) {
+    super();
+  }
+
+  /** Whether it runs, or will as soon as a reset under way is through. */
+  abstract get isGoing(): boolean;
+  abstract start(): void;
+  abstract pause(): void;
+  abstract step(): Promise<void>;
+  /** What is on its way to the engine is meant for no other run. */
+  protected abstract dropSteering(): void;
+
+  /** Opens another scenario; one that does not read leaves the run in hand as it was. */
+  open(source: Source, overrides: Values): Promise<boolean> {
+    this.pause();
+    this.dropSteering();
+    return this.turns.take(async () => {
+      try {
+        this.accept(await this.read(source, overrides), { ...overrides }, source);
+        return true;
+      } catch (fault) {
+        this.due = null;
+        this.refuseOpening(source, overrides, fault as Fault);
+        return false;
+      }
+    });
+  }
+
+  /** Where the engine of a run in hand turns out to be gone, another one is asked. */
+  private async read({ text, file, opened, changes }: Source, overrides: Values): Promise<Opened> {
+    const answer = () => this.client.open(text, file, overrides, opened ?? null, changes);
+    return answer().catch((fault: Fault) => {
+      if (!this.run || !isOfEngine(fault)) throw fault;
+      return answer();
+    });
+  }
+
+  /** Keeps what could not be opened for Reset where something did not come. */
+  private refuseOpening(source: Source, overrides: Values, fault: Fault): void {
+    if (!this.run) {
+      if (isOfEngine(fault) || fault.kind === "network") [this.source, this.values.wanted] = [source, { ...overrides }];
+      this.become("empty");
+    } else if (isOfEngine(fault)) void this.recover(fault);
+    this.report(fault);
+  }
+
+  /** Back to the start with the values that the controls show. */
+  reset(): Promise<void> {
+    this.pause();
+    return this.reopen();
+  }
+
+  /** As a reset, and the run goes on if it went. */
+  restart(): void {
+    const { isGoing } = this;
+    void this.reset();
+    if (isGoing) this.start();
+  }
+
+  /** Calls together are one. */
+  protected async reopen(): Promise<void> {
+    if (this.resetDue) return;
+    this.resetDue = true;
+    await this.turns.take(async () => {
+      this.resetDue = false;
+      if (!this.source) return;
+      const overrides = { ...this.values.forStart() };
+      try {
+        this.accept(await this.read(this.source, overrides), overrides, this.run ? null : this.source);
+      } catch (fault) {
+        this.refuse(overrides, fault as Fault);
+      }
+    });
+  }
+
+  private accept(opened: Opened, overrides: Values, source: Source | null): void {
+    const run = runOf(opened);
+    this.run = run;
+    this.values.begin(opened, overrides);
+    const interval_s = Math.max(run.model.record_every_s, run.model.step_s);
+    this.shown.begin(new Recording(run.columns, interval_s, opened.frame, this.values.inForce));
+    if (source) {
+      this.source = source;
+      this.values.wanted = { ...overrides };
+    }
+    this.dismissFault();
+    this.emit((listener) => listener.opened?.(run, opened.frame, source !== null));
+    this.become("idle");
+    this.emit((listener) => listener.valuesChanged?.());
+  }
+
+  /** A value that the engine refuses: the controls go back to what the run in hand has. */
+  private refuse(tried: Values, fault: Fault): void {
+    if (this.due) this.intend(null);
+    if (isOfEngine(fault)) {
+      this.become(this.run ? "stopped" : "empty");
+      return this.report(fault);
+    }
+    this.values.giveUp(tried);
+    this.report(faultOfControl(fault, this.run?.model.parameters ?? []));
+    this.emit((listener) => listener.valuesChanged?.());
+  }
+
+  /** What the engine answers to something asked of the run in hand; where it is gone, the run begins anew in another. */
+  protected async asked<T>(answer: Promise<T>): Promise<T> {
+    return answer.catch((fault: unknown) => {
+      if (isOfEngine(fault)) void this.recover(fault as Fault);
+      throw fault;
+    });
+  }
+
+  private async recover(fault: Fault): Promise<void> {
+    if (this.isRecovering) return;
+    this.isRecovering = true;
+    this.pause();
+    this.dropSteering();
+    const { run } = this;
+    await this.reopen();
+    // Values that waited for a reset may have been refused.
+    if (run === this.run && this.status !== "stopped") await this.reopen();
+    this.isRecovering = false;
+    if (run !== this.run) this.report(faultOfLostRun(fault));
+  }
+
+  protected intend(due: "start" | "step" | null): void {
+    this.due = due;
+    this.emit((listener) => listener.statusChanged?.(this.status));
+  }
+
+  private goOn(): void {
+    const { due } = this;
+    if (due) this.intend(null);
+    if (due === "start") this.start();
+    if (due === "step") void this.step();
+  }
+}

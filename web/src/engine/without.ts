@@ -1,0 +1,14 @@
+interface Resolved {
+  bodies?: Record<string, { enabled?: boolean }>;
+  operation?: { enabled?: boolean };
+  limits?: unknown;
+}
+
+/** A resolved scenario without some of its bodies. What would steer or judge them is left out with them. */
+export function withoutBodies(resolvedJson: string, bodies: readonly string[]): string {
+  const scenario = JSON.parse(resolvedJson) as Resolved;
+  for (const name of bodies) if (scenario.bodies?.[name]) scenario.bodies[name].enabled = false;
+  if (scenario.operation) scenario.operation.enabled = false;
+  delete scenario.limits;
+  return JSON.stringify(scenario);
+}

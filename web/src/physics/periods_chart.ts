@@ -1,0 +1,62 @@
+import type uPlot from "uplot";
+import { dot, endsOf, fill, stroke } from "../plots/chart";
+import type { PaintedAxes, Style } from "../plots/chart";
+import { texts } from "../texts";
+import { Figure } from "./figure";
+import type { PeriodLine, Place } from "./modes";
+import type { SeaSpectrum } from "./sea_spectrum";
+
+/** Colours of the theme for the modes, and of the sea. */
+export const MODE_COLOURS = ["roll", "yaw", "line-4", "line-5", "line-6", "line-8", "pitch"];
+export const SEA_COLOUR = "line-7";
+/** Share of the width that the sea's spectrum has at its peak. */
+const SEA_SHARE = 0.3;
+/** Less of the sea's density is not looked at, of its largest. */
+const FAINT = 0.02;
+const MARGIN = 1.06;
+
+/** Periods over what is varied, the sea, what is set now, and where a period meets the peak. */
+export interface PeriodsContent {
+  axis: string;
+  range: [number, number];
+  lines: readonly PeriodLine[];
+  sea: SeaSpectrum | null;
+  now: number | null;
+  met: readonly Place[];
+}
+
+/** Natural periods over a parameter; from the right the spectrum of the sea stands on the same axis of periods. */
+export class PeriodsChart extends Figure<PeriodsContent> {
+  protected axesOf({ axis }: PeriodsContent): PaintedAxes {
+    return { across: axis, upwards: texts.resonance.period_axis };
+  }
+
+  protected endsOf({ range, lines, sea }: PeriodsContent): [[number, number], [number, number]] {
+    const periods = lines.flatMap(({ places }) => places.map(({ period_s }) => period_s));
+    const seen = sea ? sea.period_s.filter((_, k) => sea.density[k] > FAINT) : [];
+    return [range, [0, MARGIN * Math.max(1, ...periods, ...seen)]];
+  }
+
+  protected paint(u: uPlot, style: Style, { lines, sea, now, met }: PeriodsContent): void {
+    const [left, right, bottom, top] = endsOf(u);
+    if (sea) {
+      const from = (density: number) => right - SEA_SHARE * (right - left) * density;
+      const curve = sea.period_s.map((period_s, k): [number, number] => [from(sea.density[k]), period_s]);
+      const seen = curve.filter(([, period_s]) => period_s <= top);
+      fill(u, [[right, seen[0][1]], ...seen, [right, seen[seen.length - 1][1]]], "y", style.colour(SEA_COLOUR));
+      stroke(u, [[left, sea.peak_s], [right, sea.peak_s]], "y", { colour: style.colour(SEA_COLOUR), width: 1.5, dash: [6, 4] });
+    }
+    if (now !== null) stroke(u, [[now, bottom], [now, top]], "y", { colour: style.colour("accent"), width: 1.5, dash: [4, 3] });
+    lines.forEach(({ places }, k) => {
+      const colour = style.colour(colourOf(k));
+      const points = places.map(({ value, period_s }): [number, number] => [value, period_s]);
+      stroke(u, points, "y", { colour, width: 2 });
+      if (points.length === 1) dot(u, points[0], "y", colour, style.colour("surface"));
+    });
+    for (const { value, period_s } of met) dot(u, [value, period_s], "y", style.colour("accent"), style.colour("surface"));
+  }
+}
+
+export function colourOf(line: number): string {
+  return MODE_COLOURS[line % MODE_COLOURS.length];
+}

@@ -1,0 +1,78 @@
+import type { Aside } from "../app/aside";
+import type { Run, Session } from "../app/session";
+import { texts } from "../texts";
+import { byId, make } from "../ui/dom";
+import { isPanelOpen, offerPanel, onPanelOpened } from "../ui/switcher";
+import { LossLesson } from "./loss";
+import { ResonanceLesson } from "./resonance";
+import type { Periods } from "./periods";
+
+/** What a lesson is to the panel. */
+interface Lesson {
+  readonly element: HTMLElement;
+  /** Another run begins. */
+  open(run: Run): void;
+  /** The moment that is shown is another, and somebody looks. */
+  show(): void;
+}
+
+/** Lessons on the physics of a ship with a crane, each with a run to try it on. */
+export class PhysicsPanel {
+  private readonly lessons: Record<keyof typeof texts.physics.lessons, Lesson>;
+  private chosen: keyof typeof texts.physics.lessons = "loss";
+  private isStale = true;
+
+  constructor(
+    private readonly session: Session,
+    aside: Aside,
+    periods: Periods,
+  ) {
+    this.lessons = { loss: new LossLesson(session, aside), resonance: new ResonanceLesson(session, periods) };
+    const choice = make("div", { class: "segmented lesson-choice", role: "group", "aria-label": texts.physics.lesson });
+    for (const [key, name] of Object.entries(texts.physics.lessons) as [keyof typeof this.lessons, string][]) {
+      const button = make("button", { type: "button", "aria-pressed": String(key === this.chosen), "data-testid": `show-lesson-${key}` }, name);
+      button.addEventListener("click", () => this.choose(key, choice));
+      choice.append(button);
+    }
+    byId("physics").append(make("h2", { class: "visually-hidden" }, texts.physics.title), choice, ...Object.values(this.lessons).map(({ element }) => element));
+    this.showChosen();
+    session.listen({
+      opened: (run) => this.open(run),
+      advanced: () => this.touch(),
+      moved: () => this.touch(),
+      branched: () => this.touch(),
+      inputsChanged: () => this.touch(),
+      valuesChanged: () => this.touch(),
+      statusChanged: () => this.touch(),
+    });
+    onPanelOpened("physics", () => this.touch());
+  }
+
+  /** With a picture, where something is new and somebody looks. */
+  draw(): void {
+    if (!this.isStale || !isPanelOpen("physics") || !this.session.run) return;
+    this.isStale = false;
+    this.lessons[this.chosen].show();
+  }
+
+  private open(run: Run): void {
+    for (const lesson of Object.values(this.lessons)) lesson.open(run);
+    offerPanel("physics", true);
+    this.touch();
+  }
+
+  private choose(key: typeof this.chosen, choice: HTMLElement): void {
+    this.chosen = key;
+    [...choice.children].forEach((button, k) => button.setAttribute("aria-pressed", String(Object.keys(this.lessons)[k] === key)));
+    this.showChosen();
+    this.touch();
+  }
+
+  private showChosen(): void {
+    for (const [key, { element }] of Object.entries(this.lessons)) element.hidden = key !== this.chosen;
+  }
+
+  private touch(): void {
+    this.isStale = true;
+  }
+}

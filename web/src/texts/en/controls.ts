@@ -1,0 +1,60 @@
+export const controls = {
+  title: "Controls",
+  intro: "At the start a change shows at once. Under way some act at once, and the others at a restart.",
+  switches: "Switches",
+  choices: "Choices",
+  numbers: "Numbers",
+  none: "This scenario has no parameters.",
+  slider: (control: string) => `${control}, slider`,
+  by: (input: string, signal: string) => `${input} by ${signal}`,
+  set_by_scenario: (inputs: string) => `Set by the scenario: ${inputs}.`,
+  moves_are_kept: "Save scenario keeps the lever moves as an operation.",
+  live: "acts at once",
+  restart: "at a restart",
+  restart_now: "Restart with these values",
+};
+
+export const levers = {
+  title: "Levers",
+  about_title: "The sticks",
+  about:
+    "Where a scenario has levers, two sticks stand over the picture, as in a crane's cab: towards you hoists and raises a boom, away " +
+    "lowers, left and right slew. The letters W A S D and I J K L move them too, with Shift a little, and so does a gamepad. A stick " +
+    "that is let go springs back; while the run stands still, a lever is set for when it goes on. The marks on the rim show what the " +
+    "drives do: amber at their greatest speed, red where torque, force or power is at its limit.",
+  sides: { left: "Left stick", right: "Right stick" },
+  asked: (percent: number) => `asked ${percent} %`,
+  does: (rate: string) => `does ${rate}`,
+  limits: { speed: "at its greatest speed", effort: "torque or force at its limit", power: "power at its limit" } as Record<string, string>,
+  at_limit: (limit: string) => `${limit} at its limit`,
+  stands: "The run stands still: the levers act when it goes on.",
+  gamepad: (name: string) => `Gamepad connected: its two sticks move the levers. ${name}`,
+  gamepad_gone: "The gamepad is gone.",
+  choose_axes: "Axes of the sticks…",
+  axes_title: "Axes of the sticks",
+  axes: { left_x: "Left, across", left_y: "Left, up and down", right_x: "Right, across", right_y: "Right, up and down" },
+  none: "None",
+  reverse: "Reverse",
+  standard: "As the model says",
+  close: "Close",
+};
+
+export const settings = {
+  title: "Advanced",
+  labels: { "simulation.integrator": "Integrator", "simulation.form": "Equations", "simulation.step_s": "Step size" } as Record<string, string>,
+  integrators: {
+    forward_euler: "Forward Euler",
+    midpoint_euler: "Midpoint Euler",
+    semi_implicit_euler: "Semi-implicit Euler",
+    rk4: "RK4 (Munthe-Kaas)",
+    dormand_prince: "Dormand-Prince 5(4)",
+    newmark: "Newmark",
+    generalized_alpha: "Generalized-alpha",
+    implicit_midpoint: "Implicit midpoint",
+  },
+  forms: {
+    recursive: "Recursive (fast)",
+    moving_frame: "Moving frame (the paper's)",
+    moving_frame_without_d: "Moving frame, D left out",
+  },
+};

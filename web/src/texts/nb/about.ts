@@ -1,0 +1,31 @@
+import type { Texts } from "../index";
+
+export const about: Texts["about"] = {
+  title: "Hva er dette?",
+  acts: "Hva som virker",
+  off: (element) => `${element}, av`,
+  recording: "Opptaket",
+  recording_text:
+    "Sporet under bildet har alt som er beregnet siden start. Dra i det, eller bruk piltastene på det, for å se et øyeblikk igjen. " +
+    "Derfra går kjøringen videre med Start, med Steg eller med en spak, og det som kom etter, slettes. Eksport, ved siden av grafene, " +
+    "lagrer opptaket som fil.",
+  reading: "Slik leses det",
+  signs:
+    "Fortegn: **rulling** er positiv med babord side opp, **stamping** med baugen ned, **giring** med baugen mot babord. Vinkelhastigheter " +
+    "er om legemets egne akser. x er forover, y mot babord, z oppover.",
+  afloat:
+    "Flytende: **krengning** er rulling, positiv mot styrbord; **trim** er stamping, positiv når baugen går ned; dypgangen er den til " +
+    "origo for skrogets data, under stille vann. **Korr. GM** er metasenterhøyden for krengning, i ro med kranen slik den sto da kjøringen " +
+    "begynte eller ble satt på pause, med hengende laster regnet i opphengspunktet og fratrukket virkningen av slakke tanker. Sjøen i " +
+    "bildet er den innkommende bølgen som skroget kjenner; bølgene som skroget selv lager eller kaster tilbake, er ikke tegnet, og langt " +
+    "unna er sjøen tegnet flat.",
+  picture:
+    "Bildet: et skrog med baug er tegnet som et skip, et langt og slankt legeme på en søyle som bommen på den; hvert er så stort som " +
+    "modellens legeme. Det som står på dem (overbygg, førerhus, rekkverk, stag, braketter), har verken vekt eller vind i modellen. " +
+    "**Enkle former** under Vis tar det bort.",
+  errors:
+    "Energifeil: tilført energi minus utført arbeid, over den største energien som har vært i omløp så langt, i bevegelse og arbeid; i J " +
+    "så lenge den er mindre enn tusen avrundinger av den potensielle energien, som for et skip i ro. Spinnfeil: spinnet minus " +
+    "impulsen av momentene, over det største så langt. Begge skal være ørsmå, og den ene alene beviser lite: utelat metodens D-matrise (under " +
+    "Avansert), og energien stemmer fortsatt, mens spinnet straks blir galt.",
+};

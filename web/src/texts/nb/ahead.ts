@@ -1,0 +1,22 @@
+import type { Texts } from "../index";
+
+export const ahead: Texts["ahead"] = {
+  button: "Se framover",
+  help: "Hva som kan skje det neste minuttet, med spakene som de er: forløp i sjøer som stemmer med det som er målt. Båndene på grafene holder 90 og 50 % av dem, punktene i bildet er der lasten er i dem, fra snart til sent.",
+  looking: "Ser framover…",
+  futures: (known, of, horizon_s) => `${known < of ? `${known} av ` : ""}${of} mulige forløp over ${horizon_s} s`,
+  in_short: (percent) => `90 %-båndet holdt ${percent} %`,
+  start: (start_s) => `Fra ${start_s} s, med spakene som de er.`,
+  agree: (past_s) => `Hvert stemmer med bølgen som er målt ved skipet de siste ${past_s} s.`,
+  nothing_measured: "Ingenting er målt ennå: spekteret alene sier hvilke bølger som kommer.",
+  held: (percent, minutes) => `90 %-båndet deres holdt ${percent} % av ${minutes === 1 ? "det siste minuttet" : `de siste ${minutes} minuttene`}.`,
+  not_judged: "90 %-båndet deres bedømmes etter hvert hele minutt av kjøringen.",
+  judged_by: "Etter hiv, rulling og stamping av det som flyter, og stedene til lastene, i 32 forløp av hvert minutt, laget av det som var målt før det.",
+  one: (horizon_s) => `Ett forløp over ${horizon_s} s`,
+  no_waves: "Det er ingen bølger som kunne vært andre.",
+  foreseen: (time_s) => `ved ${time_s} s, forutsett, 90 %-bånd`,
+  band: (low, high) => `${low} til ${high}`,
+  gusts: "Vindkastene er kjøringens egne.",
+  broken: (count) => `${count} av dem kunne ikke beregnes til slutten.`,
+  none: "Ser ikke framover",
+};

@@ -1,0 +1,40 @@
+import type { Texts } from "../index";
+
+export const equations: Texts["equations"] = {
+  title: "Likninger",
+  intro: "M* q̈ + N* q̇ = F*, med tallene for øyeblikket som vises. Pek på en blokk for å se på skipet hva den gjør.",
+  matrix: "Matrise",
+  formula: "Formel",
+  notation: "Notasjon",
+  notations: { paper: "Artikkelens symboler", names: "Legemenes navn" },
+  names: {
+    B: "B: legemenes hastigheter fra q̇",
+    B_dot: "Ḃ",
+    X_dot: "Ẋ: legemenes hastigheter",
+    M: "M: masser og treghetsmomenter",
+    D: "D: begrenset variasjon",
+    F: "F: laster på legemene",
+    q_dot: "q̇: generaliserte hastigheter",
+    M_star: "M*: redusert massematrise",
+    N_star: "N*: redusert hastighetsmatrise",
+    F_star: "F*: reduserte laster",
+    q_ddot_given: "q̈: foreskrevne akselerasjoner",
+    J: "J: føringer i lukkede sløyfer",
+  },
+  touch: "Pek på en blokk i matrisen: tallene vises her, og skipet viser hva den gjør.",
+  block: (row, column, entries) => `${row} og ${column}: ${entries}`,
+  enlarge: "Bred",
+  printed: "Artikkelens likninger 43 og 46b",
+  forms: { printed: "Som trykt", corrected: "Rettet" },
+  printed_help: "De trykte formene har feil i to vektorer og gir armens massesenter en annen hastighet. Kingpost regner med de rettede.",
+  ledger: "Hvor energien ble av, siden start",
+  ledger_lines: { drives: "Driftenes arbeid", outside: "Arbeid utenfra", kinetic: "Bevegelse", potential: "Lagret", dissipated: "Blitt til varme" },
+  energy_error: "Energifeil",
+  momentum_error: "spinnfeil",
+  polhode: "Spinnkule og energiellipsoide",
+  polhode_body: "Legeme",
+  polhode_now: (momentum, energy) => `Spinn ${momentum} N m s, rotasjonsenergi ${energy} J.`,
+  polhode_help:
+    "I legemets egne akser: kulen med spinn av denne størrelsen, ellipsoiden med denne energien, og banen så langt (polhoden). Et legeme uten " +
+    "momenter blir på begge. Dra, eller bruk piltastene, for å dreie bildet.",
+};

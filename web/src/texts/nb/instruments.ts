@@ -1,0 +1,24 @@
+import type { Texts } from "../index";
+
+export const instruments: Texts["instruments"] = {
+  title: "Instrumenter",
+  ship: "Hvordan skipet ligger",
+  minute: (range) => `siste min. ${range}`,
+  dial: (name, angle, low, high) => `${name} ${angle}, fra ${low} til ${high}`,
+  limits: "Grenser",
+  readings: "Avlesninger",
+  columns: ["Nå", "Minst", "Størst"],
+  height: "høyde",
+  rise: "vertikal hastighet",
+  worst: (value, time_s) => `Verst ${value} ved ${time_s} s`,
+  counts_from: (time_s) => `Teller fra ${time_s} s`,
+  within: (bound) => `Innenfor ±${bound}`,
+  between: (low, high) => `Fra ${low} til ${high}`,
+  at_most: (bound) => `Høyst ${bound}`,
+  at_least: (bound) => `Minst ${bound}`,
+  states: { ok: "innenfor grensen", near: "nær grensen", exceeded: "utenfor grensen", waiting: "teller ikke ennå" },
+  exceeded: (names) => `Grense overskredet: ${names}.`,
+  palette: "Farger",
+  palettes: { device: "Som enheten", day: "Dag", dusk: "Skumring", night: "Natt", bright: "Sterk sol" },
+  sound: "Lyd når en grense overskrides",
+};

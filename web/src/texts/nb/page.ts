@@ -1,0 +1,32 @@
+import type { Texts } from "../index";
+
+export const page: Texts["page"] = {
+  name: "Kingpost",
+  skip: "Hopp til styringen",
+  line: "Skip og kraner, med moving frame-metoden",
+  scenario: "Scenario",
+  open: "Åpne scenario…",
+  save: "Lagre scenario",
+  save_help: "Som fil, med parametrene slik de er satt og spakbevegelsene som en operasjon",
+  share: "Del",
+  share_help: "En lenke som åpner denne kjøringen med alt som er satt i den",
+  drop: "Slipp scenarioet her for å åpne det, sammen med databasene som det viser til",
+  title: (scenario) => `Kingpost – ${scenario}`,
+  panels: "Hva som vises",
+  language: "Språk",
+  language_help: "Siden lastes på nytt, og kjøringen begynner forfra.",
+};
+
+export const floating: Texts["floating"] = {
+  heel: "Krengning",
+  heel_help: "Rulling: positiv mot styrbord",
+  trim: "Trim",
+  trim_help: "Stamping: positiv når baugen går ned",
+  draught: "Dypgang",
+  draught_help: "Til kjølen under origo for skrogets data, langs loddlinjen, fra stille vann",
+  wave: "Bølge",
+  wave_help: "Overflatens høyde i de innkommende bølgene der skroget er i middel",
+  fluid_gm: "Korr. GM",
+  fluid_gm_help:
+    "Metasenterhøyde for krengning, korrigert for frie væskeoverflater, i ro i stille vann med kranen slik den står; hengende laster regnes i opphengspunktet",
+};

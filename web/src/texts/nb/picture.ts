@@ -1,0 +1,37 @@
+import type { Texts } from "../index";
+
+export const picture: Texts["picture"] = {
+  title: "Modellen i 3D",
+  canvas: "Modellen. Piltastene dreier bildet, pluss og minus zoomer, Home tilpasser det.",
+  fit: "Tilpass",
+  axes: { to_port: "mot babord (y)", up: "opp (z)", forward: "forover (x)" },
+  no_graphics: "Denne nettleseren har ikke WebGL, så det er ikke noe bilde; tall og grafer går.",
+  graphics_lost: "Nettleseren tok grafikken bort: bildet kommer tilbake når den gjør det. Tall og grafer går.",
+  no_water: (spacing) => `Rutenett ${spacing}. Det er ikke vann i dette scenarioet.`,
+  still_water: "Stille vann.",
+  waves: (count) => `Innkommende bølger, ${count} i alt.`,
+  camera: "Kamera",
+  cameras: {
+    free: "Hele veien rundt",
+    load: "Følg lasten",
+    cab: "Kranførerhuset",
+    bridge: "Broen",
+    top: "Ovenfra",
+    section: "Snitt",
+  },
+  dive: "Kan gå under vann",
+  show: "Vis",
+  shown: {
+    frames: "Legemenes akser",
+    plain: "Enkle former",
+    forces: "Krefter",
+    axes: "Leddakser",
+    masses: "Tyngdepunkter",
+    buoyancy: "Oppdrift og metasenter",
+    trace: "Lastens bane",
+    ghost: "Der det begynte",
+  },
+  scale: { force: "Kraft", moment: "Moment" },
+  shown_help:
+    "Enkle former er modellens egne legemer. Overbygg, førerhus, rekkverk, braketter og bommens stag er for øyet: modellen har verken vekten eller vinden deres.",
+};

@@ -1,0 +1,30 @@
+import { language, texts } from "./index";
+
+/** Which attribute of the page's own elements has the key of what: `data-text="transport.start"`. */
+const ATTRIBUTES = { "data-label": "aria-label", "data-title": "title" } as const;
+
+/** Writes the texts into the page, where its elements name them by area and key, and says which language they are of. */
+export function fillPage(): void {
+  document.documentElement.lang = language;
+  for (const element of document.querySelectorAll("[data-text]")) element.append(...strong(textOf(element.getAttribute("data-text")!)));
+  for (const [key, attribute] of Object.entries(ATTRIBUTES)) {
+    for (const element of document.querySelectorAll(`[${key}]`)) element.setAttribute(attribute, textOf(element.getAttribute(key)!));
+  }
+}
+
+/** The text of a key, as `transport.start`. */
+function textOf(key: string): string {
+  const found = key.split(".").reduce<unknown>((texts, part) => (texts as Record<string, unknown> | undefined)?.[part], texts);
+  if (typeof found !== "string") throw new Error(`the page names no text: ${key}`);
+  return found;
+}
+
+/** What stands between double asterisks is strong. */
+function strong(text: string): (Node | string)[] {
+  return text.split("**").map((part, k) => {
+    if (k % 2 === 0) return part;
+    const element = document.createElement("strong");
+    element.append(part);
+    return element;
+  });
+}

@@ -1,0 +1,165 @@
+// The lessons on the physics: losing the load, and finding the resonance.
+import assert from "node:assert/strict";
+import { assertAccessible } from "./axe.mjs";
+import { close as near, DESKTOP, openApp, openFile, PHONE, sample, stepTo } from "./app.mjs";
+
+const DEGREE = Math.PI / 180;
+
+/** The first number of a text, with the page's minus sign read as one. */
+const firstNumber = (text) => Number.parseFloat(text.replaceAll("−", "-").match(/-?\d+(\.\d+)?/)[0]);
+const cell = async (page, row) => firstNumber(await page.getByTestId(`loss-${row}`).textContent());
+
+async function openLesson(host, query, lesson, viewport) {
+  const { page, close } = await openApp(host, { query, viewport });
+  await page.getByTestId("show-physics").click();
+  await page.getByTestId(`show-lesson-${lesson}`).click();
+  return { page, close };
+}
+
+/** A pendulum on a support that is held; its length is a parameter. */
+const PENDULUM = `
+version: 1
+title: A pendulum of a length to choose
+parameters:
+  - {name: length_m, label: Length, unit: m, default: 20, range: [4, 52], writes: [bodies.bob.joint.revolute.child_position_m.2]}
+simulation: {step_s: 0.01, duration_s: 10}
+bodies:
+  bob: {mass_kg: 3, shape: {point: {}}, joint: {revolute: {axis: [0, 1, 0], child_position_m: [0, 0, 20]}}}
+forces: {gravity: {gravity: {}}}
+`;
+
+/** The table of periods: a row for each value, in numbers. */
+const periods = (page) => page.locator("[data-testid=lesson-resonance] details tr").evaluateAll((rows) => rows.slice(1).map((row) => [...row.children].map((cell) => Number(cell.textContent))));
+
+/** Computes the periods and waits for the last of them. */
+async function compute(page) {
+  await page.getByTestId("compute-periods").click();
+  await page.waitForFunction(() => /^(25 of 25|The periods)/.test(document.querySelector("[data-testid=periods-progress]").textContent), null, { timeout: 200_000 });
+  assert.equal(await page.getByTestId("periods-progress").textContent(), "25 of 25 values");
+}
+
+/** Nothing is wider than its place. */
+async function assertFits(page) {
+  const tooWide = await page.evaluate(() => [document.documentElement, document.querySelector("#physics"), ...document.querySelectorAll("#physics button")].filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.outerHTML.slice(0, 80)));
+  assert.deepEqual(tooWide, []);
+}
+
+const losing = [DESKTOP, PHONE].map((viewport) => [
+  `cuts the load by the keyboard, and the ship rolls no further than her righting arms allow, ${viewport.width}x${viewport.height}`,
+  async (host) => {
+    const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load", "loss", viewport);
+    await page.getByTestId("loss-reach").waitFor();
+    const atRest = await cell(page, "heel_before");
+    near(atRest, (await sample(page)).row["hull.roll"] / DEGREE, 0.05, "heel at rest, deg");
+    await page.getByTestId("speed").selectOption("20");
+    await page.getByTestId("cut").focus();
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => window.kingpost.sample().time_s > 20);
+    await page.getByTestId("start").click();
+    await page.waitForFunction(() => document.querySelector("[data-testid=cut]").disabled);
+    const { row } = await sample(page);
+    await page.waitForFunction((heel) => Math.abs(Number.parseFloat(document.querySelector("[data-testid=loss-now]").textContent.replace("−", "-").match(/-?[\d.]+/)[0]) - heel) < 0.01, row["hull.roll"] / DEGREE);
+    // What she gains on the way to her new rest carries her beyond it, less what the water takes.
+    const [rest, reach, furthest] = [await cell(page, "heel_after"), await cell(page, "reach"), await cell(page, "furthest")];
+    assert.ok(furthest > rest + 0.7 * (reach - rest) && furthest < reach, `${rest} < ${furthest} < ${reach}`);
+    assert.equal(await page.getByTestId("loss-exposed").textContent(), "held");
+    // Water that enters before she has stopped is the end of her.
+    await page.getByTestId("flooding").fill(String(rest + 1));
+    await page.waitForFunction(() => document.querySelector("[data-testid=loss-exposed]").dataset.state === "exceeded");
+    await page.getByTestId("flooding").fill("60");
+    await assertFits(page);
+    await page.getByTestId("before-cut").click();
+    await page.waitForFunction(() => !document.querySelector("[data-testid=cut]").disabled);
+    await close();
+  },
+]);
+
+const palettes = [DESKTOP, PHONE].map((viewport) => [
+  `passes axe with both lessons in all four palettes, ${viewport.width}x${viewport.height}`,
+  async (host) => {
+    const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load&timeline=false", "loss", viewport);
+    await page.getByTestId("loss-reach").waitFor();
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    for (const palette of ["day", "dusk", "night", "bright"]) {
+      await page.getByTestId("show-instruments").click();
+      await page.getByTestId("palette").selectOption(palette);
+      await page.getByTestId("show-physics").click();
+      for (const lesson of ["loss", "resonance"]) {
+        await page.getByTestId(`show-lesson-${lesson}`).click();
+        await assertAccessible(page, `${palette}, ${lesson}`);
+      }
+    }
+    await close();
+  },
+]);
+
+const resonances = [DESKTOP, PHONE].map((viewport) => [
+  `finds the length at which the load swings with the sea, sets it and runs, ${viewport.width}x${viewport.height}`,
+  async (host) => {
+    const { page, close } = await openLesson(host, "?scenario=offshore_vessel&waves=true", "resonance", viewport);
+    await page.getByTestId("varied").selectOption("rope_length_m");
+    await compute(page);
+    await assertFits(page);
+    await assertAccessible(page, "with periods");
+    const [peak_s] = await page.getByTestId("meetings").evaluate((list) => list.textContent.match(/peak is (\d+\.\d+) s/).slice(1).map(Number));
+    near(peak_s, 8, 0.4, "peak of the sea, s");
+    // The load on its rope is nearly a pendulum: the ship beneath it and the boom's angle change its period by some per cent.
+    const set = page.getByTestId("set-and-run").first();
+    const length_m = Number(await set.getAttribute("data-value"));
+    near(2 * Math.PI * Math.sqrt(length_m / 9.80665), peak_s, 0.1 * peak_s, "period of the load, s");
+    await set.focus();
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => window.kingpost.sample().status === "running" && window.kingpost.sample().time_s > 0.5);
+    assert.equal(Number(await page.getByTestId("parameter-rope_length_m").inputValue()), length_m);
+    // What was found stands, for it is of the same ship in the same sea.
+    assert.equal(await page.getByTestId("periods-progress").textContent(), "25 of 25 values");
+    await close();
+  },
+]);
+
+export default {
+  ...Object.fromEntries(resonances),
+  ...Object.fromEntries(losing),
+  ...Object.fromEntries(palettes),
+
+  async "follows the timeline of a scenario that lets the load go by itself"(host) {
+    const { page, close } = await openLesson(host, "?scenario=loss_of_hook_load", "loss", DESKTOP);
+    await page.getByTestId("loss-reach").waitFor();
+    await stepTo(page, 22);
+    await page.waitForFunction(() => document.querySelector("[data-testid=cut]").disabled);
+    assert.ok((await cell(page, "furthest")) > 0.5);
+    await close();
+  },
+
+  async "says where nothing can be let go, and leads to the scenario that is made for it"(host) {
+    const { page, close } = await openLesson(host, "?scenario=paper", "loss", DESKTOP);
+    await page.getByRole("link", { name: "Open the scenario that is made for it" }).click();
+    await page.waitForFunction(() => document.title.includes("loses the load"));
+    await close();
+  },
+
+  async "gives a pendulum on a held support the period 2 pi sqrt(L / g) at every length, and says that the water is calm"(host) {
+    const { page, close } = await openLesson(host, "?scenario=paper", "resonance", DESKTOP);
+    await openFile(page, "pendulum.yaml", PENDULUM);
+    await page.waitForFunction(() => document.title.includes("pendulum"));
+    await compute(page);
+    const rows = await periods(page);
+    assert.equal(rows.length, 25);
+    for (const [length_m, period_s] of rows) near(period_s, 2 * Math.PI * Math.sqrt(length_m / 9.80665), 0.0051, `period at ${length_m} m, s`);
+    assert.match(await page.getByTestId("meetings").textContent(), /calm/);
+    await close();
+  },
+
+  async "stops when it is asked to, and leaves out values that cannot be, with the reason"(host) {
+    const { page, close } = await openLesson(host, "?scenario=paper", "resonance", DESKTOP);
+    // A length of nothing, and beyond it one above the support, where the bob stands on its head.
+    await openFile(page, "pendulum.yaml", PENDULUM.replace("[4, 52]", "[-1, 23]").replace("bodies.bob.joint.revolute.child_position_m.2", "bodies.bob.mass_kg"));
+    await page.waitForFunction(() => document.title.includes("pendulum"));
+    await compute(page);
+    assert.match(await page.getByTestId("skipped").textContent(), /^2 values were left out: .*mass_kg: found -1, allowed/);
+    await page.getByTestId("compute-periods").click();
+    await page.getByTestId("compute-periods").click();
+    assert.equal(await page.getByTestId("compute-periods").textContent(), "Compute the periods");
+    await close();
+  },
+};

@@ -1,0 +1,170 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { join, relative } from "node:path";
+import { fileURLToPath } from "node:url";
+import ts from "typescript";
+import { describe, expect, it } from "vitest";
+import { isInEnglish, OF_PAGE } from "../src/engine/faults";
+import * as en from "../src/texts/en";
+import { languageOf } from "../src/texts/language";
+import * as nb from "../src/texts/nb";
+
+const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+/** The texts of a language by their keys, as `transport.start`. */
+function leaves(texts: object, path = ""): [string, unknown][] {
+  return Object.entries(texts).flatMap(([name, one]): [string, unknown][] => {
+    const key = path === "" ? name : `${path}.${name}`;
+    return typeof one === "object" && one !== null ? leaves(one, key) : [[key, one]];
+  });
+}
+
+/** What a text is with stand-ins for what it is given: once with one of all, once with several. */
+function written(text: unknown): string[] {
+  if (typeof text !== "function") return [String(text)];
+  const given = (first: number) => Array.from({ length: text.length }, (_, k) => first + k);
+  return [given(1), given(2)].map((values) => String(text(...values)));
+}
+
+const english = new Map(leaves(en));
+const norwegian = new Map(leaves(nb));
+/** Texts that the two languages have in common: names, symbols, units, and words that are the same in both. */
+const SAME = [
+  "equations.names.B_dot", "exports.parquet", "exports.plot", "exports.save", "floating.trim", "page.name", "page.scenario", "page.title", "picture.scale.moment", "plots.arm_axis", 
+  "plots.with_kind", "readouts.integrator", "settings.labels.simulation.integrator", "settings.integrators.dormand_prince", "settings.integrators.newmark", "settings.integrators.rk4",
+  "share.send", "transport.pause", "transport.start",
+];
+
+describe("Norwegian", () => {
+  it("has every text that English has, and no other", () => {
+    expect(english.size).toBeGreaterThan(300);
+    expect([...norwegian.keys()].sort()).toEqual([...english.keys()].sort());
+  });
+
+  it("is given the same as English, and uses each of it where English does", () => {
+    for (const [key, text] of english) {
+      const other = norwegian.get(key);
+      expect(typeof other, key).toBe(typeof text);
+      if (typeof text !== "function" || typeof other !== "function") continue;
+      expect(other.length, key).toBe(text.length);
+      const values = Array.from({ length: text.length }, (_, k) => `given${k}`);
+      const used = (of: typeof text) => values.filter((value) => String(of(...values)).includes(value));
+      expect(used(other), key).toEqual(used(text));
+    }
+  });
+
+  it("is nowhere empty, and nowhere English but for words that are the same in both", () => {
+    for (const [key, text] of norwegian) expect(written(text).every((one) => one.trim() !== ""), key).toBe(true);
+    const same = [...english.keys()].filter((key) => written(english.get(key)).join("\n") === written(norwegian.get(key)).join("\n"));
+    expect(same.filter((key) => !SAME.includes(key))).toEqual([]);
+    expect(SAME.filter((key) => !same.includes(key))).toEqual([]);
+  });
+});
+
+describe("the language of the page", () => {
+  it("is the one that was chosen, else the browser's first that is here, else English", () => {
+    expect(languageOf("nb", ["en-GB"])).toBe("nb");
+    expect(languageOf("en", ["nb-NO", "nb"])).toBe("en");
+    expect(languageOf(null, ["nb-NO", "en"])).toBe("nb");
+    expect(languageOf(null, ["en-US", "nb"])).toBe("en");
+    expect(languageOf(null, ["de-DE", "no", "en"])).toBe("nb");
+    expect(languageOf("xx", ["ko-KR"])).toBe("en");
+    expect(languageOf(null, [])).toBe("en");
+  });
+
+  it("is Norwegian for each of the codes of Norwegian", () => {
+    expect(["nb", "no", "nn", "nn-NO", "NO"].map((code) => languageOf(null, [code]))).toEqual(["nb", "nb", "nb", "nb", "nb"]);
+  });
+});
+
+describe("the page", () => {
+  const html = readFileSync(here("../index.html"), "utf8");
+
+  it("names only texts that there are", () => {
+    const named = [...html.matchAll(/data-(?:text|label|title)="([^"]*)"/g)].map(([, key]) => key);
+    expect(named.length).toBeGreaterThan(60);
+    expect(named.filter((key) => typeof english.get(key) !== "string")).toEqual([]);
+  });
+
+  it("has no text of its own but the name of the app, the signs of the axes and what stands where no script runs", () => {
+    const body = html.slice(html.indexOf("<body>")).replace(/<noscript[\s\S]*?<\/noscript>/, "").replace(/<script[\s\S]*?<\/script>/g, "");
+    const texts = body.split(/<[^>]*>/).map((text) => text.trim()).filter((text) => /[A-Za-z]/.test(text));
+    expect(texts).toEqual(["Kingpost", "e", "e", "e"]);
+    expect([...body.matchAll(/\s(aria-label|title|placeholder|alt)="/g)].map(([, name]) => name)).toEqual([]);
+  });
+});
+
+/** What the app is written in, but for its texts and what is generated. */
+function sources(folder: string): string[] {
+  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory()) return ["generated", "pkg", "texts"].includes(entry.name) ? [] : sources(path);
+    return entry.name.endsWith(".ts") ? [path] : [];
+  });
+}
+
+/** The words of a literal, with a mark for each value in it; null for what is none. */
+function literal(node: ts.Node): string | null {
+  if (ts.isStringLiteral(node) || ts.isNoSubstitutionTemplateLiteral(node)) return node.text;
+  return ts.isTemplateExpression(node) ? [node.head.text, ...node.templateSpans.map((span) => span.literal.text)].join("§") : null;
+}
+
+/** Words with a space between them, or one that begins with a capital letter. */
+const READS = /[A-Za-zé]{2,}[^A-Za-z]* [^a-z]*[A-Za-z]{2,}|^[A-Z][a-z]+| [a-z]{2,}|[a-z]{2,} /;
+/** Not for a person: code, selectors, media queries, styles, drawings, names of keys. */
+const CODE = /\n|<svg|^\(|^[.#]\w|px |\\quad|:\/\/|^--|^item-when|^(Enter|Escape|Delete|Home|Files|TimeoutError)$/;
+/** Attributes of elements that nobody reads. */
+const HIDDEN = ["class", "style", "d"];
+/** What else reads as words and is for programs, or stands in files of data as other programs write them. */
+const FOR_PROGRAMS = [
+  "ahead/futures.ts: no start is known",
+  "app/aside.ts: equations for §",
+  "app/aside.ts: hydrostatics for §",
+  "app/format.ts: § cm",
+  "app/format.ts: § ms",
+  "app/gallery.ts: scenario: found §, allowed: §",
+  "engine/runner.ts: no scenario is open",
+  "export/parquet.ts: Kingpost",
+  "export/run_files.ts: paused at § s",
+  "export/run_files.ts: world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port",
+  "export/run_files.ts: § of about § rows",
+  "levers/keys.ts: input, select, textarea, dialog, [contenteditable]",
+  "offline/leave.ts: kingpost §",
+  "offline/worker.ts: kingpost §",
+  "physics/release.ts: can be released",
+  "physics/release.ts: is released",
+  "plots/spectrum_chart.ts: § rad/s",
+  "plots/time_chart.ts: in §",
+  "plots/view_dialog.ts: last §",
+  "ui/alert.ts: no file ",
+];
+
+function isForPrograms(node: ts.Node, text: string): boolean {
+  const { parent } = node;
+  if (ts.isPropertyAssignment(parent) && HIDDEN.includes(parent.name.getText())) return true;
+  return CODE.test(text) || (ts.isNewExpression(parent) && /Error$/.test(parent.expression.getText()));
+}
+
+function readable(path: string): string[] {
+  const found: string[] = [];
+  const file = ts.createSourceFile(path, readFileSync(path, "utf8"), ts.ScriptTarget.Latest, true);
+  const visit = (node: ts.Node): void => {
+    if (ts.isImportDeclaration(node) || ts.isExportDeclaration(node) || ts.isTypeNode(node)) return;
+    const text = literal(node);
+    if (text !== null && READS.test(text) && !isForPrograms(node, text)) found.push(`${relative(here("../src"), path).replaceAll("\\", "/")}: ${text}`);
+    ts.forEachChild(node, visit);
+  };
+  visit(file);
+  return found;
+}
+
+it("has no text for a person outside the folder of the texts", () => {
+  const found = sources(here("../src")).flatMap(readable);
+  expect([...new Set(found)].filter((one) => !FOR_PROGRAMS.includes(one))).toEqual([]);
+  expect(FOR_PROGRAMS.filter((one) => !found.includes(one))).toEqual([]);
+});
+
+it("has a heading for every kind of fault whose words are the page's own", () => {
+  expect(OF_PAGE.filter((kind) => !(kind in en.alert.headings))).toEqual([]);
+  expect(OF_PAGE.map((kind) => isInEnglish({ kind, message: "" }))).toEqual(OF_PAGE.map(() => false));
+  expect(["scenario", "diverged", "input", "internal"].map((kind) => isInEnglish({ kind, message: "" }))).toEqual([true, true, true, true]);
+});
