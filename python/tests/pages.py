@@ -60,7 +60,7 @@ def run_bash(text: str, folder: Path, commands: Path) -> str:
     """What a shell prints; the server checks itself and ends."""
     text = re.sub(r"^(kingpost serve .*)$", r"\1 --check --port 0", text, flags=re.MULTILINE)
     path = f"{commands}{os.pathsep}{os.environ['PATH']}"
-    package = str(Path(kingpost.__file__).parents[1])
+    package = os.pathsep.join([str(Path(kingpost.__file__).parents[1]), os.environ.get("PYTHONPATH", "")])
     done = subprocess.run(
         ["bash", "-euo", "pipefail", "-c", text],
         cwd=folder,
