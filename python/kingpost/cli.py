@@ -55,7 +55,7 @@ COMMANDS = {
 
 
 FILES = ("FILE", "SCENARIO")
-"""What options and arguments that want a file say that they want."""
+"""What an option or an argument says that takes a file."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -127,7 +127,7 @@ def _ended_as_interrupted() -> Iterator[None]:
 
 
 def _complete_files(command: argparse.ArgumentParser) -> None:
-    """Let a shell complete names of files where an option or an argument wants one."""
+    """Let a shell complete names of files where an option or an argument takes one."""
     for action in command._actions:
         if action.metavar in FILES:
             action.complete = shtab.FILE  # type: ignore[attr-defined]

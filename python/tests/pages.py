@@ -17,6 +17,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import kingpost
+
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 BLOCK = re.compile(r'^```(bash|python|text|yaml)(?: title="([^"\n]*)")?\n(.*?)^```', re.MULTILINE | re.DOTALL)
@@ -58,10 +60,11 @@ def run_bash(text: str, folder: Path, commands: Path) -> str:
     """What a shell prints; the server checks itself and ends."""
     text = re.sub(r"^(kingpost serve .*)$", r"\1 --check --port 0", text, flags=re.MULTILINE)
     path = f"{commands}{os.pathsep}{os.environ['PATH']}"
+    package = os.pathsep.join([str(Path(kingpost.__file__).parents[1]), os.environ.get("PYTHONPATH", "")])
     done = subprocess.run(
         ["bash", "-euo", "pipefail", "-c", text],
         cwd=folder,
-        env=os.environ | {"PATH": path, "MPLBACKEND": "Agg"},
+        env=os.environ | {"PATH": path, "PYTHONPATH": package, "MPLBACKEND": "Agg"},
         capture_output=True,
         text=True,
         check=False,

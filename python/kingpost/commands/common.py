@@ -23,7 +23,7 @@ WORD = re.compile(
     r"(?:true|false|null|-?\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)(?=\s*[,}\]])|"
     r"([^\s{}\[\],:\"][^{}\[\],\"]*?)(?=\s*(?::\s|[,}\]]))"
 )
-"""Texts in quotes, numbers and other words of JSON, and words that want quotes."""
+"""Texts in quotes, numbers and other words of JSON, and words that need quotes."""
 WARNING, WARNING_OF_RUNS = "warning: ", "warning, in "
 """How lines of a report begin that one should not miss."""
 DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -104,7 +104,7 @@ def printable(text: str) -> str:
 
 
 def plain(value: Any) -> Any:
-    """A value as JSON knows it; what is not a number is null.
+    """A value as JSON knows it; NaN is null.
 
     >>> plain({"deviation": np.array([0.5, np.nan])})
     {'deviation': [0.5, None]}
