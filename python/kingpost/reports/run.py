@@ -137,7 +137,7 @@ def _points(results: xarray.Dataset) -> list[str]:
     """How far named points, as a crane's tip, went in each direction, and how fast they were at most."""
     if not results.sizes.get("point", 0):
         return []
-    rows = [("point, from least to most, m", *AXES, "largest speed, m/s")]
+    rows: list[tuple[str, ...]] = [("point, from least to most, m", *AXES, "largest speed, m/s")]
     for name in results["point"].values:
         position, velocity = (
             results[variable].sel(point=name).values for variable in ("point_position", "point_velocity")
