@@ -83,3 +83,16 @@ def test_fields_in_braces_are_set(capsys) -> None:
 def test_hyphens_and_underscores_of_an_option_are_one(option, capsys) -> None:
     assert main(["rao", "barge", option, "180", "--quiet"]) == 0
     assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["run", "barge", "--seeds", "99999999999", "-o", "run_*.nc"],
+        ["rao", "barge", "--frequencies-rad-s", "1:2:999999999999"],
+        ["modes", "chain", "--sweep", "damping=0:1:99999999999"],
+    ],
+)
+def test_counts_that_no_machine_holds_are_refused_at_once(command, capsys) -> None:
+    assert main(command) == 2
+    assert re.search(r"found .*9999.*, allowed: .* (up )?to 10", capsys.readouterr().err)

@@ -23,6 +23,7 @@ ENDINGS = (".nc", ".csv", ".png")
 DIRECTIONS_DEG = tuple(range(0, 360, 45))
 PRINTED_RAD_S = 0.5e-4 * (1 + 1e-9)
 """Half of the last digit of a frequency in messages."""
+MOST_IN_RANGE = 10_000
 FULL_TURN_RAD = 2 * np.pi
 AXES, ANGLES = ("x", "y", "z"), ("roll", "pitch", "yaw")
 PHASE = "_phase"
@@ -291,11 +292,12 @@ def parse_range(text: str) -> list[float]:
     """
     try:
         start, stop, count = text.split(":")
-        spaced = np.linspace(float(start), float(stop), int(count)).tolist()
+        spaced = np.linspace(float(start), float(stop), min(int(count), MOST_IN_RANGE + 1)).tolist()
     except ValueError:
         spaced = []
-    if not (spaced and np.isfinite(spaced).all()):
-        raise KingpostError(f"--frequencies-rad-s: found {text!r}, allowed: from:to:n, as 0.3:2:18")
+    if not (0 < len(spaced) <= MOST_IN_RANGE and np.isfinite(spaced).all()):
+        allowed = f"from:to:n, as 0.3:2:18, n up to {MOST_IN_RANGE}"
+        raise KingpostError(f"--frequencies-rad-s: found {text!r}, allowed: {allowed}")
     return spaced
 
 

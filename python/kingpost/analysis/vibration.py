@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     import xarray
 
 ENDINGS = (".nc", ".csv")
+MOST_IN_SWEEP = 10_000
 NOTHING = complex(np.nan, np.nan)
 
 VARIABLES = {
@@ -180,11 +181,12 @@ def parse_sweep(text: str) -> dict[str, list[float]]:
     name, _, values = text.partition("=")
     try:
         start, stop, count = values.split(":")
-        spaced = np.linspace(float(start), float(stop), int(count)).tolist()
+        spaced = np.linspace(float(start), float(stop), min(int(count), MOST_IN_SWEEP + 1)).tolist()
     except ValueError:
         spaced = []
-    if not (name and spaced and np.isfinite(spaced).all()):
-        raise KingpostError(f"--sweep: found {text!r}, allowed: name=from:to:n, as load_mass_kg=100:2000:20")
+    if not (name and 0 < len(spaced) <= MOST_IN_SWEEP and np.isfinite(spaced).all()):
+        allowed = f"name=from:to:n, as load_mass_kg=100:2000:20, n up to {MOST_IN_SWEEP}"
+        raise KingpostError(f"--sweep: found {text!r}, allowed: {allowed}")
     return {name: spaced}
 
 

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+HUGE = 1e10
+"""From here on decimals say nothing."""
 LARGEST_IN_KG = 2e4
 """Larger masses are in t."""
 
@@ -29,11 +31,13 @@ def table(rows: Iterable[Sequence[str]], align: str = "") -> list[str]:
 
 
 def fixed(value: float, places: int) -> str:
-    """A number with a fixed count of decimals, and no sign on a zero.
+    """A number with a fixed count of decimals, and no sign on a zero; one that is huge with five digits.
 
-    >>> fixed(-0.00001, 4), fixed(-0.0617, 4)
-    ('0.0000', '-0.0617')
+    >>> fixed(-0.00001, 4), fixed(-0.0617, 4), fixed(1e300, 4)
+    ('0.0000', '-0.0617', '1e+300')
     """
+    if abs(value) >= HUGE:
+        return f"{value:.5g}"
     return f"{value:z.{places}f}"
 
 

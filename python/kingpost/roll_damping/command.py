@@ -23,6 +23,8 @@ from .record import DecayRecord
 
 ENDINGS = (".yaml", ".yml")
 KEELS = ("breadth_m", "length_m", "centre_m")
+LARGEST = 1e15
+"""Of a mass, an inertia or a height: squares of more are no numbers."""
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
@@ -152,8 +154,8 @@ def _check(options: argparse.Namespace) -> None:
             raise RollDampingError(flag(missing[0]), "none", f"{flag(pair[0])} and {flag(pair[1])} together")
     for name in ("inertia_kg_m2", "mass_kg", "gm_m", "kg_m"):
         value = getattr(options, name)
-        if value is not None and not (math.isfinite(value) and value > 0):
-            raise RollDampingError(flag(name), f"{value:g}", "a number greater than 0")
+        if value is not None and not 0 < value <= LARGEST:
+            raise RollDampingError(flag(name), f"{value:g}", f"a number greater than 0, up to {LARGEST:g}")
     if options.output is not None and options.inertia_kg_m2 is None and not by_height:
         allowed = "--inertia-kg-m2, or --mass-kg and --gm-m: forces need the inertia"
         raise RollDampingError("--output", "no inertia", allowed)

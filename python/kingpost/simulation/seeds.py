@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
     from ..scenario import Scenario
 
+MOST_SEEDS = 100_000
 TOGETHER = 16
 """Runs that are in memory at a time."""
 
@@ -38,8 +39,8 @@ def files(pattern: str | Path, count: int) -> list[Path]:
     KingpostError
         When there is no such place, or a file cannot be written.
     """
-    if count < 1:
-        raise KingpostError(f"--seeds: found {count}, allowed: a whole number greater than 0")
+    if not 1 <= count <= MOST_SEEDS:
+        raise KingpostError(f"--seeds: found {count}, allowed: a whole number from 1 to {MOST_SEEDS}")
     path = Path(pattern)
     if path.name.count("*") != 1:
         raise KingpostError(f"{pattern}: found no single * for the seed, allowed: a name such as run_*.nc")
