@@ -27,10 +27,7 @@ pub fn build<S: Quantity>(
 }
 
 /// Two radii or more that increase, and a rated load for each.
-fn check_rows<S: Quantity>(
-    given: &schema::LoadChart<S>,
-    field: impl Fn(&str) -> String,
-) -> Result<(), FieldError> {
+fn check_rows<S: Quantity>(given: &schema::LoadChart<S>, field: impl Fn(&str) -> String) -> Result<(), FieldError> {
     let (radii, count) = (&given.radii_m, given.radii_m.len());
     if count < 2 {
         return Err(FieldError::new(field("radii_m"), format!("{count} numbers"), "2 radii or more"));

@@ -28,7 +28,8 @@ pub fn build<S: Quantity>(
     let Laid { stations, drum } = lay(scenario, &format!("forces.{name}.rope"), &given.path, model)?;
     let weight = weight(&format!("forces.{name}.rope"), given)?;
     let carried_mass = carried_mass(scenario, &format!("forces.{name}.rope"), given, model)?;
-    let load_chart = given.load_chart.as_ref().map(|chart| load_chart::build(scenario, name, chart, model)).transpose()?;
+    let load_chart =
+        given.load_chart.as_ref().map(|chart| load_chart::build(scenario, name, chart, model)).transpose()?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
     let load_chart = load_chart.flatten();
     let path = Path::new(stations);

@@ -41,11 +41,7 @@ fn check_ten_metres<S: Quantity>(given: &schema::Wind<S>) -> Result<(), FieldErr
 }
 
 /// What reads the wind, where there is one: on every body afloat, on the world where none is.
-pub fn anemometers<S: Quantity>(
-    world: &World<S>,
-    model: &Model<S>,
-    elements: &[AnyElement<S>],
-) -> Vec<AnyElement<S>> {
+pub fn anemometers<S: Quantity>(world: &World<S>, model: &Model<S>, elements: &[AnyElement<S>]) -> Vec<AnyElement<S>> {
     let Some(wind) = &world.wind else { return Vec::new() };
     let mut bodies: Vec<Option<usize>> = Vec::new();
     for body in elements.iter().filter_map(|element| element.keeps_afloat()) {
