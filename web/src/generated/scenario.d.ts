@@ -2323,6 +2323,10 @@ export type Rope = {
    */
   carries?: CarriedByRope[];
   /**
+   * What the crane may lift by it at which radius; without it, nothing is known of that.
+   */
+  load_chart?: LoadChart | null;
+  /**
    * Whether it can be released: an input in [0, 1] of the rope's name begins at 0, and at 0.5 the load is lost.
    */
   can_be_released?: boolean;
@@ -2340,6 +2344,32 @@ export type RopeStation =
   | {
       drum: RopeDrum;
     };
+/**
+ * The load chart of a crane: rated loads over the radius, which is the distance from the slewing axis to where the rope leaves
+ * the crane for the load. The results have `load_radius` (m), `rated_load` and `hook_load` (kg) and `load_utilisation`, hook load
+ * over rated load; a run warns where that passes 1, and of a radius outside of the chart.
+ */
+export type LoadChart = {
+  [k: string]: unknown;
+} & {
+  /**
+   * The revolute joint by which the crane slews.
+   */
+  joint: string;
+  /**
+   * Radii that increase, m: two or more.
+   */
+  radii_m: number[];
+  /**
+   * The rated load at each radius, with what hangs between rope and load, kg: linear between, before the first and beyond the
+   * last as there.
+   */
+  rated_loads_kg?: number[];
+  /**
+   * The same as `rated_loads_kg`, in the unit of this name.
+   */
+  rated_loads_t?: number[];
+};
 /**
  * A line whose winch pays out and hauls in so that its tension stays: a tugger line or a tag line. The winch stands at its
  * first end.

@@ -7,7 +7,7 @@ import { rangeOf } from "./range";
 import { pointsOf, readingsOf } from "./readings";
 
 /** How a unit is shown, and how many of it a column's unit is. */
-const SHOWN: Record<string, [string, number]> = { N: ["kN", 1e-3], rad: ["°", 180 / Math.PI], "1": ["", 1] };
+const SHOWN: Record<string, [string, number]> = { N: ["kN", 1e-3], kg: ["t", 1e-3], rad: ["°", 180 / Math.PI], "1": ["", 1] };
 
 interface Row {
   column: string;

@@ -5,6 +5,7 @@
 //! results, in snapshots, in A and B. Nothing else names a kind.
 
 mod air_gap;
+mod anemometer;
 mod clearance;
 pub mod contact;
 mod coulomb_friction;
@@ -38,6 +39,7 @@ mod viscous_damping;
 mod watcher;
 
 pub use air_gap::AirGap;
+pub use anemometer::Anemometer;
 pub use clearance::Clearance;
 pub use contact::Contact;
 pub use coulomb_friction::CoulombFriction;

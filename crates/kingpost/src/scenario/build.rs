@@ -14,6 +14,7 @@ mod flow;
 mod histories;
 mod limits;
 mod lines;
+mod load_chart;
 mod loops;
 mod operation;
 mod positioning;
@@ -104,6 +105,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     elements.extend(in_water);
     elements.extend(drives::build(scenario, &model, &world, (&q, &mut v))?);
     elements.extend(sensors::build(scenario, &model)?);
+    elements.extend(wind_and_current::anemometers(&world, &model, &elements));
     let wires = sensors::wires(scenario, &elements)?;
     for motion in of_kind::<S, WaveMotion<S>>(&elements) {
         q[motion.positions..motion.positions + 6].copy_from_slice(&motion.at(&world, 0.0).positions);

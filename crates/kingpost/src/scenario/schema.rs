@@ -82,7 +82,9 @@ pub use mounting::Mounting;
 pub use moved_by_waves::MovedByWaves;
 pub use operation::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};
 pub use parameter::{Parameter, ParameterKind, ParameterValue};
-pub use ropes::{CarriedByRope, DrumLayers, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine};
+pub use ropes::{
+    CarriedByRope, DrumLayers, LoadChart, PaysOut, Rope, RopeDrum, RopePoint, RopeStation, Sheave, TuggerLine,
+};
 pub use sea::Sea;
 pub use sensors::{MotionReferenceUnit, Sensor, Wire};
 pub use slack_tank::SlackTank;

@@ -77,6 +77,7 @@ fn a_cylinder_goes_to_its_length_at_its_speed_limit_and_no_faster() {
     simulation.step(2000).unwrap();
     let [length, rate, force] = reading(&mut simulation);
     assert!((5.2 - length - force / 2e5).abs() < 1e-8 && rate.abs() < 1e-8, "{length} m, {rate} m/s");
+    assert_eq!(values(&mut simulation, "cylinder_effort_utilisation"), [force / 3000.0]);
     assert_ledger_closes(&mut simulation);
 }
 
@@ -90,6 +91,7 @@ fn a_cylinder_too_weak_for_its_load_gives_way_to_its_stop() {
     let mut simulation = simulation(&weak);
     simulation.step(300).unwrap();
     assert!((reading(&mut simulation)[2] - 500.0).abs() < 1e-9, "clipped while it sinks");
+    assert_eq!(values(&mut simulation, "cylinder_effort_utilisation"), [1.0]);
     simulation.step(7700).unwrap();
     let ([length, _, force], angle) = (reading(&mut simulation), simulation.state().q[0]);
     assert!((4.5 - length - (force - 500.0) / 1e6).abs() < 1e-9, "{length} m, {force} N");

@@ -12,6 +12,7 @@ mod controlled_drives;
 mod cylinders;
 mod entrained_water;
 mod inextensible_ropes;
+mod load_charts;
 mod operations;
 mod replays;
 mod rope_leads;

@@ -219,6 +219,7 @@ const STRUCTURE: [&str; 32] = [
     ".gusts.lowest_Hz",
     ".gusts.highest_Hz",
     ".table.depths_m.",
+    ".load_chart.radii_m.",
     ".growth.shares.",
     "sea.depth_m",
 ];

@@ -2,11 +2,11 @@
 
 use crate::common;
 
-use common::{assert_linearised, simulation, values};
+use common::{assert_linearised, barge, simulation, values};
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kingpost::elements::flow::DirectionTable;
 use kingpost::scalar::{Dual, LANES, Lanes, Scalar};
-use kingpost::scenario::read;
+use kingpost::scenario::{read, read_with};
 
 /// A ship of 1000 t; C_x = -cos, C_y = sin of the direction, C_n = 0.1 sin 2 theta.
 fn ship(initial: &str, more: &str) -> String {
@@ -211,4 +211,36 @@ fn tables_and_winds_that_cannot_be_are_refused() {
     let profile = "sea: {current_m_s: [1, 0], current_profile: {power_law: {}}}\n".to_owned();
     refused(&(profile.clone() + &current), "sea.current_profile");
     refused(&(profile.replace("sea: {", "sea: {depth_m: 20, ") + &current), "current_load.draught_m: found nothing");
+}
+
+/// The wind goes to 150 degrees: it comes from -30, which is 60 degrees to starboard of a bow at 30.
+#[test]
+fn a_ship_reads_the_wind_from_where_it_blows() {
+    for (heading_deg, from_deg) in [(30.0, 60.0), (-30.0, 0.0), (-120.0, -90.0), (150.0, 180.0_f64)] {
+        let text = barge::TEXT.replace(
+            "joint: {floating: {}}",
+            &format!("joint: {{floating: {{initial: {{orientation_deg: [0, 0, {heading_deg}]}}}}}}"),
+        );
+        let afloat = read_with(&(text + &wind("")), "barge.yaml", &[], &barge::files()).expect("it reads");
+        let mut afloat = afloat.simulation().expect("it builds");
+        let apart = values(&mut afloat, "wind_direction")[0] - from_deg.to_radians();
+        assert!(libm::sin(apart).abs() < 1e-12 && libm::cos(apart) > 0.0, "{apart} at {heading_deg}");
+        let speed = afloat.channels().iter().find(|channel| channel.variable == "wind_speed").expect("a column");
+        assert_eq!(speed.columns, ["hull.wind_speed"]);
+    }
+}
+
+/// Where nothing floats the world's x is ahead. At the height of a load the gusts are the same ones.
+#[test]
+fn the_wind_that_is_read_has_the_gusts_that_act() {
+    let gusts = ", profile: npd, gusts: {spectrum: npd, components: 40, ramp_s: 0}";
+    let text = ship("", &(wind(gusts) + &wind_load(", height_m: 10")));
+    let mut found = simulation(&text);
+    for _ in 0..5 {
+        found.step(20).expect("it blows");
+        let (read, acts) = (values(&mut found, "wind_speed")[0], values(&mut found, "flow_speed")[0]);
+        assert!((read - acts).abs() < 1e-12 && (read - 15.0).abs() > 1e-6, "{read} {acts}");
+        assert_eq!(values(&mut found, "mean_wind_speed"), [15.0]);
+        assert!((values(&mut found, "wind_direction")[0] - PI / 6.0).abs() < 1e-12);
+    }
 }

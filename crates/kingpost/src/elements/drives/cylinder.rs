@@ -82,6 +82,11 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
                 number("cylinder_length", "length of a cylinder between its pins", &["m"]),
                 number("cylinder_rate", "rate of a cylinder's length", &["m/s"]),
                 number("cylinder_force", "force of a cylinder, positive where it pushes, stops included", &["N"]),
+                number(
+                    "cylinder_effort_utilisation",
+                    "force of a cylinder, stops apart, over its limit to push or to pull",
+                    &["1"],
+                ),
             ],
             lines: self.lines(),
             keeps_states: true,
@@ -115,7 +120,9 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
 
     fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
         let Forces { line, drive, stops, .. } = self.forces(at);
-        out.extend([line.residual, line.rate, drive + stops]);
+        let share = |force: S, limit: S| limit.select_below(f64::MIN_POSITIVE, || S::ZERO, || force / limit);
+        let used = drive.select_below(0.0, || share(-drive, self.pull_limit), || share(drive, self.push_limit));
+        out.extend([line.residual, line.rate, drive + stops, used]);
     }
 
     /// Its barrel from the first pin, its rod from within the barrel to the second, and both pins.

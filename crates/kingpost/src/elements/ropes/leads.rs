@@ -15,16 +15,21 @@ struct Leaves {
 }
 
 impl<S: Scalar> Path<S> {
-    /// The last leg between two bodies. The crane's is the one that the path comes to first; the plane of the boom is across
-    /// the last sheave, or the drum, on it.
+    /// The last leg between two bodies, and whether the rope runs along it from the load to the crane. The crane's body is the
+    /// one that the path comes to first.
+    pub(super) fn leaving_leg(&self) -> Option<(usize, bool)> {
+        let body = |k: usize| self.stations()[k].centre.body;
+        let leg = (0..self.stations().len().saturating_sub(1)).rev().find(|&k| body(k) != body(k + 1))?;
+        let first = |k: usize| self.stations().iter().position(|station| station.centre.body == body(k));
+        Some((leg, first(leg + 1) < first(leg)))
+    }
+
+    /// The plane of the boom is across the last sheave, or the drum, on the crane.
     fn leaves(&self) -> Option<Leaves> {
-        let bodies: Vec<Option<usize>> = self.stations().iter().map(|station| station.centre.body).collect();
-        let leg = (0..bodies.len().saturating_sub(1)).rev().find(|&k| bodies[k] != bodies[k + 1])?;
-        let first = |k: usize| bodies.iter().position(|body| *body == bodies[k]);
-        let runs_up = first(leg + 1) < first(leg);
-        let crane = bodies[leg + usize::from(runs_up)];
-        let on_crane = |&k: &usize| bodies[k] == crane && self.stations()[k].round.is_some();
-        let across = (0..bodies.len()).rev().find(on_crane)?;
+        let (leg, runs_up) = self.leaving_leg()?;
+        let crane = self.stations()[leg + usize::from(runs_up)].centre.body;
+        let on_crane = |&k: &usize| self.stations()[k].centre.body == crane && self.stations()[k].round.is_some();
+        let across = (0..self.stations().len()).rev().find(on_crane)?;
         Some(Leaves { leg, runs_up, across })
     }
 

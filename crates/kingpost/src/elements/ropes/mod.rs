@@ -3,6 +3,7 @@
 mod drum;
 mod inextensible;
 mod leads;
+mod load_chart;
 mod path;
 mod station;
 mod stretch;
@@ -11,6 +12,7 @@ mod weight;
 
 pub use drum::{Drum, Layers};
 pub use inextensible::Inextensible;
+pub use load_chart::LoadChart;
 pub use path::{Extent, Path};
 pub use station::{Efficiency, Round, Station};
 pub use tugger_line::TuggerLine;
@@ -18,7 +20,7 @@ pub use weight::RopeWeight;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    Crossing, Declaration, DrawnLine, Element, Event, Holding, Input, LineStyle, Moment, Output, Own,
+    AnyWatcher, Crossing, Declaration, DrawnLine, Element, Event, Holding, Input, LineStyle, Moment, Output, Own,
 };
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -62,6 +64,8 @@ pub struct Rope<S = f64> {
     pub can_be_released: bool,
     /// Its weight; without it, it has none.
     pub weight: Option<RopeWeight<S>>,
+    /// What the crane may lift by it, where that is known.
+    pub load_chart: Option<LoadChart<S>>,
     /// What a rope has in place of its elasticity where nothing lets it stretch.
     pub inextensible: Option<Inextensible<S>>,
 }
@@ -151,6 +155,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
             .into_iter()
             .chain(leads)
             .chain(amplification)
+            .chain(self.load_chart.iter().flat_map(|_| LoadChart::<S>::outputs(&self.name)))
             .collect(),
             lines: vec![DrawnLine { name: self.name.clone(), style: LineStyle::Line, radius_m: 0.0, points }],
             events: EVENTS[..if self.breaking_load.is_some() { PARTS + 1 } else { PARTS }].to_vec(),
@@ -214,6 +219,11 @@ impl<S: Scalar> Element<S> for Rope<S> {
         out.extend(self.path.leads().into_iter().flatten());
         let of_rest = |weight: S| weight.select_below(f64::MIN_POSITIVE, || S::ZERO, || last / weight);
         out.extend(self.carried_mass.map(|mass| of_rest(mass * at.world.gravity)));
+        out.extend(self.on_chart(at, &now).into_iter().flatten());
+    }
+
+    fn watchers(&self) -> Vec<AnyWatcher> {
+        self.load_chart.iter().map(|chart| chart.watcher(&self.name)).collect()
     }
 
     fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {

@@ -114,12 +114,25 @@ impl<S: Scalar> Rope<S> {
 
     /// Adds -dV/dx on the bodies and -dV/dL on the drum.
     pub(super) fn weigh(&self, at: &Moment<'_, S>, now: &Stretched<S>, loads: &mut Loads<S>) {
+        self.weight_on_stations(at, now, |station, wrench| loads.wrenches.extend(station.on_body(at, wrench)));
+        let (Some(drum), Some(hanging)) = (&self.drum, self.hanging(at, now)) else { return };
+        let above_mean = hanging.per_length.integral(self.path.centre(0)[2]) - hanging.mean;
+        loads.force[drum.coordinate] += now.paid_out.per_angle * above_mean;
+    }
+
+    /// Hands over -dV/dx at every station, in world axes.
+    pub(super) fn weight_on_stations(
+        &self,
+        at: &Moment<'_, S>,
+        now: &Stretched<S>,
+        mut hand: impl FnMut(&Station<S>, &Wrench<S>),
+    ) {
         let Some(Hanging { per_length, density, mean }) = self.hanging(at, now) else { return };
-        let Self { path, drum, .. } = self;
-        path.pull_freely(-density * mean, |station, wrench| loads.wrenches.extend(station.on_body(at, wrench)));
+        let path = &self.path;
+        path.pull_freely(-density * mean, &mut hand);
         let up = |force: S| Vector3([S::ZERO, S::ZERO, force]);
         let mut hand = |station: &Station<S>, force: Vector3<S>| {
-            loads.wrenches.extend(station.on_body(at, &Wrench { moment: Vector3::zero(), force }));
+            hand(station, &Wrench { moment: Vector3::zero(), force });
         };
         for (k, ends) in path.stations().windows(2).enumerate() {
             let (way, falls) = path.line(k);
@@ -129,10 +142,8 @@ impl<S: Scalar> Rope<S> {
             hand(&ends[0], along - by_from);
             hand(&ends[1], -along - by_to);
         }
-        if let Some(drum) = drum {
-            let height = path.centre(0)[2];
-            hand(&path.stations()[0], up(now.paid_out.length * per_length.at(height)));
-            loads.force[drum.coordinate] += now.paid_out.per_angle * (per_length.integral(height) - mean);
+        if self.drum.is_some() {
+            hand(&path.stations()[0], up(now.paid_out.length * per_length.at(path.centre(0)[2])));
         }
     }
 

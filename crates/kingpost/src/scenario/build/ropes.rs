@@ -2,10 +2,11 @@
 
 use super::super::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use super::cylinders::attachment;
-use super::{FieldError, flexible, known};
+use super::{FieldError, flexible, known, load_chart};
 use crate::elements::ropes::{Drum, Efficiency, Inextensible, Layers, Path, RopeWeight, Round, Station};
 use crate::elements::{AnyElement, Rope, TuggerLine};
-use crate::model::{Attachment, JointKind, Model};
+use crate::model::joint::Revolute;
+use crate::model::{Attachment, JointKind, Model, Node};
 use crate::scenario::leaf::Quantity;
 use crate::spatial::{Frame, Vector3};
 
@@ -27,7 +28,10 @@ pub fn build<S: Quantity>(
     let Laid { stations, drum } = lay(scenario, &format!("forces.{name}.rope"), &given.path, model)?;
     let weight = weight(&format!("forces.{name}.rope"), given)?;
     let carried_mass = carried_mass(scenario, &format!("forces.{name}.rope"), given, model)?;
+    let load_chart =
+        given.load_chart.as_ref().map(|chart| load_chart::build(scenario, name, chart, model)).transpose()?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
+    let load_chart = load_chart.flatten();
     let path = Path::new(stations);
     let gives_way = given.axial_stiffness_n.is_some() || given.series_stiffness_n_per_m.is_some();
     if !gives_way {
@@ -44,6 +48,7 @@ pub fn build<S: Quantity>(
         damping_time: given.damping_time_s.get(),
         breaking_load: given.breaking_load_n.map(|load| load.get()),
         carried_mass,
+        load_chart,
         weight,
         can_be_released: given.can_be_released,
     })))
@@ -214,6 +219,23 @@ fn check_bodies<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) ->
     Err(FieldError::new(field("path".to_owned()), format!("places that are all on {first}"), allowed))
 }
 
+/// The joint of a drum or of a crane that slews: a revolute one of this name; `None` where it is not there.
+pub(super) fn hinge<'a, S: Quantity>(
+    scenario: &Scenario<S>,
+    field: &str,
+    joint: &str,
+    model: &'a Model<S>,
+) -> Result<Option<(&'a Node<S>, &'a Revolute<S>)>, FieldError> {
+    let revolute = |(_, body): &(&schema::Name, &schema::Body<S>)| matches!(body.joint, schema::Joint::Revolute(_));
+    let joints = scenario.bodies.iter().filter(revolute).map(|(name, body)| super::bodies::joint_name(name, body));
+    known(field, joint, joints)?;
+    let owner = model.coordinate(joint).and_then(|coordinate| model.owner(coordinate));
+    Ok(owner.and_then(|(body, _)| {
+        let node = &model.tree.nodes[body];
+        if let JointKind::Revolute(hinge) = &node.kind { Some((node, hinge)) } else { None }
+    }))
+}
+
 /// The station of a drum and the drum, where its joint is there.
 type OnDrum<S> = Option<(Station<S>, Drum<S>)>;
 
@@ -263,14 +285,7 @@ impl<S: Quantity> Placing<'_, S> {
     fn drum(&self, given: &schema::RopeDrum<S>) -> Result<OnDrum<S>, FieldError> {
         let (field, joint) = (format!("{}.joint", self.field), given.joint.as_str());
         let efficiency = self.efficiency(given.efficiency_hoisting.get(), given.efficiency_lowering.get())?;
-        let revolute = |(_, body): &(&schema::Name, &schema::Body<S>)| matches!(body.joint, schema::Joint::Revolute(_));
-        let joints =
-            self.scenario.bodies.iter().filter(revolute).map(|(name, body)| super::bodies::joint_name(name, body));
-        known(&field, joint, joints)?;
-        let Some(coordinate) = self.model.coordinate(joint) else { return Ok(None) };
-        let Some((body, _)) = self.model.owner(coordinate) else { return Ok(None) };
-        let node = &self.model.tree.nodes[body];
-        let JointKind::Revolute(hinge) = &node.kind else { return Ok(None) };
+        let Some((node, hinge)) = hinge(self.scenario, &field, joint, self.model)? else { return Ok(None) };
         let sign = match given.pays_out {
             PaysOut::WithPositiveRate => S::ONE,
             PaysOut::WithNegativeRate => -S::ONE,
@@ -279,6 +294,7 @@ impl<S: Quantity> Placing<'_, S> {
         let round = Round { axis: hinge.placement().rotation * hinge.axis() * sign, radius, efficiency };
         let centre = self.model.attachment(node.parent, Frame::translation(hinge.placement().position));
         let layers = given.layers.as_ref().map(|layers| self.layers(radius, layers)).transpose()?;
+        let coordinate = node.velocities;
         let drum = Drum { position: node.positions, coordinate, sense: sign, radius, start: S::ZERO, layers };
         Ok(Some((Station { centre, round: Some(round), falls: S::ONE }, drum)))
     }

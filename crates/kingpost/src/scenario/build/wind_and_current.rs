@@ -3,9 +3,13 @@
 use super::super::schema::{self, CurrentProfile as CurrentSchema, PowerLaw, Scenario};
 use super::FieldError;
 use super::waves::amplitudes;
+use crate::elements::{Anemometer, AnyElement};
+use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::spatial::Vector3;
-use crate::world::{Current, CurrentProfile, CurrentTable, GustRealisation, GustSpectrum, Gusts, Wind, WindProfile};
+use crate::world::{
+    Current, CurrentProfile, CurrentTable, GustRealisation, GustSpectrum, Gusts, Wind, WindProfile, World,
+};
 
 /// The wind of a scenario, its gusts drawn.
 pub fn wind<S: Quantity>(scenario: &Scenario<S>) -> Result<Option<Wind<S>>, FieldError> {
@@ -34,6 +38,26 @@ fn check_ten_metres<S: Quantity>(given: &schema::Wind<S>) -> Result<(), FieldErr
         return Ok(());
     }
     Err(FieldError::new("wind.reference_height_m", height, "10, to which the profile npd refers"))
+}
+
+/// What reads the wind, where there is one: on every body afloat, on the world where none is.
+pub fn anemometers<S: Quantity>(world: &World<S>, model: &Model<S>, elements: &[AnyElement<S>]) -> Vec<AnyElement<S>> {
+    let Some(wind) = &world.wind else { return Vec::new() };
+    let mut bodies: Vec<Option<usize>> = Vec::new();
+    for body in elements.iter().filter_map(|element| element.keeps_afloat()) {
+        if !bodies.contains(&Some(body)) {
+            bodies.push(Some(body));
+        }
+    }
+    if bodies.is_empty() {
+        bodies.push(None);
+    }
+    let gusts = wind.gusts_at_height(wind.reference_height);
+    let of = |body: Option<usize>| -> AnyElement<S> {
+        let label = body.map_or(schema::WORLD, |body| &model.bodies[body].name).to_owned();
+        Box::new(Anemometer { label, body, gusts: gusts.clone() })
+    };
+    bodies.into_iter().map(of).collect()
 }
 
 fn gusts<S: Quantity>(given: &schema::Wind<S>, seed: u64) -> Result<Option<Gusts<S>>, FieldError> {

@@ -47,9 +47,32 @@ pub struct Rope<S = f64> {
     /// What hangs on it: its dynamic amplification factor is its tension over that of this load at rest in air.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub carries: Vec<CarriedByRope<S>>,
+    /// What the crane may lift by it at which radius; without it, nothing is known of that.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_chart: Option<LoadChart<S>>,
     /// Whether it can be released: an input in [0, 1] of the rope's name begins at 0, and at 0.5 the load is lost.
     #[serde(default)]
     pub can_be_released: bool,
+}
+
+/// The load chart of a crane: rated loads over the radius, which is the distance from the slewing axis to where the rope leaves
+/// the crane for the load. The results have `load_radius` (m), `rated_load` and `hook_load` (kg) and `load_utilisation`, hook load
+/// over rated load; a run warns where that passes 1, and of a radius outside of the chart.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "LoadChart", bound = "S: crate::scenario::leaf::Described")
+)]
+#[serde(deny_unknown_fields, bound(deserialize = "S: Leaf"))]
+pub struct LoadChart<S = f64> {
+    /// The revolute joint by which the crane slews.
+    pub joint: CoordinateName,
+    /// Radii that increase, m: two or more.
+    pub radii_m: Vec<f64>,
+    /// The rated load at each radius, with what hangs between rope and load, kg: linear between, before the first and beyond the
+    /// last as there.
+    pub rated_loads_kg: Vec<Positive<S>>,
 }
 
 /// A body that hangs on a rope.

@@ -1,0 +1,171 @@
+//! The load chart of a crane: what it may lift at which radius.
+
+use super::stretch::Stretched;
+use super::{Path, Rope};
+use crate::elements::lines::place;
+use crate::elements::watcher::{Extreme, Warning, Watcher, significant};
+use crate::elements::{AnyWatcher, Moment, Output};
+use crate::model::Attachment;
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+
+/// Rated loads over the radius, held against the load on a hoisting rope.
+///
+/// The radius is the distance from the slewing axis to where the rope leaves the crane for the load, m. The rated load is linear
+/// between the radii of the chart, and before the first and beyond the last as there: a [watcher](LoadChart::watcher) warns of
+/// a radius outside of the chart. The hook load is the sum of the rope's pulls on what hangs on it over the acceleration of free
+/// fall, kg, as a load indicator shows it: with hook block and slings, and with what motion adds. (The rated capacity, the hook
+/// load and the radius of EN 13852-1.)
+#[derive(Clone, Debug)]
+pub struct LoadChart<S = f64> {
+    /// A point of the slewing axis, on the body that carries the joint.
+    pub centre: Attachment<S>,
+    /// Unit vector along the slewing axis, in the axes of that body.
+    pub axis: Vector3<S>,
+    /// They increase, m; at least two.
+    pub radii: Vec<f64>,
+    /// One for each radius, kg, all above 0.
+    pub rated_loads: Vec<S>,
+}
+
+impl<S: Scalar> LoadChart<S> {
+    /// What a rope of this name with a chart shows: radius, rated load, hook load, utilisation.
+    pub(super) fn outputs(name: &str) -> [Output; 4] {
+        let number = |variable, description, unit| Output::number(variable, description, "rope", name, unit);
+        [
+            number("load_radius", "radius of a crane: from its slewing axis to where the rope leaves it", &["m"]),
+            number("rated_load", "rated load of a crane, by its load chart at the radius", &["kg"]),
+            number("hook_load", "hook load of a crane: pull of its rope over the acceleration of free fall", &["kg"]),
+            number("load_utilisation", "utilisation of a crane: its hook load over its rated load", &["1"]),
+        ]
+    }
+
+    /// The distance of a point (world, m) from the slewing axis, m.
+    fn radius(&self, at: &Moment<'_, S>, point: Vector3<S>) -> S {
+        let axis = self.centre.body.map_or(self.axis, |body| at.links.body_frame(at.model, body).rotation * self.axis);
+        let way = point - place(&self.centre, at.model, at.links);
+        let across = way - axis * axis.dot(way);
+        // On the axis itself a root has no derivative.
+        (across.norm_squared() + S::constant(f64::MIN_POSITIVE)).sqrt()
+    }
+
+    /// The rated load at a radius, m; kg.
+    pub fn rated_load(&self, radius: S) -> S {
+        let rows = self.radii.windows(2).zip(self.rated_loads.windows(2));
+        rows.fold(self.rated_loads[0], |sum, (radii, loads)| {
+            let width = S::constant(radii[1] - radii[0]);
+            let covered = (radius - S::constant(radii[0])).clipped(S::ZERO, width);
+            sum + (loads[1] - loads[0]) * (covered / width)
+        })
+    }
+
+    /// What warns of a load beyond the chart of the rope of this name.
+    pub(super) fn watcher(&self, name: &str) -> AnyWatcher {
+        let ends_m = [self.radii[0], self.radii[self.radii.len() - 1]];
+        let (load, outside_m) = (Extreme::default(), Extreme::default());
+        Box::new(ChartWatcher { rope: name.to_owned(), ends_m, load, load_since_s: None, outside_m, radius_m: 0.0 })
+    }
+}
+
+impl<S: Scalar> Rope<S> {
+    /// Radius, rated load, hook load and utilisation, as its chart shows them; the path has seen the bodies.
+    pub(super) fn on_chart(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> Option<[S; 4]> {
+        let chart = self.load_chart.as_ref()?;
+        let radius = chart.radius(at, self.path.leaves_crane_at()?);
+        let rated = chart.rated_load(radius);
+        let weight = self.pull_on_load(at, now).norm_squared() + S::constant(f64::MIN_POSITIVE);
+        let gravity = at.world.gravity;
+        let hook = gravity.select_below(f64::MIN_POSITIVE, || S::ZERO, || weight.sqrt() / gravity);
+        Some([radius, rated, hook, hook / rated])
+    }
+
+    /// The sum of its forces on the body at the lower end of the leg between crane and load, world, N.
+    fn pull_on_load(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> Vector3<S> {
+        let Some(load) = self.path.load() else { return Vector3::zero() };
+        let mut sum = Vector3::zero();
+        self.path.pull(now.tension, now.rate, |station, wrench| {
+            if station.centre.body == load {
+                sum += wrench.force;
+            }
+        });
+        self.weight_on_stations(at, now, |station, wrench| {
+            if station.centre.body == load {
+                sum += wrench.force;
+            }
+        });
+        sum
+    }
+}
+
+impl<S: Scalar> Path<S> {
+    /// Where the rope leaves the crane for the load, world, m; the path has seen the bodies.
+    fn leaves_crane_at(&self) -> Option<Vector3<S>> {
+        let (leg, runs_up) = self.leaving_leg()?;
+        Some(self.straights().nth(leg)?[usize::from(runs_up)])
+    }
+
+    /// The body that the leg between crane and load leads to; `None` among them is the world.
+    fn load(&self) -> Option<Option<usize>> {
+        let (leg, runs_up) = self.leaving_leg()?;
+        Some(self.stations()[leg + usize::from(!runs_up)].centre.body)
+    }
+}
+
+/// Watches a load against its chart.
+#[derive(Clone, Debug)]
+struct ChartWatcher {
+    rope: String,
+    /// First and last radius of the chart, m.
+    ends_m: [f64; 2],
+    /// The largest utilisation.
+    load: Extreme,
+    /// When it first passed 1, s.
+    load_since_s: Option<f64>,
+    /// How far the radius was outside of the chart at most, m, and the radius there.
+    outside_m: Extreme,
+    radius_m: f64,
+}
+
+impl Watcher for ChartWatcher {
+    fn columns(&self) -> Vec<String> {
+        ["load_utilisation", "load_radius"].map(|variable| format!("{}.{variable}", self.rope)).to_vec()
+    }
+
+    fn see(&mut self, time_s: f64, values: &[f64]) {
+        let (utilisation, radius_m) = (values[0], values[1]);
+        self.load.see(time_s, utilisation);
+        if utilisation > 1.0 {
+            self.load_since_s = self.load_since_s.or(Some(time_s));
+        }
+        let [first, last] = self.ends_m;
+        let outside_m = (radius_m - last).max(first - radius_m).max(0.0);
+        if outside_m > self.outside_m.value {
+            self.outside_m.see(time_s, outside_m);
+            self.radius_m = radius_m;
+        }
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        let warning = |time_s: f64, text: String| Warning { time_s, name: self.rope.clone(), text };
+        let load = self.load_since_s.map(|since_s| {
+            let text = format!(
+                "its hook load was {} % of the rated load at {} s, beyond the load chart first at {} s",
+                significant(self.load.value * 100.0, 4),
+                significant(self.load.time_s, 6),
+                significant(since_s, 6)
+            );
+            warning(since_s, text)
+        });
+        let outside = (self.outside_m.value > 0.0).then(|| {
+            let text = format!(
+                "its load was at a radius of {} m, outside of the load chart, which is for {} to {} m: the rated load was taken \
+                 as that at the end of the chart",
+                significant(self.radius_m, 4),
+                significant(self.ends_m[0], 6),
+                significant(self.ends_m[1], 6)
+            );
+            warning(self.outside_m.time_s, text)
+        });
+        load.into_iter().chain(outside).collect()
+    }
+}
