@@ -97,9 +97,11 @@ fn mode(
 ) -> Option<NaturalMode> {
     let right = vector(a, value)?;
     let left = vector(&a.transpose(), value)?;
-    let parts: Vec<f64> = left.iter().zip(&right).map(|(l, x)| size(l * x)).collect();
-    let of_bodies: f64 = parts[..2 * masses.len()].iter().sum();
-    if of_bodies < LEAST_SHARE * parts.iter().sum::<f64>() {
+    let parts: Vec<Complex<f64>> = left.iter().zip(&right).map(|(l, x)| l * x).collect();
+    let whole: Complex<f64> = parts.iter().sum();
+    let of_bodies: f64 = parts[..2 * masses.len()].iter().map(|part| (part / whole).re).sum();
+    // Written so that a whole of nothing is no mode either.
+    if !(of_bodies >= LEAST_SHARE) {
         return None;
     }
     let energy = |i: usize| masses[i] * (right[i] * units[i]).norm_sqr();
