@@ -1,7 +1,7 @@
 """Writes the notices of third parties: whose work is in the built app and the compiled module, and its terms.
 
-Crates by `cargo metadata`, packages of the app by its `node_modules`: those that are linked in, not those that
-only build or test. A text of terms stands once, with the names of all that come under it.
+Crates by `cargo metadata`, packages of the app by its `node_modules`: those that are linked in, not those
+that only build or test. A text of terms stands once, with the names of all that come under it.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ ROOT = Path(__file__).resolve().parents[1]
 NOTICES = ROOT / "THIRD_PARTY_NOTICES.txt"
 CRATES = ("kingpost-wasm", "kingpost-py")
 TEXTS = ("LICENSE*", "LICENCE*", "COPYING*", "NOTICE*", "license*", "UNLICENSE*")
-HEAD = """Kingpost is made with the work of others, which its app and its compiled module contain. These are their
-names and terms. `make notices` writes this file.
+HEAD = """Kingpost is made with the work of others, which its app and its compiled module contain.
+These are their names and terms. `make notices` writes this file.
 """
 
 Part = tuple[str, str, Path]

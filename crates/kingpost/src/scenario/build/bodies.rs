@@ -319,8 +319,19 @@ fn inertia<S: Quantity>(name: &str, body: &schema::Body<S>) -> Result<SpatialIne
         [f64::from(Symmetric3 { xx, xy, xz, yy, yz, zz }.holds_triangle_inequality())]
     });
     if !sound.all(|sound| sound == 1.0) {
-        let found = format!("moments {xx}, {yy}, {zz} kg m^2 with products {xy}, {xz}, {yz}");
-        let allowed = "a body's: no principal moment greater than the sum of the other two";
+        let (found, allowed) = match &body.inertia {
+            Some(Inertia::RadiiOfGyration(given)) => {
+                let [x, y, z] = given.radii_m.map(|radius| radius.get());
+                (
+                    format!("radii {x}, {y}, {z} m"),
+                    "a body's: no square of a radius greater than the sum of the other two",
+                )
+            }
+            _ => (
+                format!("moments {xx}, {yy}, {zz} kg m^2 with products {xy}, {xz}, {yz}"),
+                "a body's: no principal moment greater than the sum of the other two",
+            ),
+        };
         return Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed));
     }
     Ok(SpatialInertia::rigid(mass, moments))
