@@ -81,6 +81,8 @@ fn a_load_off_to_the_side_pulls_as_hard_and_leaves_the_radius_at_the_tip() {
     let tension = 1e6 * (11.0 + 116.0_f64.sqrt() - 21.7) / 21.7;
     assert!((values(&mut found, "hook_load")[0] * G / tension - 1.0).abs() < 1e-9);
     assert!((values(&mut found, "load_radius")[0] - 12.0).abs() < 1e-12);
+    let mut slack = simulation(&crane([0.0, 20.0, 4.0], SINGLE, "      unstretched_length_m: 25\n"));
+    assert_eq!([values(&mut slack, "hook_load"), values(&mut slack, "load_utilisation")], [[0.0], [0.0]]);
 }
 
 /// At rest the falls carry the load alone: the rope's own weight hangs above the hook.

@@ -73,9 +73,11 @@ impl<S: Scalar> Rope<S> {
         let chart = self.load_chart.as_ref()?;
         let radius = chart.radius(at, self.path.leaves_crane_at()?);
         let rated = chart.rated_load(radius);
-        let weight = self.pull_on_load(at, now).norm_squared() + S::constant(f64::MIN_POSITIVE);
-        let gravity = at.world.gravity;
-        let hook = gravity.select_below(f64::MIN_POSITIVE, || S::ZERO, || weight.sqrt() / gravity);
+        let (square, gravity) = (self.pull_on_load(at, now).norm_squared(), at.world.gravity);
+        // Of a slack rope the root has no derivative.
+        let pull = || square.select_below(f64::MIN_POSITIVE, || S::ONE, || square).sqrt();
+        let weighs = square.select_below(f64::MIN_POSITIVE, || S::ZERO, pull);
+        let hook = gravity.select_below(f64::MIN_POSITIVE, || S::ZERO, || weighs / gravity);
         Some([radius, rated, hook, hook / rated])
     }
 

@@ -219,13 +219,16 @@ fn check_bodies<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) ->
     Err(FieldError::new(field("path".to_owned()), format!("places that are all on {first}"), allowed))
 }
 
+/// A body's node and the revolute joint that it turns by.
+type Hinged<'a, S> = (&'a Node<S>, &'a Revolute<S>);
+
 /// The joint of a drum or of a crane that slews: a revolute one of this name; `None` where it is not there.
 pub(super) fn hinge<'a, S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
     joint: &str,
     model: &'a Model<S>,
-) -> Result<Option<(&'a Node<S>, &'a Revolute<S>)>, FieldError> {
+) -> Result<Option<Hinged<'a, S>>, FieldError> {
     let revolute = |(_, body): &(&schema::Name, &schema::Body<S>)| matches!(body.joint, schema::Joint::Revolute(_));
     let joints = scenario.bodies.iter().filter(revolute).map(|(name, body)| super::bodies::joint_name(name, body));
     known(field, joint, joints)?;
