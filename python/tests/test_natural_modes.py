@@ -13,7 +13,7 @@ from kingpost.errors import KingpostError
 
 SAME = 2e-3
 """Of a period and of a damping ratio: the browser takes differences, and the slowest yaw of a ship beside a
-stiff rope, whose rates are a millionth of the rope's, has three digits left; what swings in seconds has six."""
+stiff rope, whose rates are a millionth of the rope's, has three digits left; what swings in seconds, six."""
 QUICK = 1e-5
 QUICK_S = 60
 SLOWEST_S = 1e4
