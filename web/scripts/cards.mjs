@@ -15,7 +15,7 @@ const SHOTS = {
   paper: { time_s: 1.2, values: "motor_1=true&load=true&torque_history=pulse" },
   barge: { time_s: 30, values: "waves=true" },
   paper_on_a_rope: { time_s: 40 },
-  paper_true_draught: { time_s: 3 },
+  paper_true_draught: { time_s: 3, nearer: 1 },
   lift_off_from_barge: { time_s: 70 },
   supply_boat_lift: { time_s: 60 },
   container_to_quay: { time_s: 120 },
@@ -23,7 +23,7 @@ const SHOTS = {
   quayside_lift: { time_s: 5, nearer: 1 },
   barge_crane_200t: { time_s: 110 },
   subsea_lowering: { time_s: 100 },
-  lowering_by_winch: { time_s: 30, values: "waves=true" },
+  lowering_by_winch: { time_s: 30, values: "waves=true", nearer: 1 },
   a_frame_over_the_stern: { time_s: 30 },
   spreader_bar_lift: { time_s: 60 },
   four_leg_lift: { time_s: 90 },
@@ -39,8 +39,8 @@ const SHOTS = {
   two_ships: { time_s: 20 },
   floating_hemisphere: { time_s: 40 },
   sphere_decay: { time_s: 1.5 },
-  chain: { time_s: 1.5 },
-  tennis_racket: { time_s: 3.3 },
+  chain: { time_s: 1.5, nearer: 0 },
+  tennis_racket: { time_s: 3.3, nearer: 1 },
   hero: { scenario: "offshore_vessel", time_s: 65, values: "waves=true", size: { ...HERO, width: 2176 }, clip: { x: 0, y: 0, ...HERO }, quality: 0.8, left: 2, up: -5, nearer: 1 },
 };
 async function shoot(browser, address, name) {
