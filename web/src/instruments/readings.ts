@@ -2,8 +2,9 @@ import type { Channel, ModelInfo } from "../engine/engine";
 
 /** What of a crane at work is read off, by the end of the variable's name: what ropes carry and lead, what the crane may lift, what is left of gaps, what drives use, wind and waves. */
 const READ = [
-  ..."_tension _offlead _sidelead _daf load_radius rated_load hook_load clearance air_gap _utilisation".split(" "),
-  ..."wave_elevation wind_speed wind_direction".split(" "),
+  "_tension", "_offlead", "_sidelead", "_daf", "load_radius", "rated_load",
+  "hook_load", "clearance", "air_gap", "_utilisation",
+  "wave_elevation", "wind_speed", "wind_direction",
 ];
 /** Back to where the range of a motion is taken from, s. */
 export const RANGE_S = 60;
