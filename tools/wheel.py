@@ -19,7 +19,8 @@ CARRIED = {"app": "web/dist", "scenarios": "scenarios", "schema": "schema"}
 
 def main(build: list[str]) -> int:
     """Runs the build command, `uv build --wheel ...`, between copying and removing."""
-    avx2.main()
+    if failed := avx2.main():
+        return failed
     copies = {PACKAGE / name: ROOT / source for name, source in CARRIED.items()}
     try:
         for copy, source in copies.items():

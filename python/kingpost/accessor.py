@@ -162,7 +162,10 @@ class Accessor:
         parts = [markup.table(str(about.get("title", "")), rows)]
         if "run" not in self._results.sizes and self.limits:
             held = {True: "yes", False: "NO", None: "no row"}
-            cells = [(one["name"], held[one["held"]], one["worst"] or "", one["unit"]) for one in self.limits]
+            cells = [
+                (one["name"], held[one["held"]], "" if one["worst"] is None else one["worst"], one["unit"])
+                for one in self.limits
+            ]
             parts.append(markup.table("Limits", cells, ("limit", "held", "worst", "unit")))
         if told := [str(text) for text in self.warnings["warning_text"].values]:
             names = self.warnings["warning_name"].values

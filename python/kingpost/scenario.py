@@ -156,6 +156,17 @@ class Scenario:
             value = entries[at]
         return value
 
+    def __contains__(self, name: object) -> bool:
+        """Whether there is a parameter, or a field, of this name."""
+        try:
+            self[str(name)]
+        except KingpostError:
+            return False
+        return True
+
+    __iter__ = None
+    """Its names have no order to go through: `parameters` and `resolved` have."""
+
     def __setitem__(self, name: str, value: Any) -> None:
         """Set a parameter, or a field by its dotted path.
 

@@ -128,3 +128,16 @@ def test_the_accessor_is_there_however_a_file_is_opened_first(first, recorded, t
         capture_output=True, text=True, check=True,
     )  # fmt: skip
     assert done.stdout == "101\n"
+
+
+def test_a_run_that_ends_before_the_ramp_is_shown_too() -> None:
+    assert "Columns" in kingpost.run("barge", {"simulation.duration_s": 5}).kingpost._repr_html_()
+
+
+def test_a_scenario_says_which_names_it_has() -> None:
+    scenario = kingpost.load("barge")
+    assert "waves" in scenario
+    assert "bodies.ship.mass_t" not in scenario
+    assert "no_such_name" not in scenario
+    with pytest.raises(TypeError, match="not iterable"):
+        list(scenario)

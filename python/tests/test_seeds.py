@@ -105,3 +105,33 @@ def test_what_a_shell_made_of_a_pattern_and_half_an_option_are_refused(arguments
 def test_files_sort_by_seed() -> None:
     names = [path.name for path in seeds.files("run_*.csv", 100)]
     assert names == sorted(names)
+
+
+def test_runs_that_are_too_long_to_stand_in_memory_together_go_alone(tmp_path, monkeypatch) -> None:
+    scenario = kingpost.load("barge", {"waves": True, "simulation.duration_s": 2})
+    wanted = list(seeds.run(scenario, seeds.files(tmp_path / "together_*.nc", 3)))
+    monkeypatch.setattr(seeds, "MOST_MEMORY_GB", 1e-6)
+    alone = list(seeds.run(scenario, seeds.files(tmp_path / "alone_*.nc", 3)))
+    for one, other in zip(wanted, alone, strict=True):
+        assert kingpost.results.read(one.path).equals(kingpost.results.read(other.path))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--units", "si"], "--units si: found no file, allowed: -o with .csv or .parquet"),
+        (
+            ["--units", "engineering", "-o", "run.nc"],
+            "--units engineering: found run.nc, allowed: -o with .csv",
+        ),
+        (["--record", "*", "-o", "run.png"], "allowed: at most 8 of a unit"),
+        (["--anew"], "--anew: found no --seeds"),
+    ],
+)
+def test_options_that_would_lose_a_run_are_refused_before_it(
+    arguments, said, tmp_path, monkeypatch, capsys
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(kingpost.Simulation, "run", None)
+    assert main(["run", "paper", *arguments]) == 2
+    assert said in capsys.readouterr().err

@@ -275,7 +275,14 @@ def test_an_address_with_characters_that_no_file_has_is_not_found(address, path)
 
 @pytest.mark.parametrize(
     ("host", "status"),
-    [("localhost:1", 200), ("[::1]:80", 200), ("192.168.1.7", 200), ("evil.example", 421), ("", 421)],
+    [
+        ("localhost:1", 200),
+        ("[::1]:80", 200),
+        ("192.168.1.7", 200),
+        ("evil.example", 421),
+        ("[x", 421),
+        ("", 421),
+    ],
 )
 def test_another_name_that_leads_to_this_machine_reads_nothing(address, host, status):
     """Source: DNS rebinding: a web page whose name is made to lead here would read a private scenario."""
@@ -395,6 +402,13 @@ def test_a_body_is_not_read_as_the_next_request(address):
     answer = ask(address, outer % len(inner) + inner)
     assert answer.count(b"HTTP/1.1 ") == 1
     assert answer.startswith(b"HTTP/1.1 404 ")
+
+
+def test_the_answer_to_head_has_no_body_on_errors_either(address):
+    """Source: RFC 9110, section 9.3.2: else its bytes would be read as the start of the next answer."""
+    answer = ask(address, b"HEAD /nonesuch HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+    assert answer.startswith(b"HTTP/1.1 404 ")
+    assert answer.endswith(b"\r\n\r\n")
 
 
 def test_nothing_can_be_sent_to_it(address):

@@ -9,7 +9,7 @@ import math
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,7 @@ from ..errors import KingpostError
 from ..scenario import Scenario, load
 
 WORD = re.compile(
-    r'"(?:[^"\\\\]|\\\\.)*"|'
+    r'"(?:[^"\\]|\\.)*"|'
     r"(?:true|false|null|-?\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)(?=\s*[,}\]])|"
     r"([^\s{}\[\],:\"][^{}\[\],\"]*?)(?=\s*(?::\s|[,}\]]))"
 )
@@ -47,6 +47,8 @@ def _assignment(given: str) -> tuple[str, Any]:
     value = json.loads(value)
     if not (isinstance(value, str) and value.startswith("{")):
         return name, value
+    with suppress(json.JSONDecodeError):
+        return name, json.loads(value)
     try:
         return name, json.loads(_quoted(value))
     except json.JSONDecodeError:

@@ -65,12 +65,15 @@ def run(options: argparse.Namespace) -> int:
     from ..reports import outcomes, plot
     from ..reports.run import numbers
 
+    _check_options(options)
     scenario = scenario_of(options)
     simulation = Simulation(scenario)
     warn(f"{WARNING}{words}" for words in simulation.model_warnings)
     if options.record:
         columns = results.dataset(scenario, simulation.channels, simulation.row()[None, :], "")
         check_patterns(columns, options.record)
+        if _ending(options) in plot.ENDINGS:
+            plot.check(columns, options.record)
     if options.seeds is not None:
         return _run_seeds(scenario, options)
     existed = options.output is not None and Path(options.output).exists()
@@ -95,6 +98,19 @@ def run(options: argparse.Namespace) -> int:
     if isinstance(failure, KeyboardInterrupt):
         return fail(f"interrupted at {recorded['time'].values[-1]:g} s", INTERRUPTED)
     return fail(failure, FAILED) if failure else DONE
+
+
+def _ending(options: argparse.Namespace) -> str:
+    return Path(options.output or "").suffix.lower()
+
+
+def _check_options(options: argparse.Namespace) -> None:
+    """An error for options that would have no effect, before anything is computed."""
+    if options.units != results_units.NAMES and _ending(options) not in results_units.ENDINGS:
+        found = options.output or "no file"
+        raise KingpostError(f"--units {options.units}: found {found}, allowed: -o with .csv or .parquet")
+    if options.anew and options.seeds is None:
+        raise KingpostError("--anew: found no --seeds, allowed: with --seeds alone")
 
 
 def _write(recorded: xarray.Dataset, output: Path, options: argparse.Namespace) -> Path:

@@ -71,12 +71,12 @@ def add_options(command: argparse.ArgumentParser) -> None:
         "--flip-normals", action="store_true", default=None, help="turn a mesh file's normals round"
     )
     command.add_argument(
-        "--highest-rad-s", "--highest-rad-s", metavar="W", type=float,
+        "--highest-rad-s", metavar="W", type=float,
         help="frequencies above it are left out: of another program's file before all else, of a hull's "
         "computed ones of the fit of the memory",
     )  # fmt: skip
     command.add_argument(
-        "--accept-fit", "--accept-fit", action="store_true",
+        "--accept-fit", action="store_true",
         help="where no fit of the memory meets 2 %%, take the best one and say which motions miss it",
     )  # fmt: skip
     import_command.add_options(command)

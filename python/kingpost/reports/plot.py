@@ -92,6 +92,11 @@ def figure(runs: xarray.Dataset | Sequence[xarray.Dataset], patterns: Sequence[s
     return drawn
 
 
+def check(run: xarray.Dataset, patterns: Sequence[str]) -> None:
+    """An error unless these columns can be drawn together."""
+    _panels(run, patterns, {})
+
+
 def _limits(run: xarray.Dataset) -> dict[str, dict[str, Any]]:
     """The scenario's limits by their columns."""
     return {limit["column"]: limit for limit in json.loads(run.attrs.get("limits", "[]"))}

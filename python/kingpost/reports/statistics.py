@@ -36,11 +36,12 @@ HEADINGS = {
 
 
 def start_s(results: xarray.Dataset, after_s: float | None) -> float:
-    """From when on records count: as asked, else the end of the waves' ramp."""
+    """From when on records count: as asked, else from the end of the waves' ramp, if the run has one."""
     if after_s is not None:
         return after_s
     sea = json.loads(results.attrs.get("scenario", "{}")).get("sea")
-    return float(sea["ramp_s"]) if sea else 0.0
+    ramp_s = float(sea["ramp_s"]) if sea else 0.0
+    return ramp_s if ramp_s < float(results["time"].values[-1]) else 0.0
 
 
 def exposure_s(results: xarray.Dataset, after_s: float | None) -> float:

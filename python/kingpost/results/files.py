@@ -256,11 +256,15 @@ def open_all(paths: Sequence[str | Path], time_limit_s: float = TIME_LIMIT_S) ->
 
 
 def _probe(paths: Sequence[str], time_limit_s: float) -> None:
-    command = [sys.executable, "-P", str(Path(__file__).with_name("probe.py")), *paths]
+    command = [sys.executable, "-P", str(Path(__file__).with_name("probe.py"))]
     try:
         # What the HDF5 library says of damage is for its authors.
         done = subprocess.run(
-            command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=time_limit_s * len(paths)
+            command,
+            input=json.dumps(paths).encode(),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            timeout=time_limit_s * len(paths),
         )
         through = done.stdout
     except subprocess.TimeoutExpired as late:

@@ -1,11 +1,12 @@
 """Reads files of results to the end, in a process of its own: it says which it got through.
 
-Run as a program. In a damaged file the HDF5 library may go round in circles, or crash: here that ends
-nothing else.
+Run as a program, with the paths as JSON on its input. In a damaged file the HDF5 library may go round in
+circles, or crash: here that ends nothing else.
 """
 
 from __future__ import annotations
 
+import json
 import sys
 
 
@@ -23,4 +24,4 @@ def main(paths: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main(json.load(sys.stdin))

@@ -8,6 +8,8 @@ NAMES, SI, IN_ENGINEERING = "names", "si", "engineering"
 CHOICES = (NAMES, SI, IN_ENGINEERING)
 """How a table of results says its units: not at all, which is SI; in the names of its columns; and there, of
 numbers as engineers say them."""
+ENDINGS = (".csv", ".parquet")
+"""Files in which it may be chosen; others carry the unit beside each number."""
 ENGINEERING = {
     "rad": ("deg", math.pi / 180),
     "rad/s": ("deg/s", math.pi / 180),

@@ -35,6 +35,10 @@ class Application:
 
     def __call__(self, environ: dict[str, Any], start: Start) -> Iterable[bytes]:
         """The answer to one request. Nothing is sent again that the browser says it has."""
+        answer = self._answer(environ, start)
+        return [] if environ["REQUEST_METHOD"] == "HEAD" else answer
+
+    def _answer(self, environ: dict[str, Any], start: Start) -> list[bytes]:
         if environ["REQUEST_METHOD"] not in METHODS:
             return _refused(start, HTTPStatus.METHOD_NOT_ALLOWED, {"Allow": ", ".join(METHODS)})
         if not is_host_of(environ.get("HTTP_HOST"), self.named):
@@ -47,7 +51,7 @@ class Application:
             _begin(start, HTTPStatus.NOT_MODIFIED, body.validators())
             return []
         _begin(start, HTTPStatus.OK, body.headers())
-        return [] if environ["REQUEST_METHOD"] == "HEAD" else [body.content]
+        return [body.content]
 
     def _body(self, path: str, gzipped: bool) -> Body | None:
         """The page at this path of the address, else the file; None where there is neither."""

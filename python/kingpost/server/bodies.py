@@ -87,10 +87,13 @@ def is_host_of(header: str | None, named: str) -> bool:
     Any other name leads here only where a web page has its own name resolved to this machine, to read what is
     served to it alone (DNS rebinding).
 
-    >>> [is_host_of(header, "ship.lan") for header in ("127.0.0.1:8000", "Ship.lan:80", "evil.example")]
-    [True, True, False]
+    >>> [is_host_of(header, "ship.lan") for header in ("127.0.0.1:8000", "Ship.lan:80", "evil.example", "[x")]
+    [True, True, False, False]
     """
-    host = urlsplit(f"//{header or ''}").hostname or ""
+    try:
+        host = urlsplit(f"//{header or ''}").hostname or ""
+    except ValueError:
+        return False
     if host in {"localhost", named.lower(), gethostname().lower(), f"{gethostname().lower()}.local"}:
         return True
     try:

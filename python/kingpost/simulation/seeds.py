@@ -15,8 +15,8 @@ import numpy as np
 from .. import results
 from ..engine import engine
 from ..errors import KingpostError
-from .batch import FINISHED, SEED, Batch
-from .simulate import Progress
+from .batch import FINISHED, MOST_MEMORY_GB, SEED, Batch
+from .simulate import Progress, Simulation
 
 if TYPE_CHECKING:
     import xarray
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 MOST_SEEDS = 100_000
 TOGETHER = 16
-"""Runs that are in memory at a time."""
+"""Runs that are in memory at a time, where their rows fit."""
 
 
 def files(pattern: str | Path, count: int) -> list[Path]:
@@ -77,10 +77,14 @@ def run(
     there = {} if anew else {path: found for path in paths if (found := _finished(path, prints[path]))}
     new = [path for path in paths if path not in there]
     done = dict(there)
-    for first in range(0, len(new), TOGETHER):
-        some = new[first : first + TOGETHER]
+    of_one_gb = _memory_gb(scenario)
+    count = max(1, min(TOGETHER, int(MOST_MEMORY_GB / of_one_gb)))
+    for first in range(0, len(new), count):
+        some = new[first : first + count]
         together = Batch(scenario, {SEED: [seeds[path] for path in some]}).run(
-            progress=_from(len(there) + first, progress)
+            progress=_from(len(there) + first, progress),
+            # A run that is too long for that goes alone, as without seeds.
+            memory_gb=max(MOST_MEMORY_GB, 1.01 * of_one_gb),
         )
         for k, path in enumerate(some):
             one = _alone(scenario.with_overrides({SEED: seeds[path]}), together, k)
@@ -89,6 +93,13 @@ def run(
             done[path] = one.attrs
     for path in paths:
         yield OfSeed(path, done[path], path in there)
+
+
+def _memory_gb(scenario: Scenario) -> float:
+    """What the rows of one run take."""
+    settings = scenario.resolved["simulation"]
+    rows = settings["duration_s"] / max(settings["record_every_s"], settings["step_s"]) + 2
+    return 8e-9 * rows * len(Simulation(scenario).row())
 
 
 def fingerprint(scenario: Scenario, seed: int, patterns: Sequence[str] = ()) -> str:

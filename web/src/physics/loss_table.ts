@@ -23,7 +23,7 @@ export class LossTable {
     this.flooding.addEventListener("input", changed);
   }
 
-  /** Heel at which water enters; what is no angle counts as the end of the curve. */
+  /** Heel at which water enters; where no angle stands, the usual one counts. */
   get flooding_rad(): number {
     const given = this.flooding.valueAsNumber;
     return (given >= FLOODING.least && given <= FLOODING.most ? given : FLOODING.usual) / DEGREES;
@@ -44,12 +44,15 @@ export class LossTable {
     write("area_1", words.area_1, words.area(fixed(area_1, 4)));
     write("area_2", words.area_2(fixed(end * DEGREES, 1)), words.area(fixed(area_2, 4)));
     write("ratio", words.ratio, area_1 > 0 ? fixed(area_2 / area_1, 1) : "–");
-    write("reach", words.reach, reach === null ? words.no_reach : heel(reach));
+    const no_reach = loss?.floods ? words.beyond_flooding(fixed(end * DEGREES, 1)) : words.no_reach;
+    write("reach", words.reach, reach === null ? no_reach : heel(reach));
     write("furthest", words.furthest, furthest_deg === null ? "–" : words.degrees(fixed(furthest_deg, 2), side));
     for (const waters of ["exposed", "sheltered"] as const) {
       const isHeld = area_2 > REQUIRED[waters] * area_1;
       write(waters, words.asked[waters], isHeld ? words.held : words.not_held);
-      this.cells.get(waters)!.value.dataset.state = isHeld ? "ok" : "exceeded";
+      const { dataset } = this.cells.get(waters)!.value;
+      if (loss) dataset.state = isHeld ? "ok" : "exceeded";
+      else delete dataset.state;
     }
   }
 }

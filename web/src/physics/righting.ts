@@ -23,6 +23,8 @@ export interface Loss {
   start: number;
   rest: number;
   end: number;
+  /** Whether water enters before the arms vanish: it is there that area 2 ends. */
+  floods: boolean;
   area_1: number;
   area_2: number;
   /** How far she would roll without damping: where area 2 has become area 1; null where that is beyond the end. */
@@ -60,9 +62,10 @@ export function lossOf(before: Arms, after: Arms, flooding_rad: number): Loss | 
   const way = after.rest >= before.rest ? 1 : -1;
   const [start, rest] = [way * before.rest, way * after.rest];
   const arms = way > 0 ? after : mirror(after);
-  const end = Math.max(rest, Math.min(vanishing(arms, rest), flooding_rad));
+  const upright = vanishing(arms, rest);
+  const end = Math.max(rest, Math.min(upright, flooding_rad));
   const [area_1, area_2] = [Math.max(0, -areaOf(arms, start, rest)), Math.max(0, areaOf(arms, rest, end))];
-  return { way, start, rest, end, area_1, area_2, reach: area_2 < area_1 ? null : reachOf(arms, rest, end, area_1) };
+  return { way, start, rest, end, floods: flooding_rad < upright, area_1, area_2, reach: area_2 < area_1 ? null : reachOf(arms, rest, end, area_1) };
 }
 
 /** The same, counted to the other side. */

@@ -1,6 +1,7 @@
 //! Small motions about where a simulation stands, without derivatives of the engine's own.
 
 use super::{Simulation, stage};
+use crate::elements::Situation;
 use crate::integrate::{Stage, System};
 use crate::ledger;
 use nalgebra::DMatrix;
@@ -14,7 +15,8 @@ const SEEN: f64 = 1e-4;
 const LARGEST: f64 = 1e6;
 
 impl Simulation {
-    /// A of `x' = A x` for small motions from here, by central differences: to about ten digits of its largest entries.
+    /// A of `x' = A x` for small motions from here in still water, what is prescribed held, by central differences: to about
+    /// ten digits of its largest entries.
     ///
     /// The states are the local coordinates of the free coordinates, their rates, and the states of elements. Where nothing
     /// moves it is A of [`Linearization`](crate::analysis::Linearization), which is exact and takes a second engine over dual
@@ -24,6 +26,7 @@ impl Simulation {
         let (n, extras) = (free.len(), self.plant.layout().states.len());
         let size = 2 * n + extras;
         let mut a = DMatrix::zeros(size, size);
+        self.plant.set_situation(Situation::AtRest);
         for column in 0..size {
             let mut step = DIFFERENCE;
             loop {
@@ -36,6 +39,7 @@ impl Simulation {
                 step *= 10.0;
             }
         }
+        self.plant.set_situation(Situation::Running);
         a
     }
 

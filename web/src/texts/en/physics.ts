@@ -29,6 +29,7 @@ export const loss = {
   ratio: "Area 2 / area 1",
   reach: "Without damping she rolls to",
   no_reach: "nowhere: she capsizes",
+  beyond_flooding: (angle: string) => `beyond ${angle}°, where water enters`,
   furthest: "She has rolled to",
   degrees: (heel: string, side: string) => `${heel}° to ${side}`,
   sides: { 1: "starboard", [-1]: "port" } as Record<number, string>,

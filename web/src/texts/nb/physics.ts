@@ -31,6 +31,7 @@ export const loss: Texts["loss"] = {
   ratio: "Areal 2 / areal 1",
   reach: "Uten demping ruller det til",
   no_reach: "ingen steder: det kantrer",
+  beyond_flooding: (angle: string) => `forbi ${angle}°, der vann trenger inn`,
   furthest: "Det har rullet til",
   degrees: (heel, side) => `${heel}° mot ${side}`,
   sides: { 1: "styrbord", [-1]: "babord" },
