@@ -45,7 +45,8 @@ def test_the_oscillations_of_the_browser_are_those_of_the_package(name: str) -> 
     periods = [mode["period_s"] for mode in found]
     assert periods == sorted(periods, reverse=True)
     for mode in found:
-        same = QUICK if mode["period_s"] < QUICK_S else SAME
+        # What moves as prescribed is held in the browser; the package has it as at the start, and says so.
+        same = QUICK if mode["period_s"] < QUICK_S and "warning" not in expected.attrs else SAME
         beside = np.abs(pairs.damped_period.values / mode["period_s"] - 1) < same
         assert beside.any(), mode
         assert np.abs(pairs.damping_ratio.values[beside] - mode["damping_ratio"]).min() < same, mode

@@ -66,8 +66,8 @@ def test_its_columns_are_in_every_file(channels, rows, found, tmp_path) -> None:
 
 
 def test_a_summary_has_its_numbers(found, channels, rows) -> None:
-    """Source: the rows; of three numbers in a row none is a single number."""
-    column = rows[:, place(channels, "governor.governor_rate")]
+    """Source: the rows; of three numbers in a row none is a single number. A rate stands in degrees."""
+    column = np.degrees(rows[:, place(channels, "governor.governor_rate")])
     (line,) = (line for line in report._elements(found) if line.startswith("governor"))
     assert line.split()[-4:-1] == [f"{value:.5g}" for value in (column[-1], column.min(), column.max())]
-    assert line.endswith("rad/s")
+    assert line.endswith("deg/s")

@@ -103,7 +103,11 @@ def test_a_summary_has_the_largest_loop_reaction_loop_error_and_cylinder_force()
     worst = np.abs(results.loop_error.values).max()  # printed with two digits
     assert word(shown, "loop error, largest:", 1) == pytest.approx(worst, rel=0.05)
     force = results.cylinder_force.sel(cylinder="luffing").values
-    (line,) = (line for line in shown.splitlines() if line.startswith("luffing") and "force of a" in line)
+    (line,) = (
+        line
+        for line in shown.splitlines()
+        if line.startswith("luffing") and "force of a cylinder, positive" in line
+    )
     *_, last, least, most, unit = line.split()
     expected = [value / 1e3 for value in (force[-1], force.min(), force.max())]
     assert [float(word) for word in (last, least, most)] == pytest.approx(expected, rel=1e-4)

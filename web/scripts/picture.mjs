@@ -18,17 +18,20 @@ const PICTURES = {
   "app-lift.png": { query: "?scenario=lift_off_from_barge", time_s: 72, viewport: DESKTOP, press: ["show-instruments"] },
   "app-cab.png": { query: "?scenario=lift_off_from_barge", time_s: 45, viewport: DESKTOP, camera: "cab" },
   "app-equations.png": { query: "?scenario=paper&motor_1=true&load=true", time_s: 1.2, viewport: DESKTOP, press: ["show-equations"] },
+  "app-loss.png": { query: "?scenario=loss_of_hook_load", time_s: 12, viewport: DESKTOP, press: ["show-physics", "show-lesson-loss", "cut"] },
+  "app-resonance.png": { query: "?scenario=offshore_vessel&waves=true", viewport: DESKTOP, press: ["show-physics", "show-lesson-resonance", "compute-periods"], until: "25 of 25" },
   "app-phone.png": { query: "?scenario=paper&motor_1=true&load=true", time_s: 1.2, viewport: PHONE, press: ["show-plots"] },
   "app-levers.png": { query: "?scenario=quayside_lift", viewport: PHONE },
 };
 /** Frames of the moving picture: from when to when, how many a second of it and of the run. */
 const MOVING = { query: "?scenario=slew_and_land", from_s: 20, until_s: 80, frames: 60, frames_a_second: 10, size: { width: 800, height: 450 } };
 
-async function take(browser, address, file, { query, time_s, viewport, press = [], camera }) {
+async function take(browser, address, file, { query, time_s, viewport, press = [], until, camera }) {
   const page = await openPage(browser, address, query, viewport, viewport === PHONE ? 2 : 1);
   for (const button of press) await page.getByTestId(button).click();
   if (camera) await page.getByTestId(`camera-${camera}`).evaluate((input) => input.click());
   if (time_s) await runTo(page, time_s);
+  if (until) await page.getByText(until).waitFor({ timeout: 200_000 });
   // What the engine warns of would stand before the plots.
   const dismiss = page.getByTestId("run-warnings").getByLabel("Dismiss");
   if (await dismiss.isVisible()) await dismiss.click();

@@ -24,7 +24,7 @@ from .record import DecayRecord
 ENDINGS = (".yaml", ".yml")
 KEELS = ("breadth_m", "length_m", "centre_m")
 LARGEST = 1e15
-"""Of a mass, an inertia or a height: squares of more are no numbers."""
+"""Of a mass, an inertia or a height: squares of more overflow."""
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
