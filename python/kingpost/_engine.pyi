@@ -26,8 +26,7 @@ def batch(
     file: str,
     files: dict[str, str],
     variants_json: str,
-    threads: int,
-    most_bytes: int,
+    most: tuple[int, int],
     progress: Callable[[float], None] | None = None,
 ) -> tuple[list[NDArray[np.float64]], list[RunError | None], str]: ...
 

@@ -19,26 +19,23 @@ pub fn has_avx2() -> bool {
     return false;
 }
 
-/// Runs every variant, a JSON list of lists of `[name, value]`; refuses what would record more than `most_bytes`.
+/// Runs every variant, a JSON list of lists of `[name, value]`; `most` has the threads that it takes and the bytes that it may record.
 #[pyfunction]
-#[pyo3(signature = (text, file, files, variants_json, threads, most_bytes, progress=None))]
+#[pyo3(signature = (text, file, files, variants_json, most, progress=None))]
 pub fn batch<'py>(
     py: Python<'py>,
     text: &str,
     file: &str,
     files: Files,
     variants_json: &str,
-    threads: usize,
-    most_bytes: u64,
+    most: (usize, u64),
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Runs<'py>> {
     let variants: Vec<Variant> =
         serde_json::from_str(variants_json).map_err(|error| errors::input(format!("variants: {error}")))?;
     let files = scenario::Files::new(files);
     let found = boundary::guarded(|| {
-        boundary::watched(py, &Look(progress), |go_on| {
-            run_within(text, file, &files, &variants, threads, most_bytes, go_on)
-        })
+        boundary::watched(py, &Look(progress), |go_on| run_within(text, file, &files, &variants, most.0, most.1, go_on))
     })?;
     let batch = found.map_err(|found| match found {
         BatchError::Variant { ref error, .. } => errors::variant(&found, error.clone()),

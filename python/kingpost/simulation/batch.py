@@ -123,8 +123,7 @@ class Batch:
             self.scenario.file,
             self.scenario.files,
             json.dumps(variants),
-            threads,
-            int(1e9 * memory_gb),
+            (threads, int(1e9 * memory_gb)),
             progress,
         )
         status = [FINISHED if error is None else str(error) for error in errors]

@@ -100,8 +100,7 @@ fn mode(
     let parts: Vec<Complex<f64>> = left.iter().zip(&right).map(|(l, x)| l * x).collect();
     let whole: Complex<f64> = parts.iter().sum();
     let of_bodies: f64 = parts[..2 * masses.len()].iter().map(|part| (part / whole).re).sum();
-    // Written so that a whole of nothing is no mode either.
-    if !(of_bodies >= LEAST_SHARE) {
+    if of_bodies.is_nan() || of_bodies < LEAST_SHARE {
         return None;
     }
     let energy = |i: usize| masses[i] * (right[i] * units[i]).norm_sqr();
