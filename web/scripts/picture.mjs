@@ -18,7 +18,6 @@ const PICTURES = {
   "app-lift.png": { query: "?scenario=lift_off_from_barge", time_s: 72, viewport: DESKTOP, press: ["show-instruments"] },
   "app-cab.png": { query: "?scenario=lift_off_from_barge", time_s: 45, viewport: DESKTOP, camera: "cab" },
   "app-equations.png": { query: "?scenario=paper&motor_1=true&load=true", time_s: 1.2, viewport: DESKTOP, press: ["show-equations"] },
-  "app-loss.png": { query: "?scenario=loss_of_hook_load", time_s: 12, viewport: DESKTOP, press: ["show-physics", "show-lesson-loss", "cut"] },
   "app-resonance.png": { query: "?scenario=offshore_vessel&waves=true", viewport: DESKTOP, press: ["show-physics", "show-lesson-resonance", "compute-periods"], until: "25 of 25" },
   "app-phone.png": { query: "?scenario=paper&motor_1=true&load=true", time_s: 1.2, viewport: PHONE, press: ["show-plots"] },
   "app-levers.png": { query: "?scenario=quayside_lift", viewport: PHONE },
