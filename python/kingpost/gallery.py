@@ -46,7 +46,7 @@ def groups() -> dict[str, str]:
     """The group of each scenario of the gallery by its name, in the order in which they are shown.
 
     >>> groups()["paper"], next(iter(groups()))
-    ('The paper', 'paper')
+    ('The paper: Jardim et al. (2019)', 'paper')
     """
     listed = json.loads(read_text(folder() / "gallery.json"))["groups"]
     return {name: group["title"] for group in listed for name in group["scenarios"]}

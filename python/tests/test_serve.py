@@ -99,7 +99,7 @@ def test_the_index_lists_the_gallery_and_the_given_scenario(address, small):
         "title": paper.title,
         "file": "paper.yaml",
         "description": paper.resolved["description"],
-        "group": "The paper",
+        "group": "The paper: Jardim et al. (2019)",
     }
     assert [entry["name"] for entry in entries] == [*kingpost.gallery.groups(), "small"]
     assert entries[-1] == {

@@ -19,7 +19,7 @@ describe("the start page", () => {
     const { groups, entries } = await loaded(index);
     const files = readdirSync(here("../../scenarios")).filter((file) => file.endsWith(".yaml"));
     expect(entries.map(({ file }) => file).sort()).toEqual(files.sort());
-    expect(groups.map(({ title }) => title)).toEqual(["The paper", "Lifts", "Cranes", "Afloat", "Physics"]);
+    expect(groups.map(({ title }) => title)).toEqual(["The paper: Jardim et al. (2019)", "Lifts", "Cranes", "Afloat", "Physics"]);
     expect(groups[0].entries[0].name).toBe("paper");
   });
 
