@@ -150,14 +150,22 @@ export default {
     await close();
   },
 
-  async "stops when it is asked to, and leaves out values that cannot be, with the reason"(host) {
+  async "leaves out values that cannot be, with the reason"(host) {
     const { page, close } = await openLesson(host, "?scenario=paper", "resonance", DESKTOP);
     // A bob of less than nothing, and one of nothing.
     await openFile(page, "pendulum.yaml", PENDULUM.replace("[4, 52]", "[-1, 23]").replace("bodies.bob.joint.revolute.child_position_m.2", "bodies.bob.mass_kg"));
     await page.waitForFunction(() => document.title.includes("pendulum"));
     await compute(page);
     assert.match(await page.getByTestId("skipped").textContent(), /^2 values were left out: -1 m: .*mass_kg: found -1, allowed/);
+    await close();
+  },
+
+  async "stops when it is asked to"(host) {
+    // Its periods take long enough to be stopped among them.
+    const { page, close } = await openLesson(host, "?scenario=offshore_vessel", "resonance", DESKTOP);
     await page.getByTestId("compute-periods").click();
+    await page.waitForFunction(() => /^[1-9]\d* of 25/.test(document.querySelector("[data-testid=periods-progress]").textContent), null, { timeout: 60_000 });
+    assert.equal(await page.getByTestId("compute-periods").textContent(), "Stop");
     await page.getByTestId("compute-periods").click();
     assert.equal(await page.getByTestId("compute-periods").textContent(), "Compute the periods");
     await close();
