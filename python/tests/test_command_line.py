@@ -99,7 +99,7 @@ def test_parquet_and_netcdf_have_the_chosen_columns_too(tmp_path, capsys) -> Non
     assert main([*run, "-o", netcdf]) == 0
     assert list(xarray.load_dataset(netcdf, engine="h5netcdf").data_vars) == ["roll"]
     assert main([*run, "-o", netcdf, "--units", "engineering"]) == 2
-    assert "NetCDF has SI" in capsys.readouterr().err
+    assert "allowed: -o with .csv or .parquet" in capsys.readouterr().err
 
 
 def test_a_column_that_is_not_there_is_refused_before_the_run(tmp_path, capsys, monkeypatch) -> None:
