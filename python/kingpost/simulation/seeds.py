@@ -77,7 +77,7 @@ def run(
     there = {} if anew else {path: found for path in paths if (found := _finished(path, prints[path]))}
     new = [path for path in paths if path not in there]
     done = dict(there)
-    of_one_gb = _memory_gb(scenario)
+    of_one_gb = _memory_gb(scenario) if new else MOST_MEMORY_GB
     count = max(1, min(TOGETHER, int(MOST_MEMORY_GB / of_one_gb)))
     for first in range(0, len(new), count):
         some = new[first : first + count]

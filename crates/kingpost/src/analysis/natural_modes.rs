@@ -60,13 +60,10 @@ const BESIDE: f64 = 1e-9;
 pub fn natural_modes(simulation: &Simulation) -> Result<Vec<NaturalMode>, ModesError> {
     let mut settled = simulation.clone();
     settled.settle()?;
-    let masses = diagonal(&settled.mass_matrix());
-    of_system(&settled.coordinates(), &masses, settled.small_motions())
-}
-
-fn diagonal(matrix: &[f64]) -> Vec<f64> {
-    let n = libm::sqrt(matrix.len() as f64) as usize;
-    (0..n).map(|i| matrix[i * n + i]).collect()
+    let coordinates = settled.coordinates();
+    // Of a matrix by rows, the entries of its diagonal.
+    let masses: Vec<f64> = settled.mass_matrix().into_iter().step_by(coordinates.len() + 1).collect();
+    of_system(&coordinates, &masses, settled.small_motions())
 }
 
 fn of_system(coordinates: &[String], masses: &[f64], mut a: DMatrix<f64>) -> Result<Vec<NaturalMode>, ModesError> {
