@@ -144,7 +144,7 @@ fn no_kind_of_element_is_named_behind_the_builder() {
     let kinds = kinds_of_element();
     assert!(kinds.len() > 15 && kinds.contains("Motor") && kinds.contains("Hull"), "{kinds:?}");
     let source = root().join("crates/kingpost/src");
-    for folder in ["plant", "results", "simulation", "analysis", "batch", "ledger.rs", "results.rs", "state.rs"] {
+    for folder in ["plant", "results", "simulation", "analysis", "batch", "ledger", "state.rs"] {
         let place = source.join(folder);
         let files = if place.is_dir() { files_below(&place, ".rs") } else { vec![place] };
         for path in files {
@@ -180,6 +180,15 @@ fn the_engine_has_no_clock_no_output_and_no_input() {
                 assert!(!line.contains(forbidden), "{}: {forbidden}", path.display());
             }
         }
+    }
+}
+
+/// A module that has a folder begins in the folder's `mod.rs`, never in a file of its name beside it.
+#[test]
+fn a_module_with_a_folder_begins_in_its_mod_rs() {
+    for path in files_below(&root().join("crates"), ".rs") {
+        let folder = path.with_extension("");
+        assert!(!folder.is_dir(), "{}: belongs into {}/mod.rs", path.display(), folder.display());
     }
 }
 

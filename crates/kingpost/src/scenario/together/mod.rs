@@ -44,7 +44,7 @@ impl Scenario {
     /// derivative; everything that is computed from them has the derivative of the formula.
     ///
     /// ```
-    /// # let text = include_str!("../../../../scenarios/paper.yaml");
+    /// # let text = include_str!("../../../../../scenarios/paper.yaml");
     /// let scenario = kingpost::scenario::read(text, "paper.yaml", &[])?;
     /// let setup = scenario.setup_along(&["bodies.arm.mass_kg"])?;
     /// let arm = setup.model.body("arm").unwrap();
