@@ -1,6 +1,6 @@
 //! ARCHITECTURE.md says what may import what; this holds the code to it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -189,6 +189,31 @@ fn a_module_with_a_folder_begins_in_its_mod_rs() {
     for path in files_below(&root().join("crates"), ".rs") {
         let folder = path.with_extension("");
         assert!(!folder.is_dir(), "{}: belongs into {}/mod.rs", path.display(), folder.display());
+    }
+}
+
+/// The types that a file of the engine defines, `type Output` and the like inside an `impl` left out.
+fn types_in(code: &str) -> BTreeSet<String> {
+    let defined = |line: &str| {
+        let line = line.strip_prefix("pub").map_or(line, |rest| rest.trim_start_matches(|c| c != ' ').trim_start());
+        ["struct ", "enum ", "trait ", "type "].iter().find_map(|kind| line.strip_prefix(kind)).map(word)
+    };
+    code.lines().filter_map(defined).collect()
+}
+
+/// A type of the schema and the type that is built from it share a name; no other two types do.
+#[test]
+fn two_types_of_the_engine_share_a_name_only_where_one_is_built_from_the_schema_of_the_other() {
+    let source = root().join("crates/kingpost/src");
+    let mut files = BTreeMap::<String, Vec<String>>::new();
+    for path in files_below(&source, ".rs") {
+        let place = path.strip_prefix(&source).expect("below the folder").to_string_lossy().into_owned();
+        types_in(&read(&path)).into_iter().for_each(|name| files.entry(name).or_default().push(place.clone()));
+    }
+    assert!(files.len() > 500 && files["Rope"].len() == 2, "{}", files.len());
+    for (name, files) in files {
+        let of_schema = files.iter().filter(|file| file.starts_with("scenario/schema/")).count();
+        assert!(files.len() == 1 || (files.len(), of_schema) == (2, 1), "{name}: {files:?}");
     }
 }
 

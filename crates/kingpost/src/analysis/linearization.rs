@@ -1,6 +1,6 @@
 //! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
-use crate::elements::{Input, Kept, Situation};
+use crate::elements::{ElementState, Input, Situation};
 use crate::integrate::Stage;
 use crate::ledger;
 use crate::model::Mode;
@@ -25,7 +25,7 @@ pub struct Linearization {
     pub states: Vec<String>,
     /// SI unit of each state.
     pub units: Vec<&'static str>,
-    /// Whether each state only remembers how something moved, as an element [declares](crate::elements::Kept).
+    /// Whether each state only remembers how something moved, as an element [declares](crate::elements::ElementState).
     pub remembers: Vec<bool>,
     /// Names of the inputs.
     pub inputs: Vec<String>,
@@ -106,7 +106,7 @@ const RATE: &str = ".rate";
 #[derive(Clone, Debug)]
 pub struct Linearizer {
     tangent: Tangent,
-    states: Vec<Kept>,
+    states: Vec<ElementState>,
     inputs: Vec<Input>,
     /// What each state is.
     along: Vec<Along>,
@@ -202,12 +202,13 @@ fn prescribed(plant: &Plant<Number>) -> Vec<(usize, String)> {
 
 /// States of a plant with their names and units, and what each is: those of drives and forces stand behind the ledger's
 /// entries in s.
-fn states(plant: &Plant<Number>) -> (Vec<Kept>, Vec<Along>) {
+fn states(plant: &Plant<Number>) -> (Vec<ElementState>, Vec<Along>) {
     let (model, names, turns) = (&plant.model, plant.model.coordinate_names(), plant.model.turning_coordinates());
     let unit = |units: [&'static str; 2], i: usize| units[usize::from(turns[i])];
     let free = model.free_coordinates();
-    let positions = free.iter().map(|&i| (Kept::new(names[i].clone(), unit(["m", "rad"], i)), Along::Position(i)));
-    let rate = |&i: &usize| Kept::new(format!("{}{RATE}", names[i]), unit(["m/s", "rad/s"], i));
+    let positions =
+        free.iter().map(|&i| (ElementState::new(names[i].clone(), unit(["m", "rad"], i)), Along::Position(i)));
+    let rate = |&i: &usize| ElementState::new(format!("{}{RATE}", names[i]), unit(["m/s", "rad/s"], i));
     let rates = free.iter().map(|i| (rate(i), Along::Velocity(*i)));
     let extras = plant.layout().states.iter().cloned().enumerate();
     let extras = extras.map(|(i, state)| (state, Along::Extra(ledger::COUNT + i)));

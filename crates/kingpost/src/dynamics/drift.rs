@@ -22,14 +22,14 @@ pub(super) struct Drift<S> {
 
 /// How a link moves: what velocities alone say.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Motion<S> {
+pub(super) struct LinkMotion<S> {
     /// About the root's origin.
     pub twist: Twist<S>,
     /// Its points' acceleration with every coordinate's at zero.
     pub drift: Drift<S>,
 }
 
-impl<S: Scalar> Motion<S> {
+impl<S: Scalar> LinkMotion<S> {
     /// Of a floating link: its origin's acceleration is a coordinate's.
     #[inline]
     pub fn floating(twist: Twist<S>) -> Self {
@@ -92,7 +92,7 @@ mod tests {
             (0..steps).fold(Matrix3::identity(), |r, k| exp((omega + alpha * (dt * (f64::from(k) + 0.5))) * dt) * r)
         };
         let second = (turned(h) + turned(-h) - Matrix3::identity().scaled(2.0)).scaled(1.0 / (h * h));
-        let motion = Motion { drift: Drift { angular: alpha, ..Drift::default() }, ..Motion::default() };
+        let motion = LinkMotion { drift: Drift { angular: alpha, ..Drift::default() }, ..LinkMotion::default() };
         let own = Twist { angular: omega, linear: Vector3::zero() };
         let drift = motion.turned(&own, Vector3::zero(), Vector3::zero()).drift;
         // Second order in h, and rounding over h^2.

@@ -4,7 +4,7 @@
 //! is that of the root axes, and once for any other.
 
 use super::ball::Ball;
-use super::drift::Motion;
+use super::drift::LinkMotion;
 use crate::model::joint::Floating;
 use crate::model::{Carrier, Link, LinkJoint, Moments};
 use crate::scalar::Scalar;
@@ -18,7 +18,7 @@ pub(super) struct MovingLink<S> {
     /// Twist about the root's origin per unit rate of the link's own joint, where that has one axis.
     pub axis: Twist<S>,
     /// Twist and drift.
-    pub motion: Motion<S>,
+    pub motion: LinkMotion<S>,
     /// Inertia about the root's origin; none where that is no rigid body's.
     pub inertia: RigidInertia<S>,
     /// What the drift takes, about the root's origin.
@@ -77,7 +77,7 @@ impl<S: Scalar> MovingLink<S> {
         Self {
             in_root: Frame::identity(),
             axis,
-            motion: Motion::default(),
+            motion: LinkMotion::default(),
             inertia: RigidInertia::default(),
             bias: Wrench::zero(),
         }
@@ -88,7 +88,7 @@ impl<S: Scalar> MovingLink<S> {
     pub fn stand(&mut self, plan: &Link<S>, q: &[S], v: &[S], in_world: &mut Frame<S>) {
         if plan.joint == LinkJoint::Floating {
             *in_world = Floating::relative(q);
-            self.motion = Motion::floating(Floating::twist(in_world, v));
+            self.motion = LinkMotion::floating(Floating::twist(in_world, v));
         } else {
             *in_world = self.stand_on_joint(plan, q, v);
         }
@@ -96,7 +96,7 @@ impl<S: Scalar> MovingLink<S> {
 
     #[inline(never)]
     fn stand_on_joint(&mut self, plan: &Link<S>, q: &[S], v: &[S]) -> Frame<S> {
-        let (world, z) = (Motion::default(), Vector3::new(S::ZERO, S::ZERO, S::ONE));
+        let (world, z) = (LinkMotion::default(), Vector3::new(S::ZERO, S::ZERO, S::ONE));
         let (arm, Frame { rotation, position }) = (plan.to_child, plan.placement);
         let turned = |rotation: Matrix3<S>| Frame { rotation, position: position + rotation * arm };
         match plan.joint {
@@ -151,7 +151,7 @@ impl<S: Scalar> MovingLink<S> {
 
     /// `R = R_seat Rz(angle)`.
     #[inline(always)]
-    fn hinge(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
+    fn hinge(&mut self, plan: &Link<S>, parent: &LinkMotion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let rotation = seat.rotation.turned_about_z(q[plan.positions].sin_cos());
         let arm = rotation * plan.to_child;
         self.in_root = Frame { rotation, position: seat.position + arm };
@@ -160,7 +160,7 @@ impl<S: Scalar> MovingLink<S> {
 
     /// `R = R_seat`.
     #[inline(always)]
-    fn slide(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
+    fn slide(&mut self, plan: &Link<S>, parent: &LinkMotion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let z = self.axis.linear;
         let arm = seat.rotation * plan.to_child + z * q[plan.positions];
         self.in_root = Frame { rotation: seat.rotation, position: seat.position + arm };
@@ -169,7 +169,7 @@ impl<S: Scalar> MovingLink<S> {
 
     /// `R = R_seat R(q)`.
     #[inline(never)]
-    fn ball(&mut self, plan: &Link<S>, parent: &Motion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
+    fn ball(&mut self, plan: &Link<S>, parent: &LinkMotion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let rotation = seat.rotation * Quaternion::from_slice(&q[plan.positions..]).to_matrix();
         let arm = rotation * plan.to_child;
         self.in_root = Frame { rotation, position: seat.position + arm };
@@ -181,7 +181,7 @@ impl<S: Scalar> MovingLink<S> {
     /// Euler: `f = m a, n = J alpha + omega x J omega`.
     #[inline]
     pub fn take_central(&mut self, mass: S, moments: &Moments<S>) {
-        let Motion { twist, drift } = &self.motion;
+        let LinkMotion { twist, drift } = &self.motion;
         let (centre, moments) = (self.in_root.position, moments.rotated(&self.in_root.rotation));
         let force = drift.linear * mass;
         let about_centre = moments * drift.angular + twist.angular.cross(moments * twist.angular);
@@ -192,7 +192,7 @@ impl<S: Scalar> MovingLink<S> {
     /// The same of a floating body, which turns at a steady rate about its frame's origin, which is let go.
     #[inline]
     pub fn take_rigid(&mut self, rigid: &RigidInertia<S>) {
-        let Motion { twist, drift } = &self.motion;
+        let LinkMotion { twist, drift } = &self.motion;
         let moment = twist.angular.cross(rigid.moments * twist.angular);
         self.bias = Wrench { moment, force: drift.gradient * rigid.first_moment };
         self.inertia = *rigid;

@@ -1,7 +1,7 @@
 //! The height of a point above the surface of the sea.
 
 use super::lines::place;
-use super::{Declaration, Element, Moment, Output};
+use super::{Context, Declaration, Element, Output};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 
@@ -27,7 +27,7 @@ impl<S: Scalar> Element<S> for AirGap<S> {
         Declaration { outputs, ..Declaration::default() }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let [x, y, z] = place(&self.point, at.model, at.links).0;
         let waves = at.world.waves.as_ref().filter(|_| at.situation.has_waves());
         out.push(z - waves.map_or(S::ZERO, |waves| waves.elevation_m([x, y], at.clock.time_s)));

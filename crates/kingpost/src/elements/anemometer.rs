@@ -1,6 +1,6 @@
 //! The wind as a ship reads it.
 
-use super::{Declaration, Element, Moment, Output};
+use super::{Context, Declaration, Element, Output};
 use crate::scalar::Scalar;
 use crate::world::GustsAtHeight;
 
@@ -32,7 +32,7 @@ impl<S: Scalar> Element<S> for Anemometer<S> {
         Declaration { outputs, ..Declaration::default() }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let Some(wind) = &at.world.wind else {
             out.extend([S::ZERO; 3]);
             return;

@@ -1,8 +1,8 @@
 //! The clearance of a point from another point or from a solid.
 
-use super::contact::Solid;
+use super::contact::ContactSolid;
 use super::lines::place;
-use super::{Declaration, Element, Moment, Output};
+use super::{Context, Declaration, Element, Output};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 
@@ -17,7 +17,7 @@ pub struct Clearance<S = f64> {
     /// The solid's centre and axes.
     pub place: Attachment<S>,
     /// What the point is to stay clear of.
-    pub solid: Solid<S>,
+    pub solid: ContactSolid<S>,
 }
 
 impl<S: Scalar> Element<S> for Clearance<S> {
@@ -31,7 +31,7 @@ impl<S: Scalar> Element<S> for Clearance<S> {
         Declaration { outputs, ..Declaration::default() }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let (point, solid) = (place(&self.point, at.model, at.links), at.links.attachment_frame(at.model, &self.place));
         let (distance, _) = self.solid.distance(solid.rotation.transpose_times(point - solid.position));
         out.push(distance);

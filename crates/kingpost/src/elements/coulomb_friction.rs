@@ -1,6 +1,6 @@
 //! Dry friction along one axis of a joint.
 
-use super::{Element, Moment};
+use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
@@ -18,7 +18,7 @@ pub struct CoulombFriction<S = f64> {
 }
 
 impl<S: Scalar> Element<S> for CoulombFriction<S> {
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         self.apply(at.v, loads);
     }
 }

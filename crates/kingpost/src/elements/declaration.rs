@@ -7,7 +7,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Declaration {
     /// Its continuous states.
-    pub states: Vec<Kept>,
+    pub states: Vec<ElementState>,
     /// Names of its discrete numbers.
     pub numbers: Vec<String>,
     /// Names of its modes.
@@ -38,7 +38,7 @@ pub struct Declaration {
 
 /// A continuous state that an element keeps.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Kept {
+pub struct ElementState {
     /// Its name, behind that of its element.
     pub name: String,
     /// SI unit.
@@ -48,7 +48,7 @@ pub struct Kept {
     pub remembers: bool,
 }
 
-impl Kept {
+impl ElementState {
     /// A state with a life of its own.
     pub fn new(name: impl Into<String>, unit: &'static str) -> Self {
         Self { name: name.into(), unit, remembers: false }
@@ -101,7 +101,7 @@ pub struct Output {
     /// SI unit: of each component, or of all.
     pub units: &'static [&'static str],
     /// Frame of the components.
-    pub frame: Frame,
+    pub frame: VectorFrame,
 }
 
 impl Output {
@@ -120,7 +120,7 @@ impl Output {
             labels: vec![name.to_owned()],
             components: Components::One,
             units: unit,
-            frame: Frame::None,
+            frame: VectorFrame::None,
         }
     }
 
@@ -130,7 +130,7 @@ impl Output {
         description: &'static str,
         dimension: &'static str,
         name: &str,
-        frame: Frame,
+        frame: VectorFrame,
     ) -> Self {
         let components = Components::Wrench;
         Self { components, units: &WRENCH, frame, ..Self::number(variable, description, dimension, name, &["N"]) }
@@ -201,7 +201,7 @@ impl Components {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub enum Frame {
+pub enum VectorFrame {
     /// World axes.
     World,
     /// The body's own axes.

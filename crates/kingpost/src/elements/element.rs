@@ -1,6 +1,6 @@
 //! The one contract of everything that acts on the model or reads it.
 
-use super::{AnyWatcher, Declaration, Moment, RegularWaves};
+use super::{AnyWatcher, Context, Declaration, RegularWaves};
 use crate::dynamics::{Clock, Loads, Restraint};
 use crate::scalar::Scalar;
 use crate::world::World;
@@ -38,28 +38,28 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     }
 
     /// Writes its states, numbers and modes where a run begins; they are zero before.
-    fn begin(&mut self, _at: &Moment<'_, S>, _own: &mut Own<'_, S>) {}
+    fn begin(&mut self, _at: &Context<'_, S>, _own: &mut Own<'_, S>) {}
 
     /// Adds its loads, and the power of those that are not conservative.
-    fn loads(&mut self, _at: &Moment<'_, S>, _loads: &mut Loads<S>) {}
+    fn loads(&mut self, _at: &Context<'_, S>, _loads: &mut Loads<S>) {}
 
     /// Writes the rates of its continuous states.
-    fn rates(&mut self, _at: &Moment<'_, S>, _rates: &mut [S]) {}
+    fn rates(&mut self, _at: &Context<'_, S>, _rates: &mut [S]) {}
 
     /// Writes rates and accelerations of the coordinates that it prescribes, m or rad and s; asked where
     /// [`Declaration::prescribes`].
     fn prescribe(&self, _world: &World<S>, _clock: Clock, _rates: &mut [S], _accelerations: &mut [S]) {}
 
     /// Energy that it stores, J.
-    fn potential_energy(&mut self, _at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, _at: &Context<'_, S>) -> S {
         S::ZERO
     }
 
     /// Appends its outputs, in the order that it declared them in.
-    fn outputs(&mut self, _at: &Moment<'_, S>, _out: &mut Vec<S>) {}
+    fn outputs(&mut self, _at: &Context<'_, S>, _out: &mut Vec<S>) {}
 
     /// Appends the points of its lines in the world, x, y and z (m) of each, in the order that it declared the lines in.
-    fn draw(&mut self, _at: &Moment<'_, S>, _points: &mut Vec<S>) {}
+    fn draw(&mut self, _at: &Context<'_, S>, _points: &mut Vec<S>) {}
 
     /// The next time after `after_s` at which its law changes its form, s: steps end there. Infinite where there is none.
     fn next_edge_s(&self, _after_s: f64, _modes: &[i64]) -> f64 {
@@ -67,7 +67,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     }
 
     /// At its tick: sets its discrete numbers and modes.
-    fn sample(&mut self, _at: &Moment<'_, S>, _own: &mut Own<'_, S>) {}
+    fn sample(&mut self, _at: &Context<'_, S>, _own: &mut Own<'_, S>) {}
 
     /// Where a step begins: sees the columns that it [reads](Declaration::reads) and sets the inputs that it
     /// [steers](Declaration::steers), in the order in which it declared both, and may change its numbers and modes. Returns
@@ -77,7 +77,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// Why the run ends here.
     fn steer(
         &mut self,
-        _at: &Moment<'_, S>,
+        _at: &Context<'_, S>,
         _read: &[S],
         _own: &mut Own<'_, S>,
         _inputs: &mut [S],
@@ -86,16 +86,16 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     }
 
     /// Writes, for each event in the order of the declaration, the function whose change of sign it is.
-    fn witnesses(&mut self, _at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, _at: &Context<'_, S>, values: &mut [S]) {
         values.fill(S::ONE);
     }
 
     /// Answers an event where it was located: may change its states, numbers and modes, and the velocities `v` of the
     /// whole model, as an impact does.
-    fn respond(&mut self, _event: usize, _at: &Moment<'_, S>, _own: &mut Own<'_, S>, _v: &mut [S]) {}
+    fn respond(&mut self, _event: usize, _at: &Context<'_, S>, _own: &mut Own<'_, S>, _v: &mut [S]) {}
 
     /// Sets its modes anew where its numbers or an input of its own were changed: what they were set by may have crossed.
-    fn renew(&mut self, _at: &Moment<'_, S>, _own: &mut Own<'_, S>) {}
+    fn renew(&mut self, _at: &Context<'_, S>, _own: &mut Own<'_, S>) {}
 
     /// What it does while an equilibrium is sought, beside its loads; `None` where that is nothing.
     fn settling(&self) -> Option<&dyn Settling<S>> {
@@ -178,10 +178,10 @@ pub trait Settling<S: Scalar = f64> {
     fn set_trim(&mut self, trim: &[S]);
 
     /// Hands what holds the model there over to the trim; returns how far off it still is, m or rad.
-    fn take_over(&mut self, at: &Moment<'_, S>) -> S;
+    fn take_over(&mut self, at: &Context<'_, S>) -> S;
 
     /// The share that holding the model there takes of what the element can give.
-    fn utilisation(&self, at: &Moment<'_, S>) -> S;
+    fn utilisation(&self, at: &Context<'_, S>) -> S;
 }
 
 /// An element that holds a constraint, one way and while its mode says so: an inextensible rope.
@@ -190,7 +190,7 @@ pub trait Holding<S: Scalar = f64> {
     fn holds(&self, modes: &[i64]) -> bool;
 
     /// Writes the constraint where the bodies are. Sees no entries of its own.
-    fn restrain(&mut self, at: &Moment<'_, S>, held: &mut Restraint<S>);
+    fn restrain(&mut self, at: &Context<'_, S>, held: &mut Restraint<S>);
 
     /// Takes what it carries, as the accelerations were found, N; zero where it does not hold.
     fn carry(&mut self, multiplier: S);

@@ -1,6 +1,6 @@
 //! A linear spring along one axis of a joint.
 
-use super::{Element, Moment};
+use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
@@ -19,12 +19,12 @@ pub struct JointSpring<S = f64> {
 
 impl<S: Scalar> Element<S> for JointSpring<S> {
     /// Adds the spring's force.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         loads.force[self.coordinate] -= self.stiffness * (at.q[self.position] - self.rest);
     }
 
     /// Energy stored, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let stretch = at.q[self.position] - self.rest;
         self.stiffness * stretch * stretch * S::constant(0.5)
     }

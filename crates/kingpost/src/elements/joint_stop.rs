@@ -1,6 +1,6 @@
 //! A stop at the end of an axis' travel.
 
-use super::{Element, Moment};
+use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
@@ -45,7 +45,7 @@ pub fn hunt_crossley<S: Scalar>(stiffness: S, dissipation: S, depth: S, speed: S
 
 impl<S: Scalar> Element<S> for JointStop<S> {
     /// Adds the stop's force, and the heat that it makes.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (outwards, depth) = (self.outwards(), self.depth(at.q));
         let (force, heat) = hunt_crossley(self.stiffness, self.dissipation, depth, outwards * at.v[self.coordinate]);
         loads.force[self.coordinate] -= outwards * force;
@@ -53,7 +53,7 @@ impl<S: Scalar> Element<S> for JointStop<S> {
     }
 
     /// Energy stored, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let depth = self.depth(at.q);
         self.stiffness * depth * depth * S::constant(0.5)
     }

@@ -1,6 +1,6 @@
 //! Where everything that the elements declare stands: offsets, names, columns, all from here.
 
-use super::{AnyElement, Crossing, Declaration, DrawnLine, Input, Kept, Output, Own};
+use super::{AnyElement, Crossing, Declaration, DrawnLine, ElementState, Input, Output, Own};
 use crate::scalar::Scalar;
 use core::ops::Range;
 use thiserror::Error;
@@ -99,7 +99,7 @@ pub struct Layout {
     /// The table of inputs with their first values.
     pub inputs: Vec<Input>,
     /// The continuous states by their full names, as `luffing.wanted_length`.
-    pub states: Vec<Kept>,
+    pub states: Vec<ElementState>,
     /// Names of the discrete numbers.
     pub numbers: Vec<String>,
     /// Names of the modes.
@@ -161,7 +161,7 @@ impl Layout {
             });
             (input, number) = (input + declared.inputs.len(), number + declared.numbers.len());
             layout.names.push(name.to_owned());
-            let kept = |own: &Kept| Kept { name: full(&own.name), ..own.clone() };
+            let kept = |own: &ElementState| ElementState { name: full(&own.name), ..own.clone() };
             layout.states.extend(declared.states.iter().map(kept));
             layout.numbers.extend(declared.numbers.iter().map(full));
             layout.modes.extend(declared.modes.iter().map(full));

@@ -1,7 +1,7 @@
 //! A motion reference unit: what a body's sensor says of its motion, at its own ticks.
 
 use super::hull::HullFrame;
-use super::{Components, Declaration, Delay, Element, Frame, Moment, Output, Own};
+use super::{Components, Context, Declaration, Delay, Element, Output, Own, VectorFrame};
 use crate::scalar::Scalar;
 use crate::spatial::roll_pitch_yaw;
 
@@ -37,7 +37,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         let number = |variable, description, unit| Output::number(variable, description, "sensor", &self.name, unit);
         let angular_velocity = Output {
             components: Components::Axis,
-            frame: Frame::Body,
+            frame: VectorFrame::Body,
             ..number("measured_angular_velocity", "angular velocity of a sensor's body as it says", &["rad/s"])
         };
         let kept = ["roll", "pitch", "heave", "heave_rate", "x_rate", "y_rate", "z_rate"];
@@ -58,7 +58,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         }
     }
 
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         own.numbers[ZERO_HEIGHT] = self.height(at);
         let first = self.measured(at, own.numbers[ZERO_HEIGHT]);
         own.numbers[..COUNT].copy_from_slice(&first);
@@ -67,7 +67,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         }
     }
 
-    fn sample(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn sample(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let now = self.measured(at, own.numbers[ZERO_HEIGHT]);
         for (mode, value) in now.into_iter().enumerate() {
             let ring = Delay { first_number: RINGS + mode * self.delay_samples, mode, ticks: self.delay_samples };
@@ -75,17 +75,17 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         out.extend_from_slice(&at.numbers[..COUNT]);
     }
 }
 
 impl<S: Scalar> MotionReferenceUnit<S> {
-    fn height(&self, at: &Moment<'_, S>) -> S {
+    fn height(&self, at: &Context<'_, S>) -> S {
         self.place.frame(at.model, at.links).position[2]
     }
 
-    fn measured(&self, at: &Moment<'_, S>, zero_height: S) -> [S; COUNT] {
+    fn measured(&self, at: &Context<'_, S>, zero_height: S) -> [S; COUNT] {
         let motion = self.place.motion(at);
         let [roll, pitch, _] = roll_pitch_yaw(&motion.frame.rotation).0;
         let [x, y, z] = motion.twist.angular.0;

@@ -1,7 +1,7 @@
 //! Drag that grows with the square of the speed: of a hull's bilges in roll, of its sides in sway.
 
 use super::hull::HullFrame;
-use super::{DampedAgainst, Element, Moment};
+use super::{Context, DampedAgainst, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
@@ -23,7 +23,7 @@ pub struct QuadraticDamping<S = f64> {
 
 impl<S: Scalar> Element<S> for QuadraticDamping<S> {
     /// Adds the drag, the heat that it makes, and the work of the current.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (through, stream) = self.place.through_water(at, self.relative_to.velocity(at.world));
         let wrench =
             Wrench { moment: against(self.angular, through.angular), force: against(self.linear, through.linear) };

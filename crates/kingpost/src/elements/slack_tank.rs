@@ -1,7 +1,7 @@
 //! The free surface of a tank that is neither empty nor full.
 
 use super::hull::HullFrame;
-use super::{Element, Moment};
+use super::{Context, Element};
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::Model;
 use crate::scalar::Scalar;
@@ -37,14 +37,14 @@ impl<S: Scalar> Element<S> for SlackTank<S> {
     }
 
     /// Adds the moment of the liquid that has moved.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let vertical = self.vertical(at.model, at.links);
         let moment = vertical.cross(self.tank.shift(vertical)) * (self.density * at.world.gravity);
         loads.wrenches.push((self.place.body, Wrench { moment, force: Vector3::zero() }));
     }
 
     /// Energy of the liquid less that where it lies upright, J: never positive.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let vertical = self.vertical(at.model, at.links);
         vertical.dot(self.tank.shift(vertical)) * self.density * at.world.gravity
     }

@@ -2,7 +2,7 @@
 
 use super::dynamic_positioning::Planar;
 use super::hull::HullFrame;
-use super::{Components, Declaration, Element, Frame, Moment, Output};
+use super::{Components, Context, Declaration, Element, Output, VectorFrame};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3, Wrench};
@@ -57,7 +57,7 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
         let deviation = "surge and sway of a ship on a soft hold from its place, and its heading beyond the one held";
         let planar = |variable, description, units| Output {
             components: Components::Planar,
-            frame: Frame::Heading,
+            frame: VectorFrame::Heading,
             units,
             ..Output::number(variable, description, "hold", &self.name, &["N"])
         };
@@ -69,7 +69,7 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
     }
 
     /// Adds the springs and the dampers, and the heat that these make.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let off = self.off(at);
         let [surge, sway, yaw] = self.force(&off);
         let [cos, sin] = self.heading;
@@ -82,13 +82,13 @@ impl<S: Scalar> Element<S> for SoftHold<S> {
     }
 
     /// Energy stored, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let each = self.stiffness.into_iter().zip(self.off(at).deviation);
         each.fold(S::ZERO, |sum, (k, off)| sum + k * off * off) * S::constant(0.5)
     }
 
     /// Both along the heading that the body has.
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let off = self.off(at);
         let (sin, cos) = off.deviation[2].sin_cos();
         for [surge, sway, yaw] in [off.deviation, self.force(&off)] {
@@ -115,7 +115,7 @@ impl<S: Scalar> SoftHold<S> {
         [mass * omega * omega, S::constant(2.0) * damping_ratio * mass * omega]
     }
 
-    fn off(&self, at: &Moment<'_, S>) -> Off<S> {
+    fn off(&self, at: &Context<'_, S>) -> Off<S> {
         let motion = self.place.motion(at);
         let (position, rotation) = (motion.frame.position, motion.frame.rotation);
         let [cos, sin] = self.heading;

@@ -1,7 +1,7 @@
 //! Damping in proportion to a body's rates: of a hull in the water, or the paper's in its place.
 
 use super::hull::HullFrame;
-use super::{DampedAgainst, Element, Moment};
+use super::{Context, DampedAgainst, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3, Wrench};
@@ -24,7 +24,7 @@ pub struct ViscousDamping<S = f64> {
 
 impl<S: Scalar> Element<S> for ViscousDamping<S> {
     /// Adds the damping, the heat that it makes, and the work of the current.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (through, stream) = self.place.through_water(at, self.relative_to.velocity(at.world));
         let along = |c: Vector3<S>, rate: Vector3<S>| Vector3(core::array::from_fn(|i| c[i] * rate[i]));
         let mut wrench =

@@ -21,7 +21,7 @@ const LARGEST_ANGLE_DEG: f64 = 3.0;
 const LARGEST_PULL: f64 = 1e-3;
 
 /// A hull, its data, and where everything is.
-pub(super) struct Floating<'a> {
+pub(super) struct LoadedHull<'a> {
     pub(super) hull: &'a Hull,
     pub(super) database: &'a Database,
     pub(super) model: &'a Model,
@@ -40,7 +40,7 @@ struct Underwater {
     metacentric_radius: [f64; 2],
 }
 
-impl Floating<'_> {
+impl LoadedHull<'_> {
     /// An error where the whole hull displaces less than its weight.
     pub(super) fn check_capacity(&self) -> Result<(), HydrostaticsError> {
         let Some(mesh) = self.mesh() else { return Ok(()) };

@@ -1,6 +1,6 @@
 //! Slack tanks: what their free surfaces take off the metacentric height.
 
-use super::floating::Floating;
+use super::floating::LoadedHull;
 use super::hanging::HangingLoad;
 use crate::elements::SlackTank;
 use crate::sea::hull::HullTank;
@@ -25,7 +25,7 @@ pub struct FreeSurface {
     pub correction_m: [f64; 2],
 }
 
-impl Floating<'_> {
+impl LoadedHull<'_> {
     /// The tanks whose liquid heels with the hull, with their axes in its.
     pub(super) fn tanks(&self, hanging: &[HangingLoad]) -> Vec<(&SlackTank, HullTank)> {
         let to_hull = self.frame().rotation.transpose();

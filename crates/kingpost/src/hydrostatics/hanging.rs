@@ -3,7 +3,7 @@
 
 use crate::dynamics::{Kinematics, LinkKinematics};
 use crate::elements::drives::{Brake, ControlledDrive, Cylinder, Motor, PrescribedMotion, Servo, WaveMotion};
-use crate::elements::{CatenaryLine, Contact, Hull, JointSpring, Moment, Rope, SpringLine, of_kind};
+use crate::elements::{CatenaryLine, Contact, Context, Hull, JointSpring, Rope, SpringLine, of_kind};
 use crate::model::{Attachment, JointKind, Mode, Model};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
@@ -250,11 +250,11 @@ fn taut(setup: &Setup) -> Vec<&Rope> {
     })
 }
 
-fn at_rest<R>(setup: &Setup, see: impl FnOnce(&Moment<'_>) -> R) -> R {
+fn at_rest<R>(setup: &Setup, see: impl FnOnce(&Context<'_>) -> R) -> R {
     let Setup { model, world, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
-    see(&Moment::at_rest(world, model, &links, (q, v)))
+    see(&Context::at_rest(world, model, &links, (q, v)))
 }
 
 /// Shares below are rounding.

@@ -1,7 +1,7 @@
 //! What a current does to the waves about a hull that its loads leave out.
 
-use super::floating::Floating;
-use crate::elements::hull::{Excitation, HullVelocity, Parts, SlowFrame};
+use super::floating::LoadedHull;
+use crate::elements::hull::{HullVelocity, SlowFrame, WaveExcitation, WaveForces};
 use crate::sea::waves::{WaveComponent, WaveField, group_velocity_m_s};
 
 /// A change of the waves' lengths, or of the mean drift, that a current would make is warned of beyond this share.
@@ -9,7 +9,7 @@ const LARGEST_CHANGE: f64 = 0.05;
 /// Least tanh(k h) of the waves, on average, that a formula for deep water is for.
 const LEAST_DEEP: f64 = 0.98;
 
-impl Floating<'_> {
+impl LoadedHull<'_> {
     /// Of the waves' lengths in a current, of drift without a current's part, and of drift damping over a near bottom.
     pub(super) fn current_warnings(&self) -> Vec<String> {
         let (Some(waves), Some(excitation)) = (&self.world.waves, &self.hull.excitation) else { return Vec::new() };
@@ -54,8 +54,8 @@ impl Floating<'_> {
         let [x, y] = self.current();
         let slow = SlowFrame::of(&self.frame());
         let [along, across, _] = slow.rotation().transpose_times(self.world.surface_current()).0;
-        let parts = Parts { froude_krylov: true, drift: true, drift_damping: true };
-        let mut excitation = Excitation::new(self.database, waves, parts);
+        let parts = WaveForces { froude_krylov: true, drift: true, drift_damping: true };
+        let mut excitation = WaveExcitation::new(self.database, waves, parts);
         let mut mean = |through_water: [f64; 2]| {
             let velocity = HullVelocity { through_water, over_ground: [0.0; 2] };
             let [surge, sway, ..] = excitation.mean_drift(waves, slow.heading, &velocity);

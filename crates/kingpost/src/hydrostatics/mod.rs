@@ -29,7 +29,7 @@ use crate::scenario::{Scenario, ScenarioError, schema};
 use crate::sea::database::Database;
 use crate::sea::hull::StabilityError;
 use crate::simulation::{Setup, Simulation};
-use floating::Floating;
+use floating::LoadedHull;
 use hanging::Restraints;
 use serde::Serialize;
 use thiserror::Error;
@@ -143,7 +143,7 @@ impl Scenario {
         let (now, restraints) = (kinematics(&model, &simulation.state().q), &restraints_at(&simulation.state().q));
         let mut sunk: Vec<&str> = Vec::new();
         for &(hull, database) in &hulls {
-            let floating = Floating { hull, database, model: &model, at: &now, world, slack_tanks, restraints };
+            let floating = LoadedHull { hull, database, model: &model, at: &now, world, slack_tanks, restraints };
             report.warnings.extend(floating.current_warnings());
             match floating.check_capacity() {
                 Err(error) if restraints.floats_alone(&model, hull.frame.body) => return Err(error),
@@ -169,7 +169,7 @@ impl Scenario {
         let at_rest = kinematics(&model, &simulation.state().q);
         let restraints = &restraints_at(&simulation.state().q);
         for (hull, database) in hulls.into_iter().filter(|(hull, _)| !sunk.contains(&hull.name.as_str())) {
-            let floating = Floating { hull, database, model: &model, at: &at_rest, world, slack_tanks, restraints };
+            let floating = LoadedHull { hull, database, model: &model, at: &at_rest, world, slack_tanks, restraints };
             let (afloat, mut warnings) = floating.describe();
             if let Some(afloat) = afloat.as_ref().filter(|_| self.drifts(&hull.name)) {
                 warnings.extend(floating.drift_warnings(afloat.keel_to_gravity_m));

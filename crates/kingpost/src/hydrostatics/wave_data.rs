@@ -1,6 +1,6 @@
 //! Where the waves' loads stand on data of another loading, or of too few directions.
 
-use super::floating::Floating;
+use super::floating::LoadedHull;
 use crate::spatial::{Frame, SpatialInertia};
 
 /// A loading that differs from that of the data's mean drift by more than this share is warned of.
@@ -8,7 +8,7 @@ const LARGEST_CHANGE: f64 = 0.05;
 /// Share of the waves' energy that may be too short for the data's directions.
 const MOST_UNRESOLVED: f64 = 0.1;
 
-impl Floating<'_> {
+impl LoadedHull<'_> {
     /// Of a hull that drifts: mass, KG and radii of gyration of the ship with what it carries, as it stands, against those
     /// that the mean drift was computed for.
     pub(super) fn drift_warnings(&self, keel_to_gravity_m: f64) -> Vec<String> {

@@ -1,6 +1,6 @@
 //! The generalized-alpha method.
 
-use super::newton::{Newton, Place, RotationBy};
+use super::newton::{ImplicitStage, Newton, RotationBy};
 use super::{Interval, Sizes, Stage, StepError, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -90,7 +90,7 @@ impl<S: Scalar> GeneralizedAlpha<S> {
         accumulate(&mut newton.xi_start, h, &state.v);
         accumulate(&mut newton.xi_start, h * h * (0.5 - rule.beta), &a0[..n]);
         accumulate(&mut newton.xi_start, h * h * rule.beta, &a1[..n]);
-        let place = Place {
+        let place = ImplicitStage {
             time_s: interval.end_s,
             interval,
             xi_slope: h * h * rule.beta * rule.slope(),

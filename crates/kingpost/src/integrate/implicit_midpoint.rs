@@ -1,6 +1,6 @@
 //! The implicit midpoint rule.
 
-use super::newton::{Newton, Place, RotationBy};
+use super::newton::{ImplicitStage, Newton, RotationBy};
 use super::{Interval, Sizes, StepError, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -49,7 +49,7 @@ impl<S: Scalar> ImplicitMidpoint<S> {
         newton.s_start.copy_from_slice(&state.s);
         newton.xi_start.fill(S::ZERO);
         accumulate(&mut newton.xi_start, 0.5 * h, &state.v);
-        let place = Place {
+        let place = ImplicitStage {
             time_s: interval.start_s + 0.5 * h,
             interval,
             xi_slope: 0.25 * h * h,

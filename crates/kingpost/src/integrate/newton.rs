@@ -44,7 +44,7 @@ pub(super) enum RotationBy {
 
 /// A stage by the rates there: `xi = xi_start + xi_slope v'`, `v = v_start + slope v'`, `s = s_start + slope s'`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct ImplicitStage {
     pub(super) time_s: f64,
     pub(super) interval: Interval,
     /// s^2.
@@ -80,12 +80,12 @@ pub(super) struct Newton<S> {
     s_guess: Vec<S>,
     jacobian: Jacobian<S>,
     factors: Factors<S>,
-    kept: Kept,
+    kept: KeptDerivatives,
 }
 
 /// What is known of derivatives that were taken in a step before.
 #[derive(Clone, Copy, Debug, Default)]
-struct Kept {
+struct KeptDerivatives {
     known: bool,
     /// Iterations of the step in which they were new.
     least: usize,
@@ -116,7 +116,7 @@ impl<S: Scalar> Newton<S> {
             s_guess: of_s(),
             jacobian: Jacobian::new(sizes),
             factors: Factors::new(unknowns),
-            kept: Kept::default(),
+            kept: KeptDerivatives::default(),
         }
     }
 
@@ -129,7 +129,7 @@ impl<S: Scalar> Newton<S> {
     pub(super) fn recall(&mut self, memory: &[S]) {
         let (head, mut derivatives) = memory.split_at(HEAD);
         let [known, least, beyond] = [0, 1, 2].map(|i| head[i].value());
-        self.kept = Kept { known: known != 0.0, least: least as usize, beyond: beyond as usize };
+        self.kept = KeptDerivatives { known: known != 0.0, least: least as usize, beyond: beyond as usize };
         for part in self.jacobian.parts_mut() {
             let (own, rest) = derivatives.split_at(part.len());
             part.copy_from_slice(own);
@@ -139,7 +139,7 @@ impl<S: Scalar> Newton<S> {
 
     /// Leaves them in the state's memory.
     pub(super) fn keep(&self, memory: &mut [S]) {
-        let Kept { known, least, beyond } = self.kept;
+        let KeptDerivatives { known, least, beyond } = self.kept;
         let (head, mut derivatives) = memory.split_at_mut(HEAD);
         head.copy_from_slice(&[f64::from(known), least as f64, beyond as f64].map(S::constant));
         for part in self.jacobian.parts() {
@@ -160,7 +160,7 @@ impl<S: Scalar> Newton<S> {
         &mut self,
         system: &mut Y,
         state: &State<S>,
-        place: Place,
+        place: ImplicitStage,
     ) -> Result<(), StepError> {
         system.accept();
         let free = (0..self.v_dot.len()).filter(|&i| system.is_free(i)).count();
@@ -176,7 +176,7 @@ impl<S: Scalar> Newton<S> {
             self.s_dot.copy_from_slice(&self.s_guess);
         }
         let least = self.iterate(system, state, place, true)?;
-        self.kept = Kept { known: true, least, beyond: 0 };
+        self.kept = KeptDerivatives { known: true, least, beyond: 0 };
         Ok(())
     }
 
@@ -186,7 +186,7 @@ impl<S: Scalar> Newton<S> {
         &mut self,
         system: &mut Y,
         state: &State<S>,
-        place: Place,
+        place: ImplicitStage,
         renew: bool,
     ) -> Result<usize, StepError> {
         let (mut residual, mut stale) = (f64::INFINITY, renew);
@@ -227,7 +227,7 @@ impl<S: Scalar> Newton<S> {
     /// The stage that the guess gives. From there it moves by the changes: computed again from the
     /// accelerations, it would carry their rounding times the step squared, which in a stiff system
     /// is far more than its own.
-    fn begin(&mut self, place: Place) {
+    fn begin(&mut self, place: ImplicitStage) {
         self.v.copy_from_slice(&self.v_start);
         accumulate(&mut self.v, place.slope, &self.v_dot);
         self.s.copy_from_slice(&self.s_start);
@@ -237,7 +237,7 @@ impl<S: Scalar> Newton<S> {
     }
 
     /// Moves the rates, and the stage with them, by the change that was found.
-    fn move_by_change(&mut self, place: Place) {
+    fn move_by_change(&mut self, place: ImplicitStage) {
         let active = self.active();
         let (of_s, of_v) = self.change.split_at(active.len());
         accumulate(&mut self.s_dot[active.clone()], 1.0, of_s);
@@ -253,7 +253,7 @@ impl<S: Scalar> Newton<S> {
     }
 
     /// The positions of the stage.
-    fn put<Y: System<S>>(&mut self, system: &Y, state: &State<S>, place: Place) {
+    fn put<Y: System<S>>(&mut self, system: &Y, state: &State<S>, place: ImplicitStage) {
         self.xi.copy_from_slice(&self.linear);
         if place.rotation == RotationBy::HalfCayley {
             half_cayley(system, &mut self.xi);
@@ -261,7 +261,7 @@ impl<S: Scalar> Newton<S> {
         system.retract(&state.q, &self.xi, &mut self.q);
     }
 
-    fn differentiate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
+    fn differentiate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: ImplicitStage) {
         let Self { xi, q, v, s, jacobian, .. } = self;
         let at = Stage { time_s: place.time_s, interval: place.interval, q, v, s, d: &state.d, m: &state.m };
         system.jacobian(&state.q, xi, at, jacobian);
@@ -269,7 +269,7 @@ impl<S: Scalar> Newton<S> {
 
     /// The factors of the derivatives. Those of the Cayley transform are taken as one: it differs by the
     /// square of the angle of a step, and derivatives set the speed of the iteration, not its end.
-    fn factor(&mut self, place: Place) {
+    fn factor(&mut self, place: ImplicitStage) {
         let Self { jacobian, factors, v_dot, .. } = self;
         let (xi_slope, slope) = (S::constant(place.xi_slope), S::constant(place.slope));
         let (rows, n) = (jacobian.rows, v_dot.len());
@@ -291,7 +291,7 @@ impl<S: Scalar> Newton<S> {
     }
 
     /// `change = f - r`.
-    fn evaluate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: Place) {
+    fn evaluate<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>, place: ImplicitStage) {
         system.reject();
         let active = self.active();
         let Self { v_dot, s_dot, q, v, s, v_dot_here, s_dot_here, change, .. } = self;
@@ -305,7 +305,7 @@ impl<S: Scalar> Newton<S> {
     }
 
     /// The last change of the rates over their size: of v', or of s' where that is more.
-    fn residual(&self, place: Place) -> f64 {
+    fn residual(&self, place: ImplicitStage) -> f64 {
         let step_s = place.interval.end_s - place.interval.start_s;
         let (of_s, of_v) = self.change.split_at(self.active().len());
         let rest = REST * (1.0 + largest(&self.q)) / step_s;
@@ -318,7 +318,7 @@ impl<S: Scalar> Newton<S> {
     }
 }
 
-fn not_converged(place: Place, residual: f64, iterations: usize) -> StepError {
+fn not_converged(place: ImplicitStage, residual: f64, iterations: usize) -> StepError {
     StepError::NotConverged { time_s: place.interval.end_s, residual, allowed: ALLOWED, iterations }
 }
 

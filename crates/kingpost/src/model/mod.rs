@@ -26,7 +26,7 @@ use crate::spatial::{Frame, RigidInertia, SpatialInertia, Vector3};
 
 /// A body as it is handed to [`Model::new`].
 #[derive(Clone, Debug)]
-pub struct BodyDescription<S = f64> {
+pub struct BodyDefinition<S = f64> {
     /// Unique name.
     pub name: String,
     /// Index of the parent among the bodies before it; `None` is the world.
@@ -102,13 +102,13 @@ impl<S: Scalar> Model<S> {
     ///
     /// # Panics
     /// When a parent does not come before its child: the caller orders the bodies.
-    pub fn new(descriptions: Vec<BodyDescription<S>>) -> Self {
+    pub fn new(descriptions: Vec<BodyDefinition<S>>) -> Self {
         let (mut tree, mut links) = (Tree::default(), Tree::default());
         let (mut bodies, mut joints, mut rigid) = (Vec::<Body<S>>::new(), Vec::new(), Vec::new());
         let (mut positions, mut velocities, mut modes) = (0, 0, Vec::new());
         for (index, description) in descriptions.into_iter().enumerate() {
             assert!(description.parent.is_none_or(|p| p < index), "parents come before their children");
-            let BodyDescription { name, parent, joint, mass, inertia, points } = description;
+            let BodyDefinition { name, parent, joint, mass, inertia, points } = description;
             let node = Node { parent, kind: joint.kind, mode: joint.mode, positions, velocities, inertia };
             positions += joint.kind.position_count();
             velocities += joint.kind.velocity_count();

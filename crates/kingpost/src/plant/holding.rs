@@ -5,7 +5,7 @@ use super::between_steps::instant;
 use super::scene::Scene;
 use crate::dynamics::loops::Projection;
 use crate::dynamics::{LinkKinematics, Restraint};
-use crate::elements::{AnyElement, Layout, Moment};
+use crate::elements::{AnyElement, Context, Layout};
 use crate::integrate::Stage;
 use crate::model::Model;
 use crate::scalar::Scalar;
@@ -163,7 +163,7 @@ fn hold<S: Scalar>(
     motion: (&[S], &[S]),
     restraints: &mut [Restraint<S>],
 ) {
-    let at = Moment::at_rest(world, model, links, motion);
+    let at = Context::at_rest(world, model, links, motion);
     for (&i, restraint) in layout.holding.iter().zip(restraints) {
         if let Some(holding) = elements[i].holding_mut().filter(|_| restraint.acts) {
             holding.restrain(&at, restraint);

@@ -8,7 +8,7 @@ mod sea;
 mod settling;
 mod tangent;
 
-pub use observation::{Extent, Observation, Totals};
+pub use observation::{Observation, ObservedPart, Totals};
 use scene::Scene;
 pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 
@@ -181,10 +181,10 @@ impl<S: Scalar> Plant<S> {
     }
 
     /// What there is to see at a state, for the results.
-    pub fn observe(&mut self, at: Stage<'_, S>, extent: &Extent, v_dot: &mut [S]) -> Observation<'_, S> {
+    pub fn observe(&mut self, at: Stage<'_, S>, extent: &ObservedPart, v_dot: &mut [S]) -> Observation<'_, S> {
         let totals = match extent {
-            Extent::Everything => self.observe_forces(at, v_dot),
-            Extent::MotionAnd(_) => {
+            ObservedPart::Everything => self.observe_forces(at, v_dot),
+            ObservedPart::MotionAnd(_) => {
                 self.load_restraints(at);
                 self.links.update(&self.model, at.q, at.v);
                 self.bodies.update(&self.model.tree, at.q, at.v);
@@ -196,8 +196,8 @@ impl<S: Scalar> Plant<S> {
         outputs.clear();
         let mut show = |i: usize| elements[i].outputs(scene.of(i), outputs);
         match extent {
-            Extent::Everything => (0..layout.names.len()).for_each(show),
-            Extent::MotionAnd(some) => some.iter().for_each(|&i| show(i)),
+            ObservedPart::Everything => (0..layout.names.len()).for_each(show),
+            ObservedPart::MotionAnd(some) => some.iter().for_each(|&i| show(i)),
         }
         Observation { model, bodies, inverse, loops, outputs, totals }
     }

@@ -8,7 +8,7 @@ use crate::spatial::Vector3;
 
 /// How much of a plant is observed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum Extent {
+pub enum ObservedPart {
     /// Positions and velocities of the bodies, and what these elements show.
     MotionAnd(Vec<usize>),
     /// Everything.
@@ -16,7 +16,7 @@ pub enum Extent {
     Everything,
 }
 
-/// Borrowed results of [`Plant::observe`](super::Plant::observe). What its [`Extent`] leaves out is of another state.
+/// Borrowed results of [`Plant::observe`](super::Plant::observe). What its [`ObservedPart`] leaves out is of another state.
 pub struct Observation<'a, S = f64> {
     /// The model.
     pub model: &'a Model<S>,

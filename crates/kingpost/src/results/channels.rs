@@ -1,7 +1,7 @@
 //! Variables of the results with their places in a row.
 
 use super::{Sample, Table};
-use crate::elements::{Frame, Layout, Output};
+use crate::elements::{Layout, Output, VectorFrame};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use indexmap::IndexMap;
@@ -22,7 +22,7 @@ pub struct Channel {
     /// SI unit of each column.
     pub units: Vec<&'static str>,
     /// Frame of the components.
-    pub frame: Frame,
+    pub frame: VectorFrame,
     /// Names of the dimensions, slowest first.
     pub dims: Vec<String>,
     /// Labels along each dimension.

@@ -10,7 +10,7 @@ pub use channels::{Channel, Channels};
 use channels::{column_by, common, short_name};
 pub use readings::Readings;
 
-use crate::elements::{Components, Frame as ComponentFrame, WRENCH};
+use crate::elements::{Components, VectorFrame, WRENCH};
 use crate::ledger;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::plant::Observation;
@@ -36,7 +36,7 @@ struct Entry<S> {
     variable: &'static str,
     description: &'static str,
     unit: Unit,
-    frame: ComponentFrame,
+    frame: VectorFrame,
     dims: &'static [Dimension],
     /// Whether positions and velocities are all that it is computed from.
     of_motion: bool,
@@ -76,9 +76,9 @@ enum Unit {
     Constraint([&'static str; 2]),
 }
 
-use ComponentFrame::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, World};
 use Dimension::{Axis, Body, Component, Constraint, Coordinate, Joint, Loop, Point, Quaternion as QuaternionDim};
 use Unit::{Constraint as ByConstraint, Coordinate as By, Plain, Wrench as ForceAndMoment};
+use VectorFrame::{Body as InBody, Joint as InJoint, Loop as InLoop, None as Number, World};
 
 struct Table<S>(PhantomData<S>);
 

@@ -3,14 +3,14 @@
 use super::channels::Channels;
 use super::{Sample, Table};
 use crate::elements::Layout;
-use crate::plant::Extent;
+use crate::plant::ObservedPart;
 use crate::scalar::Scalar;
 
 /// Columns that are read at every step, and what an observation must hold for them: a height asks for no accelerations.
 #[derive(Clone, Debug, Default)]
 pub struct Readings<S> {
     sources: Vec<Source>,
-    extent: Extent,
+    extent: ObservedPart,
     row: Vec<S>,
 }
 
@@ -31,7 +31,7 @@ impl<S: Scalar> Readings<S> {
         let places: Vec<usize> = columns.iter().filter_map(|column| channels.place(column)).collect();
         Self::of_motion(&places, channels, layout).unwrap_or_else(|| Self {
             sources: places.into_iter().map(|place| Source::Row { place }).collect(),
-            extent: Extent::Everything,
+            extent: ObservedPart::Everything,
             row: Vec::new(),
         })
     }
@@ -54,7 +54,7 @@ impl<S: Scalar> Readings<S> {
             Some(Source::Element { output: before.map(|&other| layout.written_by(other)).sum::<usize>() + number })
         };
         let sources = places.iter().map(source).collect::<Option<Vec<_>>>()?;
-        Some(Self { sources, extent: Extent::MotionAnd(elements), row: Vec::new() })
+        Some(Self { sources, extent: ObservedPart::MotionAnd(elements), row: Vec::new() })
     }
 
     /// Whether there is nothing to read.
@@ -63,7 +63,7 @@ impl<S: Scalar> Readings<S> {
     }
 
     /// What an observation must hold.
-    pub fn extent(&self) -> &Extent {
+    pub fn extent(&self) -> &ObservedPart {
         &self.extent
     }
 
@@ -72,7 +72,7 @@ impl<S: Scalar> Readings<S> {
         out.clear();
         let row = &mut self.row;
         row.clear();
-        if self.extent == Extent::Everything {
+        if self.extent == ObservedPart::Everything {
             channels.write_row(sample, row);
         }
         for source in &self.sources {

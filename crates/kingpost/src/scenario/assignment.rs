@@ -2,7 +2,7 @@
 
 use serde_json::{Number, Value};
 
-use super::error::{Fault, Place, ScenarioError};
+use super::error::{Fault, ScenarioError, SourcePlace};
 use super::wording;
 
 /// The name and the value of `name=value`. `on`, `true`, `off` and `false` are booleans, numbers are numbers, a list of
@@ -12,7 +12,7 @@ use super::wording;
 /// No `=`, no name before it, or a number that is not finite.
 pub fn parse_assignment(text: &str) -> Result<(String, Value), ScenarioError> {
     let fault = |field: &str, found: String, allowed: &str| {
-        Fault::new(&Place::Set(field.to_owned()), field, found, allowed).in_file("")
+        Fault::new(&SourcePlace::Set(field.to_owned()), field, found, allowed).in_file("")
     };
     let (name, value) = text.split_once('=').unwrap_or(("", text));
     let (name, value) = (name.trim(), value.trim());

@@ -75,7 +75,7 @@ const SET: &str = "--set ";
 
 /// Where a value comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum SourcePlace {
     /// The file.
     File {
         /// From 1.
@@ -98,20 +98,20 @@ pub(super) enum Place {
     Set(String),
 }
 
-impl Place {
+impl SourcePlace {
     pub(super) const START: Self = Self::File { line: 1, column: 1 };
 }
 
 /// A field error and its place; the file's name is added last.
 #[derive(Clone, Debug)]
 pub(super) struct Fault {
-    pub(super) place: Place,
+    pub(super) place: SourcePlace,
     pub(super) error: FieldError,
 }
 
 impl Fault {
     pub(super) fn new(
-        place: &Place,
+        place: &SourcePlace,
         field: impl Into<String>,
         found: impl ToString,
         allowed: impl Into<String>,
@@ -122,17 +122,17 @@ impl Fault {
     pub(super) fn in_file(self, file: &str) -> ScenarioError {
         let error = ScenarioError::from(self.error);
         match self.place {
-            Place::File { line, column } => {
+            SourcePlace::File { line, column } => {
                 ScenarioError { file: file.to_owned(), line: Some(line), column: Some(column), ..error }
             }
-            Place::Part { file: part, prefix, line, column } => ScenarioError {
+            SourcePlace::Part { file: part, prefix, line, column } => ScenarioError {
                 file: files::beside(file, &part),
                 line: Some(line),
                 column: Some(column),
                 field: names::in_part(&error.field, &prefix),
                 ..error
             },
-            Place::Set(name) => ScenarioError { file: format!("{SET}{name}"), ..error },
+            SourcePlace::Set(name) => ScenarioError { file: format!("{SET}{name}"), ..error },
         }
     }
 }

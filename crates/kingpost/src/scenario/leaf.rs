@@ -159,9 +159,9 @@ impl<const N: usize> Display for Dual<N> {
 }
 
 /// The parts of a number: itself, or those of a list.
-struct Parts;
+struct NumberVisitor;
 
-impl<'de> Visitor<'de> for Parts {
+impl<'de> Visitor<'de> for NumberVisitor {
     type Value = Vec<f64>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -188,7 +188,7 @@ impl<'de> Visitor<'de> for Parts {
 /// A number, or a list with one part for each lane.
 impl<'de> Deserialize<'de> for Lanes {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let parts = deserializer.deserialize_any(Parts)?;
+        let parts = deserializer.deserialize_any(NumberVisitor)?;
         match (parts.as_slice(), <[f64; LANES]>::try_from(parts.as_slice())) {
             (_, Ok(lanes)) => Ok(Self::new(lanes)),
             ([value], _) => Ok(Self::constant(*value)),
@@ -200,7 +200,7 @@ impl<'de> Deserialize<'de> for Lanes {
 /// A number, or a list of its value and its derivatives.
 impl<'de, const N: usize> Deserialize<'de> for Dual<N> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let parts = deserializer.deserialize_any(Parts)?;
+        let parts = deserializer.deserialize_any(NumberVisitor)?;
         let wrong = || D::Error::invalid_length(parts.len(), &"a value and its derivatives");
         let (value, derivative) = parts.split_first().ok_or_else(wrong)?;
         match <[f64; N]>::try_from(derivative) {
@@ -232,6 +232,6 @@ impl Serialize for Blank {
 
 impl<'de> Deserialize<'de> for Blank {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Parts).map(|_| Self)
+        deserializer.deserialize_any(NumberVisitor).map(|_| Self)
     }
 }

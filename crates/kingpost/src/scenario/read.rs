@@ -5,9 +5,9 @@ use serde_path_to_error::Segment;
 
 use super::error::{Fault, ScenarioError};
 use super::files::Files;
-use super::parameters::{self, Override, Target};
+use super::parameters::{self, Override, OverrideTarget};
 use super::schema::Scenario;
-use super::tree::{Content, Node, segments, value_at};
+use super::tree::{Content, ScenarioNode, segments, value_at};
 #[cfg(not(target_family = "wasm"))]
 use crate::plant::{Form, Number};
 use crate::simulation::{Setup, Simulation};
@@ -92,12 +92,17 @@ pub fn file_names(
 pub(super) fn changed(scenario: &Scenario, name: &str, value: &Value) -> Result<Scenario, ScenarioError> {
     let pair = (name.to_owned(), value.clone());
     let given = Override::from_outside(&pair);
-    let mut tree = Node::from_value(&scenario.written(), &given.place);
+    let mut tree = ScenarioNode::from_value(&scenario.written(), &given.place);
     let resolved = resolved(&mut tree, &[given]).map_err(|fault| ScenarioError::from(fault.error))?;
     Ok(Scenario { parts: scenario.parts.clone(), files: scenario.files.clone(), ..resolved })
 }
 
-fn read_tree(text: &str, file: &str, overrides: &[(String, Value)], files: &Files) -> Result<(Scenario, Node), Fault> {
+fn read_tree(
+    text: &str,
+    file: &str,
+    overrides: &[(String, Value)],
+    files: &Files,
+) -> Result<(Scenario, ScenarioNode), Fault> {
     let (mut tree, overrides) = parsed(text, overrides)?;
     let (mounted, overrides) = parts::mount(&mut tree, file, overrides, files, false)?;
     let mut scenario = resolved(&mut tree, &overrides)?;
@@ -106,20 +111,20 @@ fn read_tree(text: &str, file: &str, overrides: &[(String, Value)], files: &File
 }
 
 /// A text's tree, and what is set over it.
-fn parsed<'a>(text: &str, overrides: &'a [(String, Value)]) -> Result<(Node, Vec<Override<'a>>), Fault> {
+fn parsed<'a>(text: &str, overrides: &'a [(String, Value)]) -> Result<(ScenarioNode, Vec<Override<'a>>), Fault> {
     let tree = parse::parse(text)?;
     check_version(&tree)?;
     Ok((tree, overrides.iter().map(Override::from_outside).collect()))
 }
 
 /// The scenario of a tree without parts, parameters and overrides in place.
-fn resolved(tree: &mut Node, overrides: &[Override<'_>]) -> Result<Scenario, Fault> {
+fn resolved(tree: &mut ScenarioNode, overrides: &[Override<'_>]) -> Result<Scenario, Fault> {
     let as_written = typed(tree)?;
     if tree.field("bodies").is_none() {
         return Err(Fault::new(&tree.place, "bodies", wording::NOTHING, wording::FIELDS));
     }
     let whole = serde_json::to_value(&as_written).unwrap_or_default();
-    parameters::apply(Target { tree, whole: &whole }, &as_written.parameters, overrides)?;
+    parameters::apply(OverrideTarget { tree, whole: &whole }, &as_written.parameters, overrides)?;
     let mut scenario = typed(tree)?;
     for parameter in &mut scenario.parameters {
         parameter.default = None;
@@ -127,7 +132,7 @@ fn resolved(tree: &mut Node, overrides: &[Override<'_>]) -> Result<Scenario, Fau
     Ok(scenario)
 }
 
-pub(super) fn check_version(tree: &Node) -> Result<(), Fault> {
+pub(super) fn check_version(tree: &ScenarioNode) -> Result<(), Fault> {
     match tree.field("version").map(|field| &field.node) {
         None => Err(Fault::new(&tree.place, "version", wording::NOTHING, wording::VERSION)),
         Some(node) if node.to_value().as_f64() == Some(1.0) => Ok(()),
@@ -139,7 +144,7 @@ pub(super) fn check_version(tree: &Node) -> Result<(), Fault> {
 }
 
 /// The types of a scenario over a tree, with the place of the first error.
-pub(super) fn typed(tree: &Node) -> Result<Scenario, Fault> {
+pub(super) fn typed(tree: &ScenarioNode) -> Result<Scenario, Fault> {
     let value = tree.to_value();
     let scenario: Scenario =
         serde_path_to_error::deserialize(&value).map_err(|error| type_fault(tree, &value, &error))?;
@@ -149,8 +154,8 @@ pub(super) fn typed(tree: &Node) -> Result<Scenario, Fault> {
 }
 
 /// The error of the first list that stands where fields have names.
-fn list_of_fields(node: &Node, whole: &Value, path: &mut Vec<String>) -> Option<Fault> {
-    let mut below = |segment: &str, node: &Node, whole: Option<&Value>| {
+fn list_of_fields(node: &ScenarioNode, whole: &Value, path: &mut Vec<String>) -> Option<Fault> {
+    let mut below = |segment: &str, node: &ScenarioNode, whole: Option<&Value>| {
         path.push(segment.to_owned());
         let fault = list_of_fields(node, whole?, path);
         path.pop();
@@ -184,7 +189,7 @@ pub(super) fn path_of(error: &TypeError) -> Vec<String> {
 }
 
 /// A typed read's error in our words and with its place.
-fn type_fault(tree: &Node, value: &Value, error: &TypeError) -> Fault {
+fn type_fault(tree: &ScenarioNode, value: &Value, error: &TypeError) -> Fault {
     let mut path = path_of(error);
     let message = error.inner().to_string();
     if let Some(rest) = message.strip_prefix("unknown field ") {
@@ -216,7 +221,7 @@ fn type_fault(tree: &Node, value: &Value, error: &TypeError) -> Fault {
 }
 
 /// The error of a name that has not the form of one.
-fn name_fault(tree: &Node, path: &[String], message: &str) -> Option<Fault> {
+fn name_fault(tree: &ScenarioNode, path: &[String], message: &str) -> Option<Fault> {
     let is_name = message.starts_with("invalid value: string") && !tree.at(path)?.to_value().is_string();
     let name = path.last().filter(|_| is_name)?;
     let field = tree.written_path(path);
@@ -224,7 +229,7 @@ fn name_fault(tree: &Node, path: &[String], message: &str) -> Option<Fault> {
 }
 
 /// The error of a kind that is written without the fields it needs, or with fields that it has not.
-fn kind_fault(tree: &Node, path: &[String], message: &str) -> Option<Fault> {
+fn kind_fault(tree: &ScenarioNode, path: &[String], message: &str) -> Option<Fault> {
     let (kind, parent) = path.split_last()?;
     let allowed = match message.split_once(", expected ")?.1 {
         "newtype variant" => wording::with_fields(kind),
@@ -236,7 +241,7 @@ fn kind_fault(tree: &Node, path: &[String], message: &str) -> Option<Fault> {
 }
 
 /// The error of a list that stands where fields have names: what is wrong inside of it tells nothing.
-fn list_fault(tree: &Node, value: &Value, path: &[String]) -> Option<Fault> {
+fn list_fault(tree: &ScenarioNode, value: &Value, path: &[String]) -> Option<Fault> {
     let wants_fields = |path: &[String]| {
         let mut probed = value.clone();
         *slot(&mut probed, path)? = serde_json::json!({"?": null});
@@ -251,7 +256,7 @@ fn list_fault(tree: &Node, value: &Value, path: &[String]) -> Option<Fault> {
 }
 
 /// What was found: the value as written, or the name where that is what is wrong.
-fn found_in(node: &Node, message: &str) -> String {
+fn found_in(node: &ScenarioNode, message: &str) -> String {
     let value = node.written_value();
     match message.strip_prefix("unknown variant ") {
         Some(rest) if value.is_object() => wording::quoted(wording::names_in_backquotes(rest).first().unwrap_or(&"")),

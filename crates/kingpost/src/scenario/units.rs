@@ -6,7 +6,7 @@ use indexmap::IndexMap;
 use serde_json::{Number, Value};
 
 use super::error::Fault;
-use super::tree::{Content, Field, Node};
+use super::tree::{Content, Field, ScenarioNode};
 use super::wording;
 
 /// An ending of a name, the SI ending that it stands for, and the factor from the one to the other.
@@ -125,11 +125,11 @@ pub(super) fn aliases_of(name: &str) -> impl Iterator<Item = String> + '_ {
 
 /// Renames every field of the tree whose name ends in a unit alias, and converts its numbers. A field that holds named
 /// fields is a thing with a name (a body `lift_t`, say) and stays.
-pub(super) fn to_si(node: &mut Node) -> Result<(), Fault> {
+pub(super) fn to_si(node: &mut ScenarioNode) -> Result<(), Fault> {
     rename(node, &mut Vec::new())
 }
 
-fn rename(node: &mut Node, path: &mut Vec<String>) -> Result<(), Fault> {
+fn rename(node: &mut ScenarioNode, path: &mut Vec<String>) -> Result<(), Fault> {
     match &mut node.content {
         Content::Scalar(_) => {}
         Content::List(entries) => {
@@ -174,7 +174,7 @@ fn field_to_si(name: String, mut field: Field) -> (String, Field) {
 
 /// Converts the numbers of a quantity: one, or a list of them. Everything else is left for the typed read to refuse, and
 /// so is a number too large for its SI unit.
-pub(super) fn convert(node: &mut Node, factor: f64) {
+pub(super) fn convert(node: &mut ScenarioNode, factor: f64) {
     match &mut node.content {
         Content::List(entries) => entries.iter_mut().for_each(|entry| convert(entry, factor)),
         Content::Scalar(value) => {

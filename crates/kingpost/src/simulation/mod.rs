@@ -26,7 +26,7 @@ use crate::elements::Layout;
 use crate::elements::ropes::PARTS_WORDS;
 use crate::integrate::{Interval, Scheme, Stage, System};
 use crate::model::Model;
-use crate::plant::{Extent, Plant};
+use crate::plant::{ObservedPart, Plant};
 use crate::results::{Channel, Channels, Readings, Sample};
 use crate::scalar::Scalar;
 use crate::state::State;
@@ -381,7 +381,7 @@ impl<S: Scalar> Simulation<S> {
     /// Appends the values of all channels now.
     pub fn write_row(&mut self, out: &mut Vec<S>) {
         let at = stage(self.interval(), &self.state);
-        let observed = self.plant.observe(at, &Extent::Everything, &mut self.v_dot);
+        let observed = self.plant.observe(at, &ObservedPart::Everything, &mut self.v_dot);
         let Stage { time_s, q, v, s, .. } = at;
         let first = out.len();
         self.channels.write_row(&Sample { time_s, q, v, s, observed }, out);

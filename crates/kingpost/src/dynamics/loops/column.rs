@@ -9,7 +9,7 @@ use crate::spatial::{Twist, Wrench};
 
 /// phi with its derivatives, and what one unit of the multiplier puts on the links.
 #[derive(Clone, Debug)]
-pub(super) struct Column<S> {
+pub(super) struct ConstraintColumn<S> {
     /// phi, m or rad.
     pub residual: S,
     /// phi', 1/s of it.
@@ -22,7 +22,7 @@ pub(super) struct Column<S> {
     along: Vec<(usize, S)>,
 }
 
-impl<S: Scalar> Column<S> {
+impl<S: Scalar> ConstraintColumn<S> {
     /// No constraint yet.
     pub fn new() -> Self {
         let (on, along) = Default::default();

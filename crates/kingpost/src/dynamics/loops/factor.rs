@@ -14,7 +14,7 @@ const SMALLEST_MOTION: f64 = 1e-9;
 
 /// The matrix with its Cholesky factor, by rows.
 #[derive(Clone, Debug)]
-pub struct Factor<S = f64> {
+pub struct CholeskyFactor<S = f64> {
     count: usize,
     /// The matrix, of which the lower triangle is read; overwritten by its factor L.
     matrix: Vec<S>,
@@ -26,7 +26,7 @@ pub struct Factor<S = f64> {
     pivots: Vec<S>,
 }
 
-impl<S: Scalar> Factor<S> {
+impl<S: Scalar> CholeskyFactor<S> {
     /// Room for so many constraints.
     pub fn new(count: usize) -> Self {
         let many = |value| vec![value; count];
@@ -121,8 +121,8 @@ impl<S: Scalar> Factor<S> {
 mod tests {
     use super::*;
 
-    fn factor(rows: &[[f64; 3]; 3]) -> Factor {
-        let mut factor = Factor::new(3);
+    fn factor(rows: &[[f64; 3]; 3]) -> CholeskyFactor {
+        let mut factor = CholeskyFactor::new(3);
         (0..3).for_each(|i| (0..=i).for_each(|j| factor.set(i, j, rows[i][j])));
         (0..3).for_each(|i| factor.take_reference(i, 1.0));
         factor.factor();

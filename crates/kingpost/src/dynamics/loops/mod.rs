@@ -21,7 +21,7 @@ mod factor;
 mod project;
 mod rows;
 
-pub use factor::{Factor, SMALLEST_PIVOT};
+pub use factor::{CholeskyFactor, SMALLEST_PIVOT};
 pub use project::{LARGEST_GAP, LoopFault, Projection};
 pub use rows::Row;
 
@@ -29,7 +29,7 @@ use super::forward::{Response, Workspace};
 use super::{LinkKinematics, Loads, Restraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
-use column::Column;
+use column::ConstraintColumn;
 
 /// Working memory for the loops of a model.
 #[derive(Clone, Debug)]
@@ -37,10 +37,10 @@ pub struct LoopSolver<S = f64> {
     /// Of the loops.
     rows: Vec<Row<S>>,
     /// Room for all constraints; those of the loops and of the restraints that act come first.
-    columns: Vec<Column<S>>,
+    columns: Vec<ConstraintColumn<S>>,
     /// How many act.
     count: usize,
-    factor: Factor<S>,
+    factor: CholeskyFactor<S>,
     response: Response<S>,
     multipliers: Vec<S>,
     /// The lowest pivots of a step: of the evaluations that belong to it, and of those under trial.
@@ -59,9 +59,9 @@ impl<S: Scalar> LoopSolver<S> {
         let count = model.constraint_count() + restraints;
         Self {
             rows: Vec::with_capacity(model.constraint_count()),
-            columns: vec![Column::new(); count],
+            columns: vec![ConstraintColumn::new(); count],
             count: 0,
-            factor: Factor::new(count),
+            factor: CholeskyFactor::new(count),
             response: Response::new(model),
             multipliers: vec![S::ZERO; count],
             lowest: [(); 2].map(|()| vec![S::constant(f64::INFINITY); count]),
@@ -93,7 +93,7 @@ impl<S: Scalar> LoopSolver<S> {
     }
 
     /// The constraints that act.
-    fn acting(&self) -> &[Column<S>] {
+    fn acting(&self) -> &[ConstraintColumn<S>] {
         &self.columns[..self.count]
     }
 
@@ -152,7 +152,7 @@ impl<S: Scalar> LoopSolver<S> {
     }
 
     /// The factor of J M^-1 J^T.
-    pub fn factor(&self) -> &Factor<S> {
+    pub fn factor(&self) -> &CholeskyFactor<S> {
         &self.factor
     }
 

@@ -6,7 +6,7 @@
 //! Wanner, *Solving Ordinary Differential Equations II*, 1996, sec. VII.2.) Coordinates that are
 //! held or prescribed do not move.
 
-use super::column::Column;
+use super::column::ConstraintColumn;
 use super::{LoopSolver, SMALLEST_PIVOT};
 use crate::dynamics::forward::{Workspace, forward_dynamics};
 use crate::dynamics::{LinkKinematics, Loads, Restraint};
@@ -99,7 +99,7 @@ impl<S: Scalar> LoopSolver<S> {
             let singular = LoopFault::Singular { constraint, pivot: pivot.value() };
             (!pivot.all(|pivot| pivot > SMALLEST_PIVOT)).then_some(singular)
         };
-        let open = |(constraint, column): (usize, &Column<S>)| {
+        let open = |(constraint, column): (usize, &ConstraintColumn<S>)| {
             let open = LoopFault::Open { constraint, gap: column.residual.value() };
             (!column.residual.all(|gap| gap.is_nan() || gap.abs() < LARGEST_GAP)).then_some(open)
         };

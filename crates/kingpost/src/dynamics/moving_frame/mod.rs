@@ -128,7 +128,7 @@ impl MovingFrame {
         let f_star = b_free.transpose() * (&f - given);
         let free_velocity = DVector::from_iterator(free.len(), free.iter().map(|&i| v[i]));
         let x_drift = &b_dot * &velocity;
-        let motion = loops::Motion { model, frames: &frames, b: &b, x_dot: &x_dot, x_drift: &x_drift };
+        let motion = loops::BodiesMotion { model, frames: &frames, b: &b, x_dot: &x_dot, x_drift: &x_drift };
         let (j_all, own_drift) = loops::rows(&motion, &loads.restraints);
         let acting = loads.restraints.iter().filter(|restraint| restraint.acts);
         let held_by = acting.map(|restraint| restraint.name.clone()).collect();

@@ -52,7 +52,7 @@ impl BlockMatrix {
 
 /// A block column of B: coordinates of a joint that stand together.
 #[derive(Clone, Copy)]
-enum Column {
+enum BlockColumn {
     /// x' of a floating body.
     Translation,
     /// omega of a floating body, or of a spherical joint.
@@ -75,7 +75,7 @@ impl Symbols<'_> {
                     row.push(formula);
                 }
             }
-            widths.push(if matches!(column, Column::Axis(_)) { 1 } else { 3 });
+            widths.push(if matches!(column, BlockColumn::Axis(_)) { 1 } else { 3 });
         }
         BlockMatrix { blocks, widths }
     }
@@ -87,25 +87,25 @@ impl Symbols<'_> {
         BlockMatrix { blocks: blocks.into_iter().map(rates).collect(), widths }
     }
 
-    fn columns(&self, c: usize) -> Vec<Column> {
+    fn columns(&self, c: usize) -> Vec<BlockColumn> {
         match self.node(c).kind {
-            JointKind::Floating(_) => vec![Column::Translation, Column::Rotation],
-            JointKind::Spherical(_) => vec![Column::Rotation],
-            _ => (0..self.axes(c).len()).map(Column::Axis).collect(),
+            JointKind::Floating(_) => vec![BlockColumn::Translation, BlockColumn::Rotation],
+            JointKind::Spherical(_) => vec![BlockColumn::Rotation],
+            _ => (0..self.axes(c).len()).map(BlockColumn::Axis).collect(),
         }
     }
 
     /// What a column of c's joint gives to x' and to omega of body a.
-    fn rates_of(&self, a: usize, c: usize, column: Column) -> [Formula; 2] {
+    fn rates_of(&self, a: usize, c: usize, column: BlockColumn) -> [Formula; 2] {
         let rotation = Some(c);
         let to_a = if a == c { Vec::new() } else { vec![Factor::RotationTransposed(a, c)] };
         match column {
-            Column::Translation => [Formula { terms: vec![Vec::new()], ..Formula::zero() }, Formula::zero()],
-            Column::Rotation => {
+            BlockColumn::Translation => [Formula { terms: vec![Vec::new()], ..Formula::zero() }, Formula::zero()],
+            BlockColumn::Rotation => {
                 let terms = [self.way(c, a), self.offset(c, 0)].concat();
                 [Formula { rotation, terms, axis: None }, Formula { rotation: None, terms: vec![to_a], axis: None }]
             }
-            Column::Axis(k) => {
+            BlockColumn::Axis(k) => {
                 let axis = Some(Symbol::Axis(c, k));
                 let in_body = self.turns_from(c, k + 1).then_some(Factor::AfterTransposed(c, k));
                 if self.axes(c)[k].motion == AxisMotion::Translation {
@@ -122,9 +122,9 @@ impl Symbols<'_> {
     /// What the columns of c's joint stand for, in LaTeX (eq. 44b).
     fn column_labels(&self, c: usize) -> Vec<String> {
         let label = |column| match column {
-            Column::Translation => self.x_dot(c),
-            Column::Rotation => self.vector(Symbol::Omega(c, self.node(c).parent)),
-            Column::Axis(k) => self.rate(c, k),
+            BlockColumn::Translation => self.x_dot(c),
+            BlockColumn::Rotation => self.vector(Symbol::Omega(c, self.node(c).parent)),
+            BlockColumn::Axis(k) => self.rate(c, k),
         };
         self.columns(c).into_iter().map(label).collect()
     }

@@ -15,7 +15,7 @@ pub struct Friction<S = f64> {
 
 /// What friction does at a spot, in the solid's axes.
 #[derive(Clone, Copy, Debug)]
-pub struct Drag<S> {
+pub struct FrictionForce<S> {
     /// Against what slides over the solid, N.
     pub force: Vector3<S>,
     /// Of the bristle, m/s.
@@ -54,16 +54,16 @@ const AIMING_S: f64 = 1e-3;
 
 impl<S: Scalar> Friction<S> {
     /// `f = sigma (z + tau v)`, z' = v: it holds.
-    pub fn holding(&self, at: &Rubbing<S>) -> Drag<S> {
+    pub fn holding(&self, at: &Rubbing<S>) -> FrictionForce<S> {
         let damping = self.stiffness * at.damping_time;
         let force = at.along * self.stiffness + at.slip * damping;
-        Drag { force, rate: at.slip, heat: damping * at.slip.norm_squared() }
+        FrictionForce { force, rate: at.slip, heat: damping * at.slip.norm_squared() }
     }
 
     /// `f = mu N u / |u|`, `u = z + (tau + tau_0) v`, `z' = (l v / |v| - z) min(|v| / l, 1/T)` with `l = mu N / sigma`: it slides, until
     /// z . v = 0. Towards that, the parts by v fade; beyond, where no step ends, f and z keep their direction, so that an implicit step
     /// over it can be found.
-    pub fn sliding(&self, at: &Rubbing<S>) -> Drag<S> {
+    pub fn sliding(&self, at: &Rubbing<S>) -> FrictionForce<S> {
         let cosine = at.along.dot(at.slip) / (length(at.along) * length(at.slip));
         let onwards = (cosine * S::constant(FADING)).clipped(S::ZERO, S::ONE);
         let against = at.along + at.slip * ((at.damping_time + S::constant(AIMING_S)) * onwards);
@@ -75,7 +75,7 @@ impl<S: Scalar> Friction<S> {
             let fast = || (at.slip[i] * (slack / speed) - at.along[i]) / turning;
             (speed * turning).select_less(slack, slowly, fast) * onwards
         }));
-        Drag { force, rate, heat: force.dot(at.slip) - self.stiffness * at.bristle.dot(rate) }
+        FrictionForce { force, rate, heat: force.dot(at.slip) - self.stiffness * at.bristle.dot(rate) }
     }
 
     /// What a bristle that has slid to z . v = 0 is from there, and whether it holds: as long as the damping of the slip across it
@@ -90,13 +90,13 @@ impl<S: Scalar> Friction<S> {
     }
 
     /// It holds up to mu N: where no mode says whether it slides.
-    pub fn up_to_its_limit(&self, at: &Rubbing<S>) -> Drag<S> {
-        let Drag { force, .. } = self.holding(at);
+    pub fn up_to_its_limit(&self, at: &Rubbing<S>) -> FrictionForce<S> {
+        let FrictionForce { force, .. } = self.holding(at);
         let size = length(force);
         let share = at.limit.select_less(size, || at.limit / size, || S::ONE);
         let touches = at.limit.select_below(f64::MIN_POSITIVE, || S::ZERO, || S::ONE);
         let (force, rate) = (force * share, at.slip * touches);
-        Drag { force, rate, heat: force.dot(at.slip) - self.stiffness * at.bristle.dot(rate) }
+        FrictionForce { force, rate, heat: force.dot(at.slip) - self.stiffness * at.bristle.dot(rate) }
     }
 
     /// The bristle no longer than its limit lets it.

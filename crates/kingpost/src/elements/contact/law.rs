@@ -1,13 +1,13 @@
 //! What acts at a spot: how it is pressed, whether it holds or slides.
 
-use super::friction::{Drag, Rubbing};
+use super::friction::{FrictionForce, Rubbing};
 use super::sides::{Met, Sides};
 use super::solid::length;
 use super::{
-    BEGINS_TO_SLIDE, BY_DEPTH, Contact, DIRECTION_M, EVENTS, Friction, HOLDS, JUST_HOLDS, LEAVES, OPEN, ROUNDING_M,
-    SLIDES, Solid, TOUCHES,
+    BEGINS_TO_SLIDE, BY_DEPTH, Contact, ContactSolid, DIRECTION_M, EVENTS, Friction, HOLDS, JUST_HOLDS, LEAVES, OPEN,
+    ROUNDING_M, SLIDES, TOUCHES,
 };
-use crate::elements::{Crossing, Moment, Own, Situation, hunt_crossley};
+use crate::elements::{Context, Crossing, Own, Situation, hunt_crossley};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -23,19 +23,19 @@ pub(super) struct Pressed<S> {
 }
 
 /// The mode of a spot; at rest it goes by its depth.
-pub(super) fn condition<S>(i: usize, at: &Moment<'_, S>) -> i64 {
+pub(super) fn condition<S>(i: usize, at: &Context<'_, S>) -> i64 {
     if at.situation == Situation::Running { at.modes.get(i).copied().unwrap_or(BY_DEPTH) } else { BY_DEPTH }
 }
 
 impl<S: Scalar> Contact<S> {
     /// Where a run begins, before an equilibrium is sought: the bristles are straight here.
-    pub fn begin_at(&mut self, at: &Moment<'_, S>) {
+    pub fn begin_at(&mut self, at: &Context<'_, S>) {
         let sides = self.sides_at(at);
         self.anchors = (0..self.spots.len()).map(|i| self.met(i, &sides).middle).collect();
     }
 
     /// The depth of the deepest spot where the bodies are, m; negative without touch.
-    pub fn depth(&self, at: &Moment<'_, S>) -> S {
+    pub fn depth(&self, at: &Context<'_, S>) -> S {
         let sides = self.sides_at(at);
         let depths = (0..self.spots.len()).map(|i| self.met(i, &sides).depth);
         depths.fold(S::constant(f64::MIN), |most, depth| most.select_less(depth, || depth, || most))
@@ -45,14 +45,14 @@ impl<S: Scalar> Contact<S> {
         if self.friction.is_some() { EVENTS.len() } else { BEGINS_TO_SLIDE }
     }
 
-    pub(super) fn sides_at(&self, at: &Moment<'_, S>) -> Sides<S> {
+    pub(super) fn sides_at(&self, at: &Context<'_, S>) -> Sides<S> {
         Sides::new(&self.sides, at)
     }
 
     pub(super) fn met(&self, i: usize, sides: &Sides<S>) -> Met<S> {
         let (facing, spot) = &self.spots[i];
         let solid = self.solids[1 - *facing as usize].as_ref();
-        sides.met(*facing, spot, solid.unwrap_or(&Solid::Sphere { radius: S::ZERO }))
+        sides.met(*facing, spot, solid.unwrap_or(&ContactSolid::Sphere { radius: S::ZERO }))
     }
 
     /// What a spot does where it touches.
@@ -60,8 +60,8 @@ impl<S: Scalar> Contact<S> {
         &self,
         i: usize,
         sides: &Sides<S>,
-        at: &Moment<'_, S>,
-    ) -> Option<(Met<S>, Pressed<S>, Drag<S>)> {
+        at: &Context<'_, S>,
+    ) -> Option<(Met<S>, Pressed<S>, FrictionForce<S>)> {
         let mode = condition(i, at);
         if mode == OPEN {
             return None;
@@ -71,19 +71,22 @@ impl<S: Scalar> Contact<S> {
             return None;
         }
         let pressed = self.pressed(mode, &met);
-        let drag = self.friction.map_or(Drag { force: Vector3::zero(), rate: Vector3::zero(), heat: S::ZERO }, |own| {
-            let rubbing = self.rubbing(&own, &met, pressed.normal, self.bristle(i, &met, at));
-            match mode {
-                HOLDS => own.holding(&rubbing),
-                SLIDES => own.sliding(&rubbing),
-                _ => own.up_to_its_limit(&rubbing),
-            }
-        });
+        let drag = self.friction.map_or(
+            FrictionForce { force: Vector3::zero(), rate: Vector3::zero(), heat: S::ZERO },
+            |own| {
+                let rubbing = self.rubbing(&own, &met, pressed.normal, self.bristle(i, &met, at));
+                match mode {
+                    HOLDS => own.holding(&rubbing),
+                    SLIDES => own.sliding(&rubbing),
+                    _ => own.up_to_its_limit(&rubbing),
+                }
+            },
+        );
         Some((met, pressed, drag))
     }
 
     /// The function whose change of sign is an event of a spot.
-    pub(super) fn witness(&self, event: usize, i: usize, met: &Met<S>, at: &Moment<'_, S>) -> S {
+    pub(super) fn witness(&self, event: usize, i: usize, met: &Met<S>, at: &Context<'_, S>) -> S {
         let mode = condition(i, at);
         let never = if EVENTS[event].crossing == Crossing::Rising { -S::ONE } else { S::ONE };
         let is_watched = match event {
@@ -134,7 +137,7 @@ impl<S: Scalar> Contact<S> {
     }
 
     /// The bristle of a spot; while an equilibrium is sought, its way from where the search began.
-    pub(super) fn bristle(&self, i: usize, met: &Met<S>, at: &Moment<'_, S>) -> Vector3<S> {
+    pub(super) fn bristle(&self, i: usize, met: &Met<S>, at: &Context<'_, S>) -> Vector3<S> {
         let own = 3 * i..3 * i + 3;
         if at.situation == Situation::Settling {
             let anchor = at.numbers.get(own).map_or(self.anchors[i], Vector3::from_slice);

@@ -10,11 +10,13 @@ mod watch;
 
 pub use friction::Friction;
 pub use restitution::dissipation;
-pub use solid::Solid;
+pub use solid::ContactSolid;
 pub use spot::Spot;
 
 use crate::dynamics::Loads;
-use crate::elements::{AnyWatcher, Crossing, Declaration, Element, Event, Frame, Kept, Moment, Output, Own, Situation};
+use crate::elements::{
+    AnyWatcher, Context, Crossing, Declaration, Element, ElementState, Event, Output, Own, Situation, VectorFrame,
+};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -39,7 +41,7 @@ pub struct Contact<S = f64> {
     /// What of the load meets the surface's solid, and what of the surface the load's.
     pub spots: Vec<(Facing, Spot<S>)>,
     /// The solids of load and surface.
-    pub solids: [Option<Solid<S>>; 2],
+    pub solids: [Option<ContactSolid<S>>; 2],
     /// k of a spot, N/m.
     pub stiffness: S,
     /// a, s/m.
@@ -102,15 +104,15 @@ impl<S: Scalar> Element<S> for Contact<S> {
             let count = if self.friction.is_some() { self.spots.len() } else { 0 };
             (0..count).flat_map(axes).collect::<Vec<_>>()
         };
-        let bristles = of_spots("bristle").into_iter().map(|name| Kept::memory(name, "m"));
+        let bristles = of_spots("bristle").into_iter().map(|name| ElementState::memory(name, "m"));
         let components = crate::elements::Components::Axis;
         let force = number("contact_force", "force on the load by the surface", &["N"]);
         Declaration {
-            states: bristles.chain([Kept::memory("impulse", "N s")]).collect(),
+            states: bristles.chain([ElementState::memory("impulse", "N s")]).collect(),
             numbers: of_spots("anchor"),
             modes: (0..self.spots.len()).map(|i| format!("spot_{i}")).collect(),
             outputs: vec![
-                Output { components, frame: Frame::World, ..force },
+                Output { components, frame: VectorFrame::World, ..force },
                 number("contact_normal_force", "sum of the normal forces of a contact", &["N"]),
                 number("contact_friction_force", "sum of the friction of a contact's points, each by its size", &["N"]),
                 number("contact_impulse", "normal force of a contact, integrated over time", &["N s"]),
@@ -128,7 +130,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let sides = self.sides_at(at);
         let first_of_search = at.situation == Situation::Settling && !self.settles;
         self.settles = at.situation == Situation::Settling;
@@ -156,7 +158,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn renew(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let sides = self.sides_at(at);
         for i in 0..self.spots.len() {
             let met = self.met(i, &sides);
@@ -174,7 +176,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let sides = self.sides_at(at);
         let (mut sum, mut heat) = (sides.nothing(), S::ZERO);
         for i in 0..self.spots.len() {
@@ -187,7 +189,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         loads.power.dissipated += heat;
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let sides = self.sides_at(at);
         rates.fill(S::ZERO);
         let impulse = rates.len() - 1;
@@ -200,7 +202,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let sides = self.sides_at(at);
         let half = S::constant(0.5);
         (0..self.spots.len()).fold(S::ZERO, |sum, i| {
@@ -211,7 +213,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         })
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let sides = self.sides_at(at);
         let (mut force, mut normal, mut friction, mut count) = (Vector3::zero(), S::ZERO, S::ZERO, S::ZERO);
         let mut deepest = S::constant(f64::MIN);
@@ -230,7 +232,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         out.extend([normal, friction, impulse, penetration, -deepest, count]);
     }
 
-    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         let sides = self.sides_at(at);
         for (i, of_spot) in values.chunks_mut(self.events_of_a_spot()).enumerate() {
             let met = self.met(i, &sides);
@@ -238,7 +240,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         }
     }
 
-    fn respond(&mut self, event: usize, at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn respond(&mut self, event: usize, at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
         let (i, event) = (event / self.events_of_a_spot(), event % self.events_of_a_spot());
         let met = self.met(i, &self.sides_at(at));
         match (event, self.friction) {

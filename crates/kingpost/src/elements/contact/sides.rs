@@ -1,17 +1,17 @@
 //! The two sides of a contact: where they are, how they move, what acts between them.
 
 use super::Facing;
-use super::solid::Solid;
+use super::solid::ContactSolid;
 use super::spot::{Nearness, Spot};
 use crate::dynamics::Loads;
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, Vector3, Wrench};
 
 /// One side: all in world axes.
 #[derive(Clone, Copy, Debug)]
-struct Side<S> {
+struct ContactSide<S> {
     /// Of its shape.
     frame: Frame<S>,
     /// Of its body; of what is fixed to the world, none.
@@ -25,7 +25,7 @@ struct Side<S> {
 /// Both: the load, the surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sides<S> {
-    sides: [Side<S>; 2],
+    sides: [ContactSide<S>; 2],
     /// The shape of each as the other sees it.
     seen: [Frame<S>; 2],
 }
@@ -57,20 +57,20 @@ pub(super) struct Sum<S> {
 }
 
 impl<S: Scalar> Sides<S> {
-    pub(super) fn new(sides: &[Attachment<S>; 2], at: &Moment<'_, S>) -> Self {
+    pub(super) fn new(sides: &[Attachment<S>; 2], at: &Context<'_, S>) -> Self {
         let sides = sides.each_ref().map(|side| {
             let still = (Frame::identity(), Vector3::zero(), Vector3::zero());
             let (body, velocity, angular_velocity) = side.body.map_or(still, |body| {
                 let (frame, twist) = (at.links.body_frame(at.model, body), at.links.body_twist(at.model, body));
                 (frame, frame.rotation * twist.linear, frame.rotation * twist.angular)
             });
-            Side { frame: body.times(&side.in_body), body, velocity, angular_velocity }
+            ContactSide { frame: body.times(&side.in_body), body, velocity, angular_velocity }
         });
         let seen = [0, 1].map(|k: usize| sides[1 - k].frame.inverse().times(&sides[k].frame));
         Self { sides, seen }
     }
 
-    pub(super) fn met(&self, facing: Facing, spot: &Spot<S>, solid: &Solid<S>) -> Met<S> {
+    pub(super) fn met(&self, facing: Facing, spot: &Spot<S>, solid: &ContactSolid<S>) -> Met<S> {
         let [own, other] = [&self.sides[facing as usize], &self.sides[1 - facing as usize]];
         let Nearness { point, normal, depth, middle } = spot.nearness(solid, &self.seen[facing as usize]);
         let point = other.frame.point(point);
@@ -94,7 +94,7 @@ impl<S: Scalar> Sides<S> {
     }
 }
 
-impl<S: Scalar> Side<S> {
+impl<S: Scalar> ContactSide<S> {
     fn velocity_at(&self, point: Vector3<S>) -> Vector3<S> {
         self.velocity + self.angular_velocity.cross(point - self.body.position)
     }

@@ -6,7 +6,7 @@ use crate::spatial::Vector3;
 
 /// What points press on, in its own axes about its centre.
 #[derive(Clone, Copy, Debug)]
-pub enum Solid<S = f64> {
+pub enum ContactSolid<S = f64> {
     /// All that is below a plane through the origin; the unit normal points out of it.
     Plane {
         /// Unit vector.
@@ -33,14 +33,14 @@ pub enum Solid<S = f64> {
     },
 }
 
-impl<S: Scalar> Solid<S> {
+impl<S: Scalar> ContactSolid<S> {
     /// The distance of a point from the surface, m, negative inside, and its gradient: the unit normal out of the solid
     /// where it is nearest. Inside, the nearest face counts; where two are as near, either.
     ///
     /// ```
-    /// use kingpost::elements::contact::Solid;
+    /// use kingpost::elements::contact::ContactSolid;
     /// use kingpost::spatial::Vector3;
-    /// let deck = Solid::Box { half: [10.0, 5.0, 1.0] };
+    /// let deck = ContactSolid::Box { half: [10.0, 5.0, 1.0] };
     /// let (distance, normal) = deck.distance(Vector3::new(13.0, 0.0, 5.0));
     /// assert_eq!((distance, normal.0), (5.0, [0.6, 0.0, 0.8]));
     /// assert_eq!(deck.distance(Vector3::new(1.0, 2.0, 0.9)).1.0, [0.0, 0.0, 1.0]);

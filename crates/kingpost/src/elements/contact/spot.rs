@@ -1,6 +1,6 @@
 //! What of one side may touch the solid of the other: points, balls, the ends of a cylinder.
 
-use super::solid::Solid;
+use super::solid::ContactSolid;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3};
 
@@ -43,7 +43,7 @@ pub struct Nearness<S> {
 
 impl<S: Scalar> Spot<S> {
     /// How it is to a solid, where its shape's frame is seen from the solid's.
-    pub fn nearness(&self, solid: &Solid<S>, seen: &Frame<S>) -> Nearness<S> {
+    pub fn nearness(&self, solid: &ContactSolid<S>, seen: &Frame<S>) -> Nearness<S> {
         match *self {
             Self::Ball { centre, radius } => {
                 let middle = seen.point(centre);

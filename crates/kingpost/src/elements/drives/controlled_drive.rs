@@ -1,7 +1,7 @@
 //! A drive that follows a set-point within its limits: a winch, a slewing gear, a luffing drive.
 
 use crate::dynamics::Loads;
-use crate::elements::{Declaration, Element, Input, Kept, Moment, Output, Own, Settling, Situation};
+use crate::elements::{Context, Declaration, Element, ElementState, Input, Output, Own, Settling, Situation};
 use crate::model::AxisMotion;
 use crate::scalar::Scalar;
 
@@ -104,24 +104,24 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         };
         let input =
             Input { name: self.name.clone(), unit, lower: -farthest, upper: farthest, value: 0.0, signal: None };
-        let states = reference[..self.state_count()].iter().map(|(name, unit)| Kept::new(*name, unit));
+        let states = reference[..self.state_count()].iter().map(|(name, unit)| ElementState::new(*name, unit));
         Declaration { states: states.collect(), inputs: vec![input], outputs: self.shown(), ..Declaration::default() }
     }
 
     /// The reference begins where the coordinate stands, at the rate that it has.
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         if let [position, speed, ..] = own.states {
             (*position, *speed) = (at.q[self.position], at.v[self.coordinate]);
         }
     }
 
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let effort = self.effort(at).given;
         loads.force[self.coordinate] += effort;
         loads.power.drives += effort * at.v[self.coordinate];
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let effort = self.effort(at);
         let wanted = self.wanted_acceleration(at);
         match (rates, at.states) {
@@ -147,7 +147,7 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         if self.set_point == SetPoint::Effort { None } else { Some(self) }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let (effort, rate) = (self.effort(at), at.v[self.coordinate]);
         let power = effort.given * rate;
         let size = |x: S| x.select_below(0.0, || -x, || x);
@@ -168,13 +168,13 @@ impl<S: Scalar> Settling<S> for ControlledDrive<S> {
         self.hold.copy_from_slice(trim);
     }
 
-    fn take_over(&mut self, at: &Moment<'_, S>) -> S {
+    fn take_over(&mut self, at: &Context<'_, S>) -> S {
         let off = at.q[self.position] - self.start;
         self.hold[0] += -(self.stiffness * off);
         off.select_below(0.0, || -off, || off)
     }
 
-    fn utilisation(&self, _at: &Moment<'_, S>) -> S {
+    fn utilisation(&self, _at: &Context<'_, S>) -> S {
         let [hold] = self.hold;
         hold.select_below(0.0, || -hold, || hold) / self.limits.effort
     }
@@ -219,11 +219,11 @@ impl<S: Scalar> ControlledDrive<S> {
     }
 
     /// The set-point with what a hand or a controller adds to it.
-    fn target(&self, at: &Moment<'_, S>) -> S {
+    fn target(&self, at: &Context<'_, S>) -> S {
         at.inputs.first().map_or(self.value, |offset| self.value + *offset)
     }
 
-    fn effort(&self, at: &Moment<'_, S>) -> Effort<S> {
+    fn effort(&self, at: &Context<'_, S>) -> Effort<S> {
         let (q, v) = (at.q[self.position], at.v[self.coordinate]);
         let free = match at.states {
             _ if self.set_point == SetPoint::Effort => self.target(at),
@@ -264,7 +264,7 @@ impl<S: Scalar> ControlledDrive<S> {
     }
 
     /// a_t.
-    fn wanted_acceleration(&self, at: &Moment<'_, S>) -> S {
+    fn wanted_acceleration(&self, at: &Context<'_, S>) -> S {
         let [position, speed] = [POSITION, SPEED].map(|i| at.states.get(i).copied().unwrap_or(S::ZERO));
         let (limits, time) = (&self.limits, self.reaction());
         let wanted = match self.set_point {

@@ -2,7 +2,9 @@
 
 use crate::dynamics::loops::Row;
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::elements::{Declaration, DrawnLine, Element, Input, Kept, LineStyle, Moment, Output, Own, hunt_crossley};
+use crate::elements::{
+    Context, Declaration, DrawnLine, Element, ElementState, Input, LineStyle, Output, Own, hunt_crossley,
+};
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
 
@@ -76,7 +78,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         let number = |variable, description, unit| Output::number(variable, description, "cylinder", &self.name, unit);
         let by_lever = self.aim == Aim::Lever;
         Declaration {
-            states: by_lever.then(|| Kept::new("wanted_length", "m")).into_iter().collect(),
+            states: by_lever.then(|| ElementState::new("wanted_length", "m")).into_iter().collect(),
             inputs: by_lever.then(|| Input::lever(&self.name, -1.0, 0.0)).into_iter().collect(),
             outputs: vec![
                 number("cylinder_length", "length of a cylinder between its pins", &["m"]),
@@ -95,12 +97,12 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
     }
 
     /// The length wanted is first the length here, m.
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         own.states.fill(self.length(at.model, at.links));
     }
 
     /// Adds the force, and the work and heat that it makes.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let Forces { line, drive, stops, heat } = self.forces(at);
         loads.power.drives += drive * line.rate;
         loads.power.dissipated += heat;
@@ -110,7 +112,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
     }
 
     /// Rate of the length wanted: within the stroke the lever's share of the speed, and no further.
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let (Some(rate), [lever], [wanted]) = (rates.first_mut(), at.inputs, at.states) else { return };
         let speed = self.speed_limit * *lever;
         let up = || wanted.select_less(self.stroke[1], || speed, || S::ZERO);
@@ -118,7 +120,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         *rate = speed.select_below(0.0, down, up);
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let Forces { line, drive, stops, .. } = self.forces(at);
         let share = |force: S, limit: S| limit.select_below(f64::MIN_POSITIVE, || S::ZERO, || force / limit);
         let used = drive.select_below(0.0, || share(-drive, self.pull_limit), || share(drive, self.push_limit));
@@ -126,7 +128,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
     }
 
     /// Its barrel from the first pin, its rod from within the barrel to the second, and both pins.
-    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+    fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let place = |pin: &Attachment<S>| {
             let point = pin.in_body.position;
             pin.body.map_or(point, |body| at.links.body_frame(at.model, body).point(point))
@@ -152,7 +154,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
     }
 
     /// Energy in the stops, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let square =
             self.depths(self.length(at.model, at.links)).iter().fold(S::ZERO, |sum, depth| sum + *depth * *depth);
         self.stop_stiffness * square * S::constant(0.5)
@@ -199,7 +201,7 @@ impl<S: Scalar> Cylinder<S> {
     }
 
     /// The length wanted.
-    fn wanted(&self, at: &Moment<'_, S>) -> S {
+    fn wanted(&self, at: &Context<'_, S>) -> S {
         let aim = match self.aim {
             Aim::Hold => return self.start,
             Aim::Lever => return at.states.first().copied().unwrap_or(self.start),
@@ -209,7 +211,7 @@ impl<S: Scalar> Cylinder<S> {
         self.start + (aim - self.start).clipped(-reach, reach)
     }
 
-    fn forces(&self, at: &Moment<'_, S>) -> Forces<S> {
+    fn forces(&self, at: &Context<'_, S>) -> Forces<S> {
         let line = self.line(at.model, at.links);
         let (length, rate) = (line.residual, line.rate);
         let wanted = self.stiffness * (self.wanted(at) - length) - self.damping * rate;

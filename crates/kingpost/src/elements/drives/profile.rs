@@ -18,7 +18,7 @@ pub struct Pulse {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Piece<S> {
+struct LinearPiece<S> {
     start_s: f64,
     start: S,
     slope_per_s: S,
@@ -29,7 +29,7 @@ struct Piece<S> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile<S = f64> {
     /// In order of time; the first begins at 0, each ends where the next begins.
-    pieces: Vec<Piece<S>>,
+    pieces: Vec<LinearPiece<S>>,
     edges: Vec<f64>,
 }
 
@@ -96,14 +96,14 @@ impl<S: Scalar> Profile<S> {
     }
 
     fn push(&mut self, start_s: f64, start: S, slope_per_s: S) {
-        self.pieces.push(Piece { start_s, start, slope_per_s });
+        self.pieces.push(LinearPiece { start_s, start, slope_per_s });
         if start_s > 0.0 {
             self.edges.push(start_s);
         }
     }
 
     #[inline]
-    fn piece(&self, clock: Clock) -> &Piece<S> {
+    fn piece(&self, clock: Clock) -> &LinearPiece<S> {
         if let [only] = self.pieces.as_slice() {
             return only;
         }

@@ -1,7 +1,7 @@
 //! A position servo: holds a crane up against gravity, as far as its limit goes.
 
 use crate::dynamics::Loads;
-use crate::elements::{Declaration, Element, Input, Moment};
+use crate::elements::{Context, Declaration, Element, Input};
 use crate::scalar::Scalar;
 
 /// `tau = k (target + offset - q) - c v`, clipped to the limit.
@@ -29,7 +29,7 @@ impl<S: Scalar> Element<S> for Servo<S> {
     }
 
     /// Adds the torque and the work that it does.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let rate = at.v[self.coordinate];
         let target = at.inputs.first().map_or(self.target, |offset| self.target + *offset);
         let wanted = self.stiffness * (target - at.q[self.position]) - self.damping * rate;

@@ -12,7 +12,9 @@ pub use wave_filter::WaveFilter;
 
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::hull::HullFrame;
-use crate::elements::{Components, Declaration, Element, Frame, Kept, Moment, Output, Own, Settling, Situation};
+use crate::elements::{
+    Components, Context, Declaration, Element, ElementState, Output, Own, Settling, Situation, VectorFrame,
+};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
@@ -56,7 +58,7 @@ pub struct DynamicPositioning<S = f64> {
 const SETTLING_STIFFNESS: f64 = 100.0;
 
 /// What is asked for at one moment, and what of it can be given.
-struct Asked<S> {
+struct Demand<S> {
     at: Deviation<S>,
     /// K_p e - K_d nu.
     proportional: Planar<S>,
@@ -74,7 +76,7 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
     }
 
     /// Nothing of the filter and the thrusts is on its way.
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let at = self.target.deviation(&self.place, at.model, at.links);
         let (proportional, integral) = (self.gains.proportional(&at), at.from_world(self.bias));
         let command = self.allocation.limited(core::array::from_fn(|k| proportional[k] + integral[k]));
@@ -91,7 +93,7 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
     }
 
     /// Adds the thrusts, and their work. While an equilibrium is sought they follow the error at once, without limits.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let wrench = if at.situation == Situation::Settling {
             let command = self.settling_command(at.model, at.links);
             self.wrench(|i, _| self.allocation.thrust(i, command))
@@ -104,8 +106,8 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         loads.wrenches.push((self.place.body, wrench));
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
-        let Asked { at: deviation, proportional, demand, command } = self.asked(at);
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
+        let Demand { at: deviation, proportional, demand, command } = self.asked(at);
         let (of_bias, rest) = rates.split_at_mut(self.bias.len());
         let (of_filter, of_thrusts) = rest.split_at_mut(self.filter.state_count());
         let integral = self.gains.integral_rate(&deviation, demand, command);
@@ -122,8 +124,8 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
-        let Asked { at: deviation, demand, command, .. } = self.asked(at);
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
+        let Demand { at: deviation, demand, command, .. } = self.asked(at);
         let thrusts = self.thrusts(at);
         let Wrench { moment, force } = self.wrench(|_, first| thrust_at(thrusts, first));
         for planar in [deviation.error, demand, command, [force[0], force[1], moment[2]]] {
@@ -169,7 +171,7 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
 
     /// Hands what holds the ship over to the integrals, and says by how much the ship is still off where integrals should
     /// take it, m or rad.
-    fn take_over(&mut self, at: &Moment<'_, S>) -> S {
+    fn take_over(&mut self, at: &Context<'_, S>) -> S {
         let (model, links) = (at.model, at.links);
         let at = self.target.deviation(&self.place, model, links);
         let (held, carried) = (self.settling_command(model, links), at.from_world(self.bias));
@@ -181,7 +183,7 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
     }
 
     /// The largest utilisation of a thruster that holds the ship there, limits left out.
-    fn utilisation(&self, at: &Moment<'_, S>) -> S {
+    fn utilisation(&self, at: &Context<'_, S>) -> S {
         let command = self.settling_command(at.model, at.links);
         let thrusters = self.allocation.thrusters().iter().enumerate();
         let each = thrusters.map(|(i, thruster)| thruster.utilisation(self.allocation.thrust(i, command)));
@@ -190,12 +192,12 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
 }
 
 impl<S: Scalar> DynamicPositioning<S> {
-    fn declared_states(&self) -> Vec<Kept> {
+    fn declared_states(&self) -> Vec<ElementState> {
         let axes = [("x", "N"), ("y", "N"), ("yaw", "N m")];
-        let integrals = axes.map(|(axis, unit)| Kept::new(format!("integral.{axis}"), unit));
+        let integrals = axes.map(|(axis, unit)| ElementState::new(format!("integral.{axis}"), unit));
         let of_thruster = |thruster: &Thruster<S>| {
             let parts: &[&str] = if thruster.components() == 1 { &["thrust"] } else { &["thrust_x", "thrust_y"] };
-            parts.iter().map(|part| Kept::new(format!("{}.{part}", thruster.name), "N")).collect::<Vec<_>>()
+            parts.iter().map(|part| ElementState::new(format!("{}.{part}", thruster.name), "N")).collect::<Vec<_>>()
         };
         let thrusts = self.allocation.thrusters().iter().flat_map(of_thruster);
         integrals.into_iter().chain(self.filter.declared()).chain(thrusts).collect()
@@ -218,14 +220,14 @@ impl<S: Scalar> DynamicPositioning<S> {
             ..Output::number(variable, description, "thruster", "", unit)
         };
         vec![
-            planar("station_error", error, Frame::Heading, &["m", "m", "rad"]),
-            planar("station_demand", demand, Frame::Heading, &PLANAR),
-            planar("station_command", "what of that the thrusters are told to give", Frame::Body, &PLANAR),
-            planar("station_force", force, Frame::Body, &PLANAR),
+            planar("station_error", error, VectorFrame::Heading, &["m", "m", "rad"]),
+            planar("station_demand", demand, VectorFrame::Heading, &PLANAR),
+            planar("station_command", "what of that the thrusters are told to give", VectorFrame::Body, &PLANAR),
+            planar("station_force", force, VectorFrame::Body, &PLANAR),
             of_thrusters("thruster_thrust", "thrust, negative astern; of an azimuth thruster its length", &["N"]),
             Output {
                 components: Components::Axis,
-                frame: Frame::Body,
+                frame: VectorFrame::Body,
                 ..of_thrusters("thruster_force", "thrust as a force", &["N"])
             },
             of_thrusters("thruster_utilisation", "thrust as a share of what the thruster can give that way", &["1"]),
@@ -241,14 +243,14 @@ impl<S: Scalar> DynamicPositioning<S> {
         core::array::from_fn(held)
     }
 
-    fn asked(&self, at: &Moment<'_, S>) -> Asked<S> {
+    fn asked(&self, at: &Context<'_, S>) -> Demand<S> {
         let deviation = self.target.deviation(&self.place, at.model, at.links);
         let proportional = self.gains.proportional(&deviation);
         let passed = self.filter.output(proportional, self.filter_states(at));
         let bias = core::array::from_fn(|k| at.states[k]);
         let integral = deviation.from_world(bias);
         let demand = core::array::from_fn(|k| passed[k] + integral[k]);
-        Asked { at: deviation, proportional, demand, command: self.allocation.limited(demand) }
+        Demand { at: deviation, proportional, demand, command: self.allocation.limited(demand) }
     }
 
     /// Force and moment of all thrusts about the point that is kept, body axes; `thrust` gives that of a thruster by its
@@ -264,11 +266,11 @@ impl<S: Scalar> DynamicPositioning<S> {
         sum
     }
 
-    fn filter_states<'a>(&self, at: &Moment<'a, S>) -> &'a [S] {
+    fn filter_states<'a>(&self, at: &Context<'a, S>) -> &'a [S] {
         &at.states[self.bias.len()..][..self.filter.state_count()]
     }
 
-    fn thrusts<'a>(&self, at: &Moment<'a, S>) -> &'a [S] {
+    fn thrusts<'a>(&self, at: &Context<'a, S>) -> &'a [S] {
         let before = self.bias.len() + self.filter.state_count();
         &at.states[before..][..self.allocation.components()]
     }

@@ -1,6 +1,6 @@
 //! What keeps thrusters from answering each wave.
 
-use crate::elements::Kept;
+use crate::elements::ElementState;
 use crate::scalar::Scalar;
 
 /// Notches in cascade with a low pass of second order,
@@ -17,12 +17,12 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct WaveFilter<S = f64> {
-    sections: Vec<Section<S>>,
+    sections: Vec<FilterSection<S>>,
 }
 
 /// A section of second order.
 #[derive(Clone, Copy, Debug)]
-struct Section<S> {
+struct FilterSection<S> {
     /// rad/s.
     frequency: S,
     /// Of its poles.
@@ -42,14 +42,14 @@ impl<S: Scalar> WaveFilter<S> {
     #[must_use]
     pub fn with_notch(mut self, frequency: S, damping_ratio: S) -> Self {
         let notch = Some((S::ONE - damping_ratio) * S::constant(2.0));
-        self.sections.push(Section { frequency, damping_ratio: S::ONE, notch });
+        self.sections.push(FilterSection { frequency, damping_ratio: S::ONE, notch });
         self
     }
 
     /// With a low pass, at a frequency (rad/s).
     #[must_use]
     pub fn with_low_pass(mut self, frequency: S, damping_ratio: S) -> Self {
-        self.sections.push(Section { frequency, damping_ratio, notch: None });
+        self.sections.push(FilterSection { frequency, damping_ratio, notch: None });
         self
     }
 
@@ -88,11 +88,11 @@ impl<S: Scalar> WaveFilter<S> {
     }
 
     /// Its states, as an element declares them: a and b of each section.
-    pub fn declared(&self) -> impl Iterator<Item = Kept> + '_ {
+    pub fn declared(&self) -> impl Iterator<Item = ElementState> + '_ {
         let of_section = |section: usize| {
             let signals = [("surge", "N"), ("sway", "N"), ("yaw", "N m")].into_iter();
             let pair = move |(signal, unit)| {
-                ["a", "b"].map(|part| Kept::new(format!("filter_{section}.{signal}.{part}"), unit))
+                ["a", "b"].map(|part| ElementState::new(format!("filter_{section}.{signal}.{part}"), unit))
             };
             signals.flat_map(pair)
         };
@@ -100,7 +100,7 @@ impl<S: Scalar> WaveFilter<S> {
     }
 }
 
-impl<S: Scalar> Section<S> {
+impl<S: Scalar> FilterSection<S> {
     fn output(&self, input: [S; SIGNALS], states: &[S]) -> [S; SIGNALS] {
         core::array::from_fn(|k| self.notch.map_or(states[2 * k], |share| input[k] - share * states[2 * k + 1]))
     }

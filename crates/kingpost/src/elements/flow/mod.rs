@@ -5,7 +5,7 @@ mod table;
 pub use table::{DirectionTable, TableError};
 
 use super::hull::HullFrame;
-use super::{Declaration, Element, Frame, Moment, Output};
+use super::{Context, Declaration, Element, Output, VectorFrame};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
@@ -66,20 +66,20 @@ impl<S: Scalar> Element<S> for FlowLoad<S> {
 
     fn declare(&self) -> Declaration {
         let description = "force and moment of wind or current about the reference point of its coefficients";
-        let force = Output::wrench("flow_force", description, "flow", &self.name, Frame::Body);
+        let force = Output::wrench("flow_force", description, "flow", &self.name, VectorFrame::Body);
         let description = "speed of the wind or current that acts, over ground";
         let speed = Output::number("flow_speed", description, "flow", &self.name, &["m/s"]);
         Declaration { outputs: vec![force, speed], ..Declaration::default() }
     }
 
     /// Adds the load, and its work.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let wrench = self.about_centre(at);
         loads.power.outside += wrench.dot(&at.links.body_twist(at.model, self.place.body));
         loads.wrenches.push((self.place.body, wrench));
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let Wrench { moment, force } = self.wrench(at);
         out.extend(force.0);
         out.extend(moment.0);
@@ -91,7 +91,7 @@ impl<S: Scalar> Element<S> for FlowLoad<S> {
 
 impl<S: Scalar> FlowLoad<S> {
     /// Velocity in the world, with gusts but where an equilibrium is meant, m/s, and density, kg/m^3.
-    fn velocity(&self, at: &Moment<'_, S>) -> (Vector3<S>, S) {
+    fn velocity(&self, at: &Context<'_, S>) -> (Vector3<S>, S) {
         let (mean, density) = self.flow.in_world(at.world);
         match (&self.gusts, &at.world.wind) {
             (Some(gusts), Some(wind)) if at.situation.has_waves() => {
@@ -102,7 +102,7 @@ impl<S: Scalar> FlowLoad<S> {
     }
 
     /// Force (N) and moment (N m) about the reference point, in body axes.
-    pub fn wrench(&self, at: &Moment<'_, S>) -> Wrench<S> {
+    pub fn wrench(&self, at: &Context<'_, S>) -> Wrench<S> {
         let (flow, density) = self.velocity(at);
         let [x, y, length] = self.sizes;
         let half = density * S::constant(0.5);
@@ -120,7 +120,7 @@ impl<S: Scalar> FlowLoad<S> {
         Wrench { moment: Vector3::new(S::ZERO, S::ZERO, yaw), force: Vector3::new(x, y, S::ZERO) }
     }
 
-    fn about_centre(&self, at: &Moment<'_, S>) -> Wrench<S> {
+    fn about_centre(&self, at: &Context<'_, S>) -> Wrench<S> {
         self.place.about_centre(&self.wrench(at))
     }
 }

@@ -23,11 +23,11 @@ pub struct TableError {
 pub struct DirectionTable<S = f64> {
     /// Where pieces begin, rad, increasing, within one turn.
     directions: Vec<f64>,
-    pieces: Vec<Piece<S>>,
+    pieces: Vec<CubicPiece<S>>,
 }
 
 /// Weights of 1, t, t^2, t^3 with t the angle from where the piece begins, rad.
-type Piece<S> = [[S; 4]; 3];
+type CubicPiece<S> = [[S; 4]; 3];
 
 impl<S: Scalar> DirectionTable<S> {
     /// From directions, rad, and the three coefficients at each. A table of a `symmetric` hull holds 0 to pi, both
@@ -81,14 +81,15 @@ impl<S: Scalar> DirectionTable<S> {
     }
 
     /// The piece at a place in the list, which may be another in each lane.
-    fn piece(&self, place: S) -> Piece<S> {
+    fn piece(&self, place: S) -> CubicPiece<S> {
         let first = place.value();
         if place.all(|place| place == first) {
             return self.pieces[first as usize];
         }
         let weight = |k: usize, j: usize| {
-            let next =
-                |found, (i, piece): (usize, &Piece<S>)| place.select_below(i as f64 - 0.5, || found, || piece[k][j]);
+            let next = |found, (i, piece): (usize, &CubicPiece<S>)| {
+                place.select_below(i as f64 - 0.5, || found, || piece[k][j])
+            };
             self.pieces.iter().enumerate().fold(S::ZERO, next)
         };
         core::array::from_fn(|k| core::array::from_fn(|j| weight(k, j)))

@@ -5,7 +5,7 @@
 
 use super::{CoefficientFrame, Hull, Radiation, SeaAxes, SlowFilter};
 use crate::dynamics::Loads;
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::sea::database::SixBySix;
 use crate::spatial::{Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
@@ -61,7 +61,7 @@ impl<S: Scalar> Hull<S> {
     /// what changes of the inertia goes to `loads`.
     pub(super) fn in_flowing_water(
         &self,
-        at: &Moment<'_, S>,
+        at: &Context<'_, S>,
         axes: &SeaAxes<S>,
         off_rate: [S; 2],
         loads: &mut Loads<S>,
@@ -81,7 +81,7 @@ impl<S: Scalar> Hull<S> {
     /// A current u, constant in the world, is seen as `nu_r = nu - R^T u`, and `d(R^T u)/dt = -omega x R^T u`:
     /// `F = -(A (nu' + omega x R^T u) + nu_r x* A_0 nu_r)`. A hull that drifts with the current moves as one in still water.
     /// A_0, of slow motions, is what turns a hull that is towed obliquely; it does no work.
-    fn in_current(&self, added: &SpatialInertia<S>, slow: &SpatialInertia<S>, at: &Moment<'_, S>) -> Wrench<S> {
+    fn in_current(&self, added: &SpatialInertia<S>, slow: &SpatialInertia<S>, at: &Context<'_, S>) -> Wrench<S> {
         let twist = at.links.body_twist(at.model, self.frame.body);
         let stream = at.links.to_body_axes(at.model, self.frame.body, at.world.surface_current());
         let relative = Twist { linear: twist.linear - stream, ..twist };
@@ -95,7 +95,7 @@ impl<S: Scalar> Hull<S> {
     fn in_waves(
         &self,
         added: &AddedMass<S>,
-        at: &Moment<'_, S>,
+        at: &Context<'_, S>,
         axes: &SeaAxes<S>,
         off_rate: [S; 2],
         loads: &mut Loads<S>,
@@ -123,7 +123,7 @@ impl<S: Scalar> Hull<S> {
     }
 
     /// How the slow frame moves, in the world.
-    fn slow_motion(&self, at: &Moment<'_, S>) -> Twist<S> {
+    fn slow_motion(&self, at: &Context<'_, S>) -> Twist<S> {
         let [x, y, turning] = SlowFilter::read(at.states).output_rates(self.cutoff_rad_s);
         Twist { linear: Vector3::new(x, y, S::ZERO), angular: Vector3::new(S::ZERO, S::ZERO, turning) }
     }

@@ -1,7 +1,7 @@
 //! Where the centre of mass of a ship is with all that it carries, and where it is on average.
 
 use super::place::SlowFrame;
-use crate::elements::{Kept, Moment};
+use crate::elements::{Context, ElementState};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -25,7 +25,7 @@ pub struct CarriedFilter<S> {
 
 impl<S: Scalar> Carried<S> {
     /// The centre of mass of all from the hull's own, and its rate, along the slow frame's axes; m, m/s.
-    pub fn centre(&self, at: &Moment<'_, S>, hull: usize, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
+    pub fn centre(&self, at: &Context<'_, S>, hull: usize, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
         if self.shares.is_empty() {
             return [[S::ZERO; 2]; 2];
         }
@@ -58,8 +58,9 @@ impl<S: Scalar> CarriedFilter<S> {
     }
 
     /// Its states, as an element declares them.
-    pub fn declared() -> impl Iterator<Item = Kept> {
-        let of = |stage: usize| ["x", "y"].map(|name| Kept::memory(format!("slow.carried_{name}.{stage}"), "m"));
+    pub fn declared() -> impl Iterator<Item = ElementState> {
+        let of =
+            |stage: usize| ["x", "y"].map(|name| ElementState::memory(format!("slow.carried_{name}.{stage}"), "m"));
         (1..=ORDER).flat_map(of)
     }
 

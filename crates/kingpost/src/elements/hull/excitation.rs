@@ -22,7 +22,7 @@ use crate::sea::waves::{WaveField, wave_number};
 /// 1974, p. 182; Faltinsen, *Sea Loads on Ships and Offshore Structures*, 1990, p. 157). It holds for
 /// differences of frequency that are small, as those are that move a moored ship.
 #[derive(Clone, Debug)]
-pub struct Excitation<S = f64> {
+pub struct WaveExcitation<S = f64> {
     /// The waves at the slow frame's place, a e^(i q).
     real: Vec<S>,
     imaginary: Vec<S>,
@@ -53,7 +53,7 @@ pub struct HullVelocity<S = f64> {
 
 /// What of the incident waves acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Parts {
+pub struct WaveForces {
     /// Their own pressure, to first order; otherwise diffraction alone.
     pub froude_krylov: bool,
     /// The mean and slowly varying drift, from the database's mean drift.
@@ -67,9 +67,9 @@ const FIRST_ORDER: usize = 12;
 /// Modes that drift.
 const DRIFTING: [usize; 3] = [0, 1, 5];
 
-impl<S: Scalar> Excitation<S> {
+impl<S: Scalar> WaveExcitation<S> {
     /// From a hull's data, in these waves: every call needs the same. Components outside the data's frequencies make no force.
-    pub fn new(database: &Database, field: &WaveField<S>, parts: Parts) -> Self {
+    pub fn new(database: &Database, field: &WaveField<S>, parts: WaveForces) -> Self {
         let drifts = parts.drift && database.mean_drift.is_some();
         let by_velocity = drifts && parts.drift_damping;
         let of_wave = |omega: f64| {

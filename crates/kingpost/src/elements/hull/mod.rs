@@ -21,7 +21,7 @@ pub use added_mass::{AddedMass, QuadraticTerms, added_inertia};
 use by_heading::ByHeading;
 pub use carried::Carried;
 use carried::CarriedFilter;
-pub use excitation::{Excitation, HullVelocity, Parts};
+pub use excitation::{HullVelocity, WaveExcitation, WaveForces};
 pub use gap::{HullGap, Plan};
 pub use linear_limits::LinearLimits;
 pub use mean_attitude::{LARGEST_LIST_DEG, MeanAttitude};
@@ -30,7 +30,7 @@ pub use place::{CoefficientFrame, HullFrame, HullMotion, SeaAxes, SlowFrame};
 pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
 
-use super::{AnyWatcher, Declaration, Element, Frame, Moment, Output, Own, RegularWaves, Situation};
+use super::{AnyWatcher, Context, Declaration, Element, Output, Own, RegularWaves, Situation, VectorFrame};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::sea::database::Database;
@@ -102,7 +102,7 @@ pub struct Hull<S = f64> {
     /// The memory of the waves that it makes.
     pub radiation: Option<Radiation>,
     /// What the world's waves do to it.
-    pub excitation: Option<Excitation<S>>,
+    pub excitation: Option<WaveExcitation<S>>,
     /// The database, where its excitation acts whenever there are waves.
     pub wave_data: Option<Arc<Database>>,
     /// Their own pressure on the mesh of the hydrostatics, if it acts.
@@ -133,7 +133,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
 
     /// The hull has always been here, and has always moved through the water as it does in the plane; of heave, roll,
     /// pitch and yaw the water has no memory yet.
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let in_world = self.coefficients.frame(at.model, at.links);
         let place = SlowFrame::of(&in_world);
         let States { place: of_place, carried, radiation: of_radiation } = States::of_mut(own.states);
@@ -150,7 +150,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 
     /// Adds what the water does, and its work.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (hull, specific_weight) = (self.frame.frame(at.model, at.links), at.world.specific_weight());
         let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&hull), specific_weight);
         let Seen { slow, off, axes, twist } = self.seen(at);
@@ -175,7 +175,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
         loads.wrenches.push((self.frame.body, self.frame.about_centre(&buoyancy) + by_the_sea));
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let in_world = self.coefficients.frame(at.model, at.links);
         let (now, of) = (States::of(at.states), States::of_mut(rates));
         let filter = SlowFilter::read(now.place);
@@ -192,12 +192,12 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 
     /// Energy of the water that it displaces, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let position = FloatingPosition::of(&self.frame.frame(at.model, at.links));
         self.hydrostatics.potential_energy(&position, at.world.specific_weight())
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let Seen { slow, axes, twist, .. } = self.seen(at);
         let (none, time_s, specific_weight) = ([S::ZERO; 6], at.clock.time_s, at.world.specific_weight());
         let velocity = self.velocity(at, &slow, &axes.rates(&twist));
@@ -243,7 +243,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
 
 /// What a hull shows, in the order of [`Hull::outputs`](Element::outputs).
 fn outputs(name: &str) -> Vec<Output> {
-    let wrench = |variable, description| Output::wrench(variable, description, "hull", name, Frame::SlowFrame);
+    let wrench = |variable, description| Output::wrench(variable, description, "hull", name, VectorFrame::SlowFrame);
     vec![
         Output::number(
             "wave_elevation",
@@ -305,13 +305,13 @@ impl<'a, S: Scalar> States<&'a mut [S]> {
 }
 
 impl<S: Scalar> Hull<S> {
-    fn water_kinetic_energy(&self, at: &Moment<'_, S>) -> S {
+    fn water_kinetic_energy(&self, at: &Context<'_, S>) -> S {
         let twist = at.links.body_twist(at.model, self.frame.body);
         self.added_mass.as_ref().map_or(S::ZERO, |added| added.in_body.quadratic(&twist) * S::constant(0.5))
     }
 
     /// Where the hull is on average; at an equilibrium that is sought, where it is.
-    fn slow_frame(&self, at: &Moment<'_, S>) -> SlowFrame<S> {
+    fn slow_frame(&self, at: &Context<'_, S>) -> SlowFrame<S> {
         match at.situation {
             Situation::Settling => SlowFrame::of(&self.coefficients.frame(at.model, at.links)),
             _ => SlowFilter::read(at.states).frame(),
@@ -319,7 +319,7 @@ impl<S: Scalar> Hull<S> {
     }
 
     /// How far the centre of mass of the ship is off its mean place beside that of the hull, level, m, and the rate of that.
-    fn off(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
+    fn off(&self, at: &Context<'_, S>, slow: &SlowFrame<S>) -> [[S; 2]; 2] {
         if at.situation == Situation::Settling {
             return [[S::ZERO; 2]; 2];
         }
@@ -327,7 +327,7 @@ impl<S: Scalar> Hull<S> {
         CarriedFilter::read(States::of(at.states).carried).off(centre, self.cutoff_rad_s)
     }
 
-    fn seen(&self, at: &Moment<'_, S>) -> Seen<S> {
+    fn seen(&self, at: &Context<'_, S>) -> Seen<S> {
         let slow = self.slow_frame(at);
         let off = self.off(at, &slow);
         let axes = SeaAxes::of(&self.coefficients, &self.coefficients.frame(at.model, at.links), &slow, off[0]);
@@ -335,14 +335,14 @@ impl<S: Scalar> Hull<S> {
     }
 
     /// The hull's velocity, with what of it goes with the waves: that has no mean beside the slow changes of the drift.
-    fn velocity(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> HullVelocity<S> {
+    fn velocity(&self, at: &Context<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> HullVelocity<S> {
         let [x, y, ..] = self.through_water(at, slow, rates);
         let [u, v, _] = rates.linear.0;
         HullVelocity { through_water: [x, y], over_ground: [u, v] }
     }
 
     /// Rates along the axes of the sea's loads, relative to the water.
-    fn through_water(&self, at: &Moment<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> [S; 6] {
+    fn through_water(&self, at: &Context<'_, S>, slow: &SlowFrame<S>, rates: &Twist<S>) -> [S; 6] {
         modes(rates.linear - slow.rotation().transpose_times(at.world.surface_current()), rates.angular)
     }
 }

@@ -1,7 +1,7 @@
 //! Where a hull is, how it moves, and the slow frame that its loads by the sea are seen from.
 
 use crate::dynamics::LinkKinematics;
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench, hat};
@@ -31,7 +31,7 @@ impl<S: Scalar> HullFrame<S> {
     }
 
     /// Where the hull is and how it moves.
-    pub fn motion(&self, at: &Moment<'_, S>) -> HullMotion<S> {
+    pub fn motion(&self, at: &Context<'_, S>) -> HullMotion<S> {
         self.motion_of(at.model, at.links)
     }
 
@@ -43,7 +43,7 @@ impl<S: Scalar> HullFrame<S> {
 
     /// Twist relative to water that flows at `current` (world, m/s), in the body's axes about the origin, and the current
     /// in those axes.
-    pub fn through_water(&self, at: &Moment<'_, S>, current: Vector3<S>) -> (Twist<S>, Vector3<S>) {
+    pub fn through_water(&self, at: &Context<'_, S>, current: Vector3<S>) -> (Twist<S>, Vector3<S>) {
         let twist = self.in_body().twist_to_child(&at.links.body_twist(at.model, self.body));
         let stream = at.links.to_body_axes(at.model, self.body, current);
         (Twist { linear: twist.linear - stream, ..twist }, stream)
@@ -78,7 +78,7 @@ impl<S: Scalar> SlowFrame<S> {
     /// Where a hull is and heads.
     pub fn of(frame: &Frame<S>) -> Self {
         let [x, y, _] = frame.position.0;
-        Self { position: [x, y], heading: heading(&frame.rotation), lean: Turns::of(&frame.rotation).angles() }
+        Self { position: [x, y], heading: heading(&frame.rotation), lean: RollAndPitch::of(&frame.rotation).angles() }
     }
 
     /// A turn about the vertical, from the slow frame's level axes to the world's.
@@ -91,7 +91,7 @@ impl<S: Scalar> SlowFrame<S> {
     /// From the hull's axes on average to the slow frame's.
     fn leaning(&self) -> Matrix3<S> {
         let [roll, pitch] = self.lean.map(|angle| angle.sin_cos().into());
-        Turns { roll, pitch }.rotation()
+        RollAndPitch { roll, pitch }.rotation()
     }
 }
 
@@ -136,7 +136,7 @@ impl<S: Scalar> CoefficientFrame<S> {
 pub struct SeaAxes<S = f64> {
     /// From the hull's axes on average to the slow frame's.
     leaning: Matrix3<S>,
-    turns: Turns<S>,
+    turns: RollAndPitch<S>,
     /// From angular velocity in body axes to rates of roll, pitch and yaw; and back.
     turning: Matrix3<S>,
     turning_back: Matrix3<S>,
@@ -155,7 +155,7 @@ impl<S: Scalar> SeaAxes<S> {
         let (leaning, heading) = (slow.leaning(), slow.rotation());
         let (to_data, mean) = (on.in_body.rotation.transpose(), heading * leaning);
         let from_mean = mean.transpose() * in_world.rotation;
-        let turns = Turns::of(&from_mean);
+        let turns = RollAndPitch::of(&from_mean);
         Self {
             turning: leaning * turns.inverse() * to_data,
             turning_back: on.in_body.rotation * turns.matrix() * leaning.transpose(),
@@ -228,12 +228,12 @@ fn lever<S: Scalar>(to_origin: Vector3<S>, [x, y]: [S; 2]) -> Matrix3<S> {
 /// Roll and pitch of an orientation: `omega = E (roll', pitch', yaw')`, omega in body axes (Fossen, *Handbook of Marine Craft
 /// Hydrodynamics and Motion Control*, 2011, eq. 2.28). E is singular where the bow points straight up or down.
 #[derive(Clone, Copy, Debug)]
-struct Turns<S> {
+struct RollAndPitch<S> {
     roll: [S; 2],
     pitch: [S; 2],
 }
 
-impl<S: Scalar> Turns<S> {
+impl<S: Scalar> RollAndPitch<S> {
     /// Sines and cosines, by the vertical in body axes.
     fn of(rotation: &Matrix3<S>) -> Self {
         let [x, y, z] = rotation.row(2).0;

@@ -1,6 +1,6 @@
 //! The memory of the water: waves that the hull has made act on it later.
 
-use crate::elements::Kept;
+use crate::elements::ElementState;
 use crate::scalar::Scalar;
 use crate::sea::database::{MODES, RadiationModel, SixBySix};
 
@@ -81,9 +81,9 @@ impl Radiation {
     }
 
     /// The states by mode and pole, as an element declares them; of a translation they are lengths.
-    pub fn declared(&self) -> Vec<Kept> {
+    pub fn declared(&self) -> Vec<ElementState> {
         let of = |mode: usize, rest: String| {
-            Kept::memory(format!("radiation.{}.{rest}", MODES[mode]), if mode < 3 { "m" } else { "rad" })
+            ElementState::memory(format!("radiation.{}.{rest}", MODES[mode]), if mode < 3 { "m" } else { "rad" })
         };
         let mut states = Vec::with_capacity(self.state_count());
         for (k, pole) in self.complex.iter().enumerate() {

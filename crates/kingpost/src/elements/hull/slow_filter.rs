@@ -1,7 +1,7 @@
 //! The filter between where a hull is and where its loads of first order are taken.
 
 use super::place::SlowFrame;
-use crate::elements::Kept;
+use crate::elements::ElementState;
 use crate::scalar::Scalar;
 
 /// How many filters stand in a row.
@@ -35,9 +35,10 @@ impl<S: Scalar> SlowFilter<S> {
     }
 
     /// Its states, as an element declares them.
-    pub fn declared() -> impl Iterator<Item = Kept> {
+    pub fn declared() -> impl Iterator<Item = ElementState> {
         let signals = [("x", "m"), ("y", "m"), ("heading", "rad"), ("roll", "rad"), ("pitch", "rad")];
-        let of = move |stage: usize| signals.map(|(name, unit)| Kept::memory(format!("slow.{name}.{stage}"), unit));
+        let of =
+            move |stage: usize| signals.map(|(name, unit)| ElementState::memory(format!("slow.{name}.{stage}"), unit));
         (1..=ORDER).flat_map(of)
     }
 

@@ -54,7 +54,7 @@ pub struct EndForce<S = f64> {
 }
 
 /// What hangs of a line, and what does not.
-struct Hanging<S> {
+struct HangingPart<S> {
     /// L_s, m.
     length: S,
     /// L - L_s, m.
@@ -158,7 +158,7 @@ impl<S: Scalar> Catenary<S> {
         Span { across: along * span.across, up: point.up + along * (span.up - top.up) }
     }
 
-    fn hanging(&self, force: &EndForce<S>) -> Hanging<S> {
+    fn hanging(&self, force: &EndForce<S>) -> HangingPart<S> {
         let EndForce { horizontal: h, vertical: v } = *force;
         let free = v - self.weight * self.unstretched_length;
         let lies = if self.on_seabed { free.select_below(0.0, || S::ONE, || S::ZERO) } else { S::ZERO };
@@ -174,7 +174,7 @@ impl<S: Scalar> Catenary<S> {
             || asinh(v / h) + asinh(-lower_vertical / h),
             || (weight * S::constant(2.0) / (tension + lower_tension - weight)).ln_1p(),
         );
-        Hanging { length, grounded: self.unstretched_length - length, lower_vertical, tension, lower_tension, turn }
+        HangingPart { length, grounded: self.unstretched_length - length, lower_vertical, tension, lower_tension, turn }
     }
 
     /// What Newton's method adds to a force for these ends.

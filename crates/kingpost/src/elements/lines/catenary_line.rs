@@ -3,7 +3,7 @@
 use super::catenary::{Catenary, EndForce, Span};
 use super::{declaration, place, pull_at, shares};
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::elements::{Declaration, Element, Moment};
+use crate::elements::{Context, Declaration, Element};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -36,7 +36,7 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
     }
 
     /// Adds the pull at the fairlead.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (way, span) = self.way(at.model, at.links);
         let EndForce { horizontal, vertical } = self.line.force(&span);
         let per_length = horizontal / span.across;
@@ -44,12 +44,12 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
         pull_at(&self.fairlead, pull, at, loads);
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let (_, span) = self.way(at.model, at.links);
         out.extend(self.line.tensions(&self.line.force(&span)));
     }
 
-    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+    fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let (way, span) = self.way(at.model, at.links);
         let force = self.line.force(&span);
         for share in shares::<S>() {
@@ -72,7 +72,7 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
     }
 
     /// Energy of its weight and stretch, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let (way, span) = self.way(at.model, at.links);
         let force = self.line.force(&span);
         let nearer = way[0] * way[0] + way[1] * way[1] - span.across * span.across;

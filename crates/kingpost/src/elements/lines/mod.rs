@@ -8,7 +8,7 @@ pub use catenary::{Catenary, EndForce, Span};
 pub use catenary_line::CatenaryLine;
 pub use spring_line::SpringLine;
 
-use super::{Declaration, DrawnLine, LineStyle, Moment, Output};
+use super::{Context, Declaration, DrawnLine, LineStyle, Output};
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
@@ -48,7 +48,7 @@ pub(super) fn place<S: Scalar>(end: &Attachment<S>, model: &Model<S>, links: &Li
 }
 
 /// How an end moves in the world, m/s.
-pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Moment<'_, S>) -> Vector3<S> {
+pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Context<'_, S>) -> Vector3<S> {
     let Some(body) = end.body else { return Vector3::zero() };
     let twist = at.links.body_twist(at.model, body);
     let in_body = twist.linear + twist.angular.cross(end.in_body.position);
@@ -56,7 +56,7 @@ pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Moment<'_, S>) -> Ve
 }
 
 /// Adds a force in world axes at an end; on the world itself nothing is added.
-fn pull_at<S: Scalar>(end: &Attachment<S>, pull: Vector3<S>, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+fn pull_at<S: Scalar>(end: &Attachment<S>, pull: Vector3<S>, at: &Context<'_, S>, loads: &mut Loads<S>) {
     let Some(body) = end.body else { return };
     let force = at.links.to_body_axes(at.model, body, pull);
     loads.wrenches.push((body, Wrench { moment: end.in_body.position.cross(force), force }));

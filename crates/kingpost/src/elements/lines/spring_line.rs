@@ -2,7 +2,7 @@
 
 use super::{declaration, place, pull_at, shares, velocity};
 use crate::dynamics::Loads;
-use crate::elements::{Declaration, Element, Moment, hunt_crossley};
+use crate::elements::{Context, Declaration, Element, hunt_crossley};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -41,7 +41,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
     }
 
     /// Adds the pull at both ends, and the heat that the line makes.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (way, rate) = self.way(at);
         let (length, direction) = length_and_direction(way);
         let (tension, heat) = self.tension(length, direction.dot(rate));
@@ -51,7 +51,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
         pull_at(&self.second, -pull, at, loads);
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let (way, rate) = self.way(at);
         let (length, direction) = length_and_direction(way);
         let (tension, _) = self.tension(length, direction.dot(rate));
@@ -60,7 +60,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
 
     /// Straight where it pulls; where it is slack with a sag: of a flat parabola that is longer than its chord d by e
     /// the sag is sqrt(3/8 d e).
-    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+    fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let first = place(&self.first, at.model, at.links);
         let way = place(&self.second, at.model, at.links) - first;
         let (length, _) = length_and_direction(way);
@@ -83,7 +83,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
     }
 
     /// Energy stored, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let way = self.way(at).0;
         let stretch = self.stretch(length_and_direction(way).0);
         self.stiffness() * stretch * stretch * S::constant(0.5)
@@ -92,7 +92,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
 
 impl<S: Scalar> SpringLine<S> {
     /// From the first end to the second in the world, m, and its rate, m/s.
-    fn way(&self, at: &Moment<'_, S>) -> (Vector3<S>, Vector3<S>) {
+    fn way(&self, at: &Context<'_, S>) -> (Vector3<S>, Vector3<S>) {
         let way = place(&self.second, at.model, at.links) - place(&self.first, at.model, at.links);
         (way, velocity(&self.second, at) - velocity(&self.first, at))
     }

@@ -4,7 +4,7 @@ mod condition;
 
 pub use condition::{ColumnRange, Condition};
 
-use crate::elements::{Declaration, Element, Moment, Output, Own};
+use crate::elements::{Context, Declaration, Element, Output, Own};
 use crate::scalar::Scalar;
 
 /// A timeline. It looks at its condition where a step of the integrator begins, so a step of the operation ends at most
@@ -81,13 +81,13 @@ impl<S: Scalar> Element<S> for Operation<S> {
         }
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         out.push(S::constant(at.modes[STEP] as f64));
     }
 
     fn steer(
         &mut self,
-        at: &Moment<'_, S>,
+        at: &Context<'_, S>,
         read: &[S],
         own: &mut Own<'_, S>,
         inputs: &mut [S],

@@ -10,7 +10,7 @@
 //! which gives the mean radius of every layer. Rope leaves the drum at R0 for all that: its side of the drum shifts by less than
 //! the height of the layers.
 
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::scalar::Scalar;
 
 /// A drum: a coordinate that a rope is wound up by.
@@ -55,7 +55,7 @@ pub(super) struct PaidOut<S> {
 }
 
 impl<S: Scalar> Drum<S> {
-    pub(super) fn paid_out(&self, at: &Moment<'_, S>) -> PaidOut<S> {
+    pub(super) fn paid_out(&self, at: &Context<'_, S>) -> PaidOut<S> {
         let angle = self.sense * (at.q[self.position] - self.start);
         let speed = self.sense * at.v[self.coordinate];
         let radius = self.radius;

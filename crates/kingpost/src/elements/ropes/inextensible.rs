@@ -11,12 +11,12 @@
 //! lost its energy to heat, as in a stiff rope whose damper leaves no rebound (Pfeiffer & Glocker, *Multibody Dynamics with
 //! Unilateral Contacts*, 1996, ch. 8, with a coefficient of restitution of 0). This is the limit of a rope without compliance.
 
-use super::path::{Place, Wrap};
-use super::station::Motion;
-use super::{PARTED, Path, ROUNDING_M, Rope, Round, SLACK, Station, TAUT};
+use super::path::{PlacedStation, Wrap};
+use super::station::StationMotion;
+use super::{PARTED, ROUNDING_M, Rope, RopePath, Round, SLACK, Station, TAUT};
 use crate::dynamics::Restraint;
 use crate::elements::ropes::Efficiency;
-use crate::elements::{Holding, Moment};
+use crate::elements::{Context, Holding};
 use crate::model::Attachment;
 use crate::scalar::{Dual, Scalar};
 use crate::spatial::{Frame, Vector3};
@@ -31,14 +31,14 @@ const ROUNDING_M_S: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub struct Inextensible<S = f64> {
     /// The same path over numbers with their rates: the rate of its length has the second derivative beside it.
-    rated: Path<Rated<S>>,
+    rated: RopePath<Rated<S>>,
     /// T, as the accelerations were found last, N.
     pub(super) tension: S,
 }
 
 impl<S: Scalar> Inextensible<S> {
     /// Over a path, whose stations hand their places over.
-    pub fn new(path: &Path<S>) -> Self {
+    pub fn new(path: &RopePath<S>) -> Self {
         let stations = path.stations().iter().map(|station| Station {
             centre: Attachment { body: None, in_body: Frame::identity(), link: None, in_link: Frame::identity() },
             round: station.round.map(|round| Round {
@@ -48,20 +48,27 @@ impl<S: Scalar> Inextensible<S> {
             }),
             falls: Dual::still(station.falls),
         });
-        Self { rated: Path::new(stations.collect()), tension: S::ZERO }
+        Self { rated: RopePath::new(stations.collect()), tension: S::ZERO }
     }
 
     /// l'' where every station's point x accelerates by omega x x' and nothing turns faster, m/s^2; `path` has seen the bodies.
-    fn drift(&mut self, path: &Path<S>) -> S {
+    fn drift(&mut self, path: &RopePath<S>) -> S {
         let own = &mut self.rated;
         own.drum = path.drum.map(|wrap| Wrap { from: still(wrap.from), length: Dual::still(wrap.length) });
         for (own, place) in own.places.iter_mut().zip(&path.places) {
-            let Motion { centre, velocity, angular_velocity: omega } = place.motion;
+            let StationMotion { centre, velocity, angular_velocity: omega } = place.motion;
             let turning = |vector: Vector3<S>| rated(vector, omega.cross(vector));
-            let motion =
-                Motion { centre: rated(centre, velocity), velocity: turning(velocity), angular_velocity: still(omega) };
-            *own =
-                Place { motion, axis: turning(place.axis), from: turning(place.from), moments: [Vector3::zero(); 2] };
+            let motion = StationMotion {
+                centre: rated(centre, velocity),
+                velocity: turning(velocity),
+                angular_velocity: still(omega),
+            };
+            *own = PlacedStation {
+                motion,
+                axis: turning(place.axis),
+                from: turning(place.from),
+                moments: [Vector3::zero(); 2],
+            };
         }
         own.lay();
         own.measure().rate.derivative[0]
@@ -79,7 +86,7 @@ fn rated<S: Scalar>(vector: Vector3<S>, rate: Vector3<S>) -> Vector3<Rated<S>> {
 impl<S: Scalar> Rope<S> {
     /// The mode of an inextensible rope where a run begins: taut where its path is as long as it and stays so. One that its
     /// ends pull apart there comes taut as an event, at once.
-    pub(super) fn held_at_start(&mut self, at: &Moment<'_, S>) -> i64 {
+    pub(super) fn held_at_start(&mut self, at: &Context<'_, S>) -> i64 {
         let now = self.laid(at);
         let longer = now.stretch.all(|stretch| stretch > ROUNDING_M);
         let just_taut = now.stretch.all(|stretch| stretch >= -ROUNDING_M)
@@ -93,7 +100,7 @@ impl<S: Scalar> Holding<S> for Rope<S> {
         self.inextensible.is_some() && modes.first() == Some(&TAUT)
     }
 
-    fn restrain(&mut self, at: &Moment<'_, S>, held: &mut Restraint<S>) {
+    fn restrain(&mut self, at: &Context<'_, S>, held: &mut Restraint<S>) {
         let now = self.laid(at);
         let Self { path, inextensible, drum, .. } = self;
         held.clear();

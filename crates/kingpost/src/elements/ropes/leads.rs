@@ -1,6 +1,6 @@
 //! How far a rope leads off from the vertical of its crane: offlead and sidelead.
 
-use super::Path;
+use super::RopePath;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -14,7 +14,7 @@ struct Leaves {
     across: usize,
 }
 
-impl<S: Scalar> Path<S> {
+impl<S: Scalar> RopePath<S> {
     /// The last leg between two bodies, and whether the rope runs along it from the load to the crane. The crane's body is the
     /// one that the path comes to first.
     pub(super) fn leaving_leg(&self) -> Option<(usize, bool)> {

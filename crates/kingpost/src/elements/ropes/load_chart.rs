@@ -1,10 +1,10 @@
 //! The load chart of a crane: what it may lift at which radius.
 
 use super::stretch::Stretched;
-use super::{Path, Rope};
+use super::{Rope, RopePath};
 use crate::elements::lines::place;
 use crate::elements::watcher::{Extreme, Warning, Watcher, significant};
-use crate::elements::{AnyWatcher, Moment, Output};
+use crate::elements::{AnyWatcher, Context, Output};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -41,7 +41,7 @@ impl<S: Scalar> LoadChart<S> {
     }
 
     /// The distance of a point (world, m) from the slewing axis, m.
-    fn radius(&self, at: &Moment<'_, S>, point: Vector3<S>) -> S {
+    fn radius(&self, at: &Context<'_, S>, point: Vector3<S>) -> S {
         let axis = self.centre.body.map_or(self.axis, |body| at.links.body_frame(at.model, body).rotation * self.axis);
         let way = point - place(&self.centre, at.model, at.links);
         let across = way - axis * axis.dot(way);
@@ -69,7 +69,7 @@ impl<S: Scalar> LoadChart<S> {
 
 impl<S: Scalar> Rope<S> {
     /// Radius, rated load, hook load and utilisation, as its chart shows them; the path has seen the bodies.
-    pub(super) fn on_chart(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> Option<[S; 4]> {
+    pub(super) fn on_chart(&self, at: &Context<'_, S>, now: &Stretched<S>) -> Option<[S; 4]> {
         let chart = self.load_chart.as_ref()?;
         let radius = chart.radius(at, self.path.leaves_crane_at()?);
         let rated = chart.rated_load(radius);
@@ -82,7 +82,7 @@ impl<S: Scalar> Rope<S> {
     }
 
     /// The sum of its forces on the body at the lower end of the leg between crane and load, world, N.
-    fn pull_on_load(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> Vector3<S> {
+    fn pull_on_load(&self, at: &Context<'_, S>, now: &Stretched<S>) -> Vector3<S> {
         let Some(load) = self.path.load() else { return Vector3::zero() };
         let mut sum = Vector3::zero();
         self.path.pull(now.tension, now.rate, |station, wrench| {
@@ -99,7 +99,7 @@ impl<S: Scalar> Rope<S> {
     }
 }
 
-impl<S: Scalar> Path<S> {
+impl<S: Scalar> RopePath<S> {
     /// Where the rope leaves the crane for the load, world, m; the path has seen the bodies.
     fn leaves_crane_at(&self) -> Option<Vector3<S>> {
         let (leg, runs_up) = self.leaving_leg()?;

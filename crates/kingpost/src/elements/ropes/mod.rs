@@ -13,20 +13,20 @@ mod weight;
 pub use drum::{Drum, Layers};
 pub use inextensible::Inextensible;
 pub use load_chart::LoadChart;
-pub use path::{Extent, Path};
+pub use path::{PathLength, RopePath};
 pub use station::{Efficiency, Round, Station};
 pub use tugger_line::TuggerLine;
 pub use weight::RopeWeight;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Crossing, Declaration, DrawnLine, Element, Event, Holding, Input, LineStyle, Moment, Output, Own,
+    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, Event, Holding, Input, LineStyle, Output, Own,
 };
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use stretch::condition;
 
-/// A rope without inertia over a [`Path`], which pulls and never pushes: elastic, or inextensible where nothing gives way.
+/// A rope without inertia over a [`RopePath`], which pulls and never pushes: elastic, or inextensible where nothing gives way.
 ///
 /// Of an elastic rope, with the length l of the path, the unstretched length L that lies on it, the stretch e = l - L and
 /// 1/k = L/EA + 1/k_s, where k_s is the stiffness of all that gives way in series with it (the crane's own, as the *simple wire coupling* of
@@ -45,7 +45,7 @@ pub struct Rope<S = f64> {
     /// Name in the results.
     pub name: String,
     /// What it runs over.
-    pub path: Path<S>,
+    pub path: RopePath<S>,
     /// The drum at its first end.
     pub drum: Option<Drum<S>>,
     /// L at the start, m.
@@ -163,7 +163,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         }
     }
 
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let now = self.stretched(at);
         let pull = self.pull_length(&now);
         let released = at.inputs.first().is_some_and(|lever| lever.all(|lever| lever >= RELEASES));
@@ -176,7 +176,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         };
     }
 
-    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn renew(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         if own.modes[0] == PARTED {
             return;
         }
@@ -189,7 +189,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
     }
 
     /// Adds the pulls at all stations, the torque on the drum, and the heat.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let now = self.stretched(at);
         self.weigh(at, &now, loads);
         if self.inextensible.is_some() {
@@ -207,12 +207,12 @@ impl<S: Scalar> Element<S> for Rope<S> {
         loads.power.dissipated += -(power + stored);
     }
 
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let now = self.stretched(at);
         self.energy_of_weight(at, &now) + now.elastic * now.stretch * S::constant(0.5)
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let now = self.stretched(at);
         let ([first, last], _) = self.tensions(at, &now);
         out.extend([last, first, now.unstretched, now.paid_out.rate, now.stretch]);
@@ -226,7 +226,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         self.load_chart.iter().map(|chart| chart.watcher(&self.name)).collect()
     }
 
-    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         let now = self.stretched(at);
         let (mode, pull) = (condition(at), self.pull_length(&now));
         let holds = self.inextensible.is_some();
@@ -246,7 +246,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         values.iter_mut().enumerate().for_each(|(event, value)| *value = of_event(event));
     }
 
-    fn respond(&mut self, event: usize, at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn respond(&mut self, event: usize, at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
         match event {
             GOES_SLACK => own.modes[0] = SLACK,
             COMES_TAUT => self.pull_or_part(at, own),
@@ -257,7 +257,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
 
     /// Straight but for the last leg of a slack rope, which sags: of a flat parabola that is longer than its chord d by e the sag is
     /// sqrt(3/8 d e).
-    fn draw(&mut self, at: &Moment<'_, S>, points: &mut Vec<S>) {
+    fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let now = self.stretched(at);
         let last = self.path.stations().len().saturating_sub(2);
         let slack = now.stretch.select_below(0.0, || -now.stretch, || S::ZERO);

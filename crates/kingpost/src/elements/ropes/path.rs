@@ -12,8 +12,8 @@
 //! This is the length of a belt where its legs lie in the planes of the sheaves, and a smooth function of centres and axes
 //! where they do not. Forces and moments are its derivatives times the tension: they agree with the energy on any path.
 
-use super::station::{Motion, Round, Station};
-use crate::elements::Moment;
+use super::station::{Round, Station, StationMotion};
+use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 use core::f64::consts::FRAC_PI_2;
@@ -26,12 +26,12 @@ const SMOOTHING_M_S: f64 = 0.01;
 
 /// The stations of a rope in their order, and the memory to evaluate them.
 #[derive(Clone, Debug)]
-pub struct Path<S = f64> {
+pub struct RopePath<S = f64> {
     /// At least two. The last is a point; the first is a point or a drum.
     stations: Vec<Station<S>>,
     /// Of a drum at the first station.
     pub(super) drum: Option<Wrap<S>>,
-    pub(super) places: Vec<Place<S>>,
+    pub(super) places: Vec<PlacedStation<S>>,
     legs: Vec<Leg<S>>,
 }
 
@@ -46,8 +46,8 @@ pub(super) struct Wrap<S> {
 
 /// A station where the bodies are; vectors in world axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place<S> {
-    pub motion: Motion<S>,
+pub(super) struct PlacedStation<S> {
+    pub motion: StationMotion<S>,
     pub axis: Vector3<S>,
     /// Of a drum: the direction that the angle of the wrap is counted from.
     pub from: Vector3<S>,
@@ -76,7 +76,7 @@ struct Leg<S> {
 
 /// Length of a path.
 #[derive(Clone, Copy, Debug)]
-pub struct Extent<S> {
+pub struct PathLength<S> {
     /// From the first end, or from where the rope leaves its drum, to the last end, m; all falls of a leg count.
     pub length: S,
     /// Its rate, m/s.
@@ -86,12 +86,12 @@ pub struct Extent<S> {
     pub range_left: S,
 }
 
-impl<S: Scalar> Path<S> {
+impl<S: Scalar> RopePath<S> {
     /// A path over at least two stations.
     pub fn new(stations: Vec<Station<S>>) -> Self {
         let zero = Vector3::zero();
-        let motion = Motion { centre: zero, velocity: zero, angular_velocity: zero };
-        let place = Place { motion, axis: zero, from: zero, moments: [zero; 2] };
+        let motion = StationMotion { centre: zero, velocity: zero, angular_velocity: zero };
+        let place = PlacedStation { motion, axis: zero, from: zero, moments: [zero; 2] };
         let (distance, sine, cosine, rate) = (S::ONE, S::ZERO, S::ONE, S::ZERO);
         let leg = Leg { along: zero, distance, axis: zero, sine, cosine, radii: S::ZERO, gradient: zero, rate };
         let (places, legs) = (vec![place; stations.len()], vec![leg; stations.len().saturating_sub(1)]);
@@ -130,7 +130,7 @@ impl<S: Scalar> Path<S> {
     }
 
     /// Where a run begins: the wrap on the drum is counted from here.
-    pub fn begin(&mut self, at: &Moment<'_, S>) {
+    pub fn begin(&mut self, at: &Context<'_, S>) {
         let Some(drum) = self.stations[0].round else { return };
         self.stand(at);
         let across = self.legs[0].along.cross(self.places[0].axis);
@@ -140,7 +140,7 @@ impl<S: Scalar> Path<S> {
     }
 
     /// The first leg between places that overlap: its number, the distance of the centres and the sum of the radii, m.
-    pub fn overlap(&mut self, at: &Moment<'_, S>) -> Option<(usize, [S; 2])> {
+    pub fn overlap(&mut self, at: &Context<'_, S>) -> Option<(usize, [S; 2])> {
         self.stand(at);
         let mut legs = self.legs.iter().enumerate().map(|(k, leg)| (k, [leg.distance, leg.radii]));
         legs.find(|(_, [distance, radii])| !(*distance - *radii).all(|apart| apart > 0.0))
@@ -161,20 +161,20 @@ impl<S: Scalar> Path<S> {
     }
 
     /// Whether the axis of the drum points along the rope, which then has no side to leave it on.
-    pub fn drum_is_along(&mut self, at: &Moment<'_, S>) -> bool {
+    pub fn drum_is_along(&mut self, at: &Context<'_, S>) -> bool {
         self.stand(at);
         let across = self.legs[0].along.cross(self.places[0].axis).norm_squared();
         self.stations[0].round.is_some() && !across.all(|across| across > 1e-6)
     }
 
     /// Length and rate where the bodies are.
-    pub fn extent(&mut self, at: &Moment<'_, S>) -> Extent<S> {
+    pub fn extent(&mut self, at: &Context<'_, S>) -> PathLength<S> {
         self.stand(at);
         self.measure()
     }
 
     /// Length and rate with the stations where they stand.
-    pub(super) fn measure(&mut self) -> Extent<S> {
+    pub(super) fn measure(&mut self) -> PathLength<S> {
         let mut length = self.drum.map_or(S::ZERO, |wrap| -wrap.length);
         for (k, leg) in self.legs.iter_mut().enumerate() {
             let (behind, lean) = (&self.stations[k + 1], leg.lean());
@@ -207,14 +207,19 @@ impl<S: Scalar> Path<S> {
                 - second.angular_velocity.dot(before_second);
             rate += leg.rate;
         }
-        Extent { length, rate, range_left }
+        PathLength { length, rate, range_left }
     }
 
     /// Places of the stations and ways of the legs.
-    fn stand(&mut self, at: &Moment<'_, S>) {
+    fn stand(&mut self, at: &Context<'_, S>) {
         for (place, station) in self.places.iter_mut().zip(&self.stations) {
             let axis = station.round.map_or(Vector3::zero(), |round| station.to_world(at, round.axis));
-            *place = Place { motion: station.motion(at), axis, from: Vector3::zero(), moments: [Vector3::zero(); 2] };
+            *place = PlacedStation {
+                motion: station.motion(at),
+                axis,
+                from: Vector3::zero(),
+                moments: [Vector3::zero(); 2],
+            };
         }
         if let Some(wrap) = self.drum {
             self.places[0].from = self.stations[0].to_world(at, wrap.from);

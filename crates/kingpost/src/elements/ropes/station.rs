@@ -1,6 +1,6 @@
 //! What a rope runs over: points, sheaves, a drum.
 
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::elements::lines::{place, velocity};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
@@ -51,7 +51,7 @@ impl<S: Scalar> Efficiency<S> {
 
 /// How a station moves: all in world axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Motion<S> {
+pub(super) struct StationMotion<S> {
     /// m.
     pub centre: Vector3<S>,
     /// m/s.
@@ -62,27 +62,27 @@ pub(super) struct Motion<S> {
 
 impl<S: Scalar> Station<S> {
     /// Where the station is and how it moves.
-    pub(super) fn motion(&self, at: &Moment<'_, S>) -> Motion<S> {
+    pub(super) fn motion(&self, at: &Context<'_, S>) -> StationMotion<S> {
         let angular_velocity = self.centre.body.map_or(Vector3::zero(), |body| {
             at.links.body_frame(at.model, body).rotation * at.links.body_twist(at.model, body).angular
         });
         let centre = place(&self.centre, at.model, at.links);
-        Motion { centre, velocity: velocity(&self.centre, at), angular_velocity }
+        StationMotion { centre, velocity: velocity(&self.centre, at), angular_velocity }
     }
 
     /// A vector in the axes of the station's body, in world axes.
-    pub(super) fn to_world(&self, at: &Moment<'_, S>, vector: Vector3<S>) -> Vector3<S> {
+    pub(super) fn to_world(&self, at: &Context<'_, S>, vector: Vector3<S>) -> Vector3<S> {
         self.centre.body.map_or(vector, |body| at.links.body_frame(at.model, body).rotation * vector)
     }
 
     /// A vector in world axes, in the axes of the station's body.
-    pub(super) fn to_body(&self, at: &Moment<'_, S>, vector: Vector3<S>) -> Vector3<S> {
+    pub(super) fn to_body(&self, at: &Context<'_, S>, vector: Vector3<S>) -> Vector3<S> {
         self.centre.body.map_or(vector, |body| at.links.to_body_axes(at.model, body, vector))
     }
 
     /// The body that a wrench at the station acts on, and the wrench in its axes about its centre of mass; `None` on the
     /// world.
-    pub(super) fn on_body(&self, at: &Moment<'_, S>, in_world: &Wrench<S>) -> Option<(usize, Wrench<S>)> {
+    pub(super) fn on_body(&self, at: &Context<'_, S>, in_world: &Wrench<S>) -> Option<(usize, Wrench<S>)> {
         let body = self.centre.body?;
         let (force, moment) = (self.to_body(at, in_world.force), self.to_body(at, in_world.moment));
         Some((body, Wrench { moment: moment + self.centre.in_body.position.cross(force), force }))

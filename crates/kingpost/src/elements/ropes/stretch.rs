@@ -1,8 +1,8 @@
 //! How far a rope is stretched, and what it pulls with.
 
 use super::drum::PaidOut;
-use super::{BY_STRETCH, Extent, PARTED, PARTS, Rope, SHORTEST, SLACK, TAUT};
-use crate::elements::{Moment, Own, Situation};
+use super::{BY_STRETCH, PARTED, PARTS, PathLength, Rope, SHORTEST, SLACK, TAUT};
+use crate::elements::{Context, Own, Situation};
 use crate::scalar::Scalar;
 
 /// A rope at a moment.
@@ -24,7 +24,7 @@ pub(super) struct Stretched<S> {
 }
 
 /// The mode of a rope; at rest one that has not parted goes by its stretch.
-pub(super) fn condition<S>(at: &Moment<'_, S>) -> i64 {
+pub(super) fn condition<S>(at: &Context<'_, S>) -> i64 {
     let mode = at.modes.first().copied().unwrap_or(BY_STRETCH);
     if at.situation == Situation::Running || mode == PARTED { mode } else { BY_STRETCH }
 }
@@ -37,7 +37,7 @@ impl<S: Scalar> Rope<S> {
 
     /// Where a run begins, before an equilibrium is sought: counts the drum's wrap and the rope that it pays out from here.
     /// Returns the length of the path, m.
-    pub fn begin_at(&mut self, at: &Moment<'_, S>) -> S {
+    pub fn begin_at(&mut self, at: &Context<'_, S>) -> S {
         self.path.begin(at);
         if let Some(drum) = &mut self.drum {
             drum.start = at.q[drum.position];
@@ -51,12 +51,12 @@ impl<S: Scalar> Rope<S> {
     }
 
     /// A rope that begins to pull: its damper alone may part it as it comes taut.
-    pub(super) fn pull_or_part(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    pub(super) fn pull_or_part(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         own.modes[0] = TAUT;
         if self.inextensible.is_some() {
             return;
         }
-        let now = self.stretched(&Moment { modes: &[TAUT], ..*at });
+        let now = self.stretched(&Context { modes: &[TAUT], ..*at });
         let largest = self.tensions(at, &now).1;
         if self.breaking_load.is_some_and(|load| (largest - load).all(|beyond| beyond > 0.0)) {
             own.modes[0] = PARTED;
@@ -65,14 +65,14 @@ impl<S: Scalar> Rope<S> {
     }
 
     /// The largest tension on its path where the bodies are, N.
-    pub fn tension_here(&mut self, at: &Moment<'_, S>) -> S {
+    pub fn tension_here(&mut self, at: &Context<'_, S>) -> S {
         let now = self.stretched(at);
         self.tensions(at, &now).1
     }
 
     /// How it lies, as if nothing pulled.
-    pub(super) fn laid(&mut self, at: &Moment<'_, S>) -> Stretched<S> {
-        let Extent { length, rate, range_left } = self.path.extent(at);
+    pub(super) fn laid(&mut self, at: &Context<'_, S>) -> Stretched<S> {
+        let PathLength { length, rate, range_left } = self.path.extent(at);
         let no_drum = PaidOut { length: S::ZERO, per_angle: S::ZERO, rate: S::ZERO, drift: S::ZERO, left: S::ONE };
         let paid_out = self.drum.map_or(no_drum, |drum| drum.paid_out(at));
         let unstretched = self.unstretched_length + paid_out.length;
@@ -81,7 +81,7 @@ impl<S: Scalar> Rope<S> {
         Stretched { unstretched, paid_out, stretch, rate, elastic, tension, carried, range_left }
     }
 
-    pub(super) fn stretched(&mut self, at: &Moment<'_, S>) -> Stretched<S> {
+    pub(super) fn stretched(&mut self, at: &Context<'_, S>) -> Stretched<S> {
         let laid = self.laid(at);
         let Stretched { unstretched, stretch, rate, .. } = laid;
         if let Some(own) = &self.inextensible {
@@ -109,7 +109,7 @@ impl<S: Scalar> Rope<S> {
     }
 
     /// The tensions at its first and its last end, and the largest on its path, N.
-    pub(super) fn tensions(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> ([S; 2], S) {
+    pub(super) fn tensions(&self, at: &Context<'_, S>, now: &Stretched<S>) -> ([S; 2], S) {
         let [first, _] = self.path.pull(now.tension, now.rate, |_, _| {});
         self.with_weight(at, now, [first, now.tension])
     }

@@ -16,9 +16,9 @@
 //! cable changes by w per height).
 
 use super::stretch::{Stretched, condition};
-use super::{PARTED, Path, Rope, Station};
+use super::{PARTED, Rope, RopePath, Station};
 use crate::dynamics::Loads;
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 use core::f64::consts::FRAC_PI_4;
@@ -41,7 +41,7 @@ struct PerLength<S> {
 
 /// How the weight of a rope is spread over its path.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hanging<S> {
+pub(super) struct WeightOnPath<S> {
     per_length: PerLength<S>,
     /// L / l.
     density: S,
@@ -50,13 +50,13 @@ pub(super) struct Hanging<S> {
 }
 
 impl<S: Scalar> RopeWeight<S> {
-    fn per_length(&self, at: &Moment<'_, S>) -> PerLength<S> {
+    fn per_length(&self, at: &Context<'_, S>) -> PerLength<S> {
         let area = self.diameter * self.diameter * S::constant(FRAC_PI_4);
         let in_air = self.mass_per_length * at.world.gravity;
         PerLength { in_air, in_water: in_air - at.world.water_density * at.world.gravity * area }
     }
 
-    fn hanging(&self, at: &Moment<'_, S>, path: &Path<S>, now: &Stretched<S>) -> Hanging<S> {
+    fn hanging(&self, at: &Context<'_, S>, path: &RopePath<S>, now: &Stretched<S>) -> WeightOnPath<S> {
         let per_length = self.per_length(at);
         let length = now.unstretched + now.stretch;
         let of_leg = |k: usize| {
@@ -64,7 +64,7 @@ impl<S: Scalar> RopeWeight<S> {
             way.norm() * falls * per_length.mean(path.heights(k))
         };
         let sum = (0..path.stations().len() - 1).fold(S::ZERO, |sum, k| sum + of_leg(k));
-        Hanging { per_length, density: now.unstretched / length, mean: sum / length }
+        WeightOnPath { per_length, density: now.unstretched / length, mean: sum / length }
     }
 }
 
@@ -98,7 +98,7 @@ impl<S: Scalar> PerLength<S> {
     }
 }
 
-impl<S: Scalar> Hanging<S> {
+impl<S: Scalar> WeightOnPath<S> {
     /// What the tension at a height is above the mean, N.
     fn above_mean(&self, height: S) -> S {
         self.density * (self.per_length.integral(height) - self.mean)
@@ -107,13 +107,13 @@ impl<S: Scalar> Hanging<S> {
 
 impl<S: Scalar> Rope<S> {
     /// Where it weighs something and has not parted; the path has seen the bodies.
-    fn hanging(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> Option<Hanging<S>> {
+    fn hanging(&self, at: &Context<'_, S>, now: &Stretched<S>) -> Option<WeightOnPath<S>> {
         let weight = self.weight.filter(|_| condition(at) != PARTED)?;
         Some(weight.hanging(at, &self.path, now))
     }
 
     /// Adds -dV/dx on the bodies and -dV/dL on the drum.
-    pub(super) fn weigh(&self, at: &Moment<'_, S>, now: &Stretched<S>, loads: &mut Loads<S>) {
+    pub(super) fn weigh(&self, at: &Context<'_, S>, now: &Stretched<S>, loads: &mut Loads<S>) {
         self.weight_on_stations(at, now, |station, wrench| loads.wrenches.extend(station.on_body(at, wrench)));
         let (Some(drum), Some(hanging)) = (&self.drum, self.hanging(at, now)) else { return };
         let above_mean = hanging.per_length.integral(self.path.centre(0)[2]) - hanging.mean;
@@ -123,11 +123,11 @@ impl<S: Scalar> Rope<S> {
     /// Hands over -dV/dx at every station, in world axes.
     pub(super) fn weight_on_stations(
         &self,
-        at: &Moment<'_, S>,
+        at: &Context<'_, S>,
         now: &Stretched<S>,
         mut hand: impl FnMut(&Station<S>, &Wrench<S>),
     ) {
-        let Some(Hanging { per_length, density, mean }) = self.hanging(at, now) else { return };
+        let Some(WeightOnPath { per_length, density, mean }) = self.hanging(at, now) else { return };
         let path = &self.path;
         path.pull_freely(-density * mean, &mut hand);
         let up = |force: S| Vector3([S::ZERO, S::ZERO, force]);
@@ -148,14 +148,14 @@ impl<S: Scalar> Rope<S> {
     }
 
     /// V, J.
-    pub(super) fn energy_of_weight(&self, at: &Moment<'_, S>, now: &Stretched<S>) -> S {
+    pub(super) fn energy_of_weight(&self, at: &Context<'_, S>, now: &Stretched<S>) -> S {
         let Some(hanging) = self.hanging(at, now) else { return S::ZERO };
         now.unstretched * hanging.mean - now.paid_out.length * hanging.per_length.integral(self.path.centre(0)[2])
     }
 
     /// The tension at each end with what the weight adds there, and the largest at any place of the path with that of the
     /// larger end; `tensions` without it, first and last, N. None is below 0.
-    pub(super) fn with_weight(&self, at: &Moment<'_, S>, now: &Stretched<S>, tensions: [S; 2]) -> ([S; 2], S) {
+    pub(super) fn with_weight(&self, at: &Context<'_, S>, now: &Stretched<S>, tensions: [S; 2]) -> ([S; 2], S) {
         let larger = |a: S, b: S| a.select_less(b, || b, || a);
         let [first, last] = tensions;
         let largest = larger(first, last);

@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 /// phi over s, from phi(0) = 0: in proportion, or a smooth curve through points that overshoots none of them (the monotone
 /// cubic of Fritsch and Butland, *SIAM J. Sci. Stat. Comput.* 5, 1984, 300-304, with slopes that are harmonic means).
 #[derive(Clone, Debug, Default)]
-pub struct Growth<S = f64> {
+pub struct AddedMassGrowth<S = f64> {
     /// s, phi and dphi/ds at the points; none for phi = s.
     points: Vec<[S; 3]>,
 }
@@ -23,7 +23,7 @@ pub struct GrowthError {
     pub allowed: String,
 }
 
-impl<S: Scalar> Growth<S> {
+impl<S: Scalar> AddedMassGrowth<S> {
     /// phi = s.
     pub fn in_proportion() -> Self {
         Self { points: Vec::new() }

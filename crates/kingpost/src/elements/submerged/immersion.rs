@@ -1,7 +1,7 @@
 //! How a solid lies in the water, and what the water does there.
 
 use super::{ROUNDING_M, has_phases};
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::elements::hull::{HullFrame, HullMotion};
 use crate::scalar::Scalar;
 use crate::sea::hull::{Below, Solid};
@@ -33,7 +33,7 @@ impl Phase {
         }
     }
 
-    pub fn at<S>(at: &Moment<'_, S>) -> Self {
+    pub fn at<S>(at: &Context<'_, S>) -> Self {
         match at.modes.first().filter(|_| has_phases(at.situation)) {
             Some(1) => Self::Dry,
             Some(2) => Self::Cut,
@@ -135,7 +135,7 @@ impl<S: Scalar> Waters<S> {
         Self { waves: world.waves.as_ref().map(WavesAtBody::new) }
     }
 
-    fn surface(&mut self, at: &Moment<'_, S>, [x, y, _]: [S; 3]) -> LocalSurface<S> {
+    fn surface(&mut self, at: &Context<'_, S>, [x, y, _]: [S; 3]) -> LocalSurface<S> {
         match (&mut self.waves, &at.world.waves) {
             (Some(waves), Some(field)) if at.situation.has_waves() => waves.surface(field, [x, y], at.clock.time_s),
             _ => LocalSurface::still(),
@@ -143,7 +143,7 @@ impl<S: Scalar> Waters<S> {
     }
 
     /// How far the lowest and the highest point of a solid are below the surface, square to it, m.
-    pub(super) fn margins(&mut self, at: &Moment<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> [S; 2] {
+    pub(super) fn margins(&mut self, at: &Context<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> [S; 2] {
         let motion = place.motion(at);
         let plane = Plane::of(&self.surface(at, motion.frame.position.0), &motion);
         let reach = solid.reach(plane.normal);
@@ -151,14 +151,14 @@ impl<S: Scalar> Waters<S> {
     }
 
     /// How far a point of the solid's axes is below the sea, along the vertical, m: [`Immersion::depth`].
-    pub(super) fn depth(&mut self, at: &Moment<'_, S>, place: &HullFrame<S>, point: Vector3<S>) -> S {
+    pub(super) fn depth(&mut self, at: &Context<'_, S>, place: &HullFrame<S>, point: Vector3<S>) -> S {
         let frame = place.frame(at.model, at.links);
         let surface = self.surface(at, frame.position.0);
         depth(&frame, point, surface.elevation, surface.slopes)
     }
 
     /// How a solid lies in the water; phi is left out.
-    pub(super) fn immersion(&mut self, at: &Moment<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> Immersion<S> {
+    pub(super) fn immersion(&mut self, at: &Context<'_, S>, place: &HullFrame<S>, solid: &Solid<S>) -> Immersion<S> {
         let motion = place.motion(at);
         let surface = self.surface(at, motion.frame.position.0);
         let plane = Plane::of(&surface, &motion);
@@ -199,7 +199,7 @@ impl<S: Scalar> Waters<S> {
     /// Velocity and acceleration of the water at the depth of a solid's wet part, in the body's axes.
     fn water(
         &self,
-        at: &Moment<'_, S>,
+        at: &Context<'_, S>,
         motion: &HullMotion<S>,
         surface: &LocalSurface<S>,
         centre: Vector3<S>,

@@ -1,8 +1,8 @@
 //! The loads of the water on a solid, about its centre in the body's axes.
 
-use super::growth::Growth;
+use super::growth::AddedMassGrowth;
 use super::immersion::Immersion;
-use crate::elements::Moment;
+use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 use crate::world::GustsAtHeight;
@@ -15,7 +15,7 @@ pub struct AddedMassOf<S = f64> {
     /// The same about them, m^5.
     pub angular: Vector3<S>,
     /// phi(s).
-    pub growth: Growth<S>,
+    pub growth: AddedMassGrowth<S>,
 }
 
 /// Drag by axis.
@@ -40,7 +40,7 @@ pub struct WindOnDry<S = f64> {
 
 /// Loads by what makes them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Parts<S> {
+pub(super) struct SubmergedLoads<S> {
     pub buoyancy: Wrench<S>,
     pub drag: Wrench<S>,
     pub inertia: Wrench<S>,
@@ -49,7 +49,7 @@ pub(super) struct Parts<S> {
     pub entrained: Wrench<S>,
 }
 
-impl<S: Scalar> Parts<S> {
+impl<S: Scalar> SubmergedLoads<S> {
     pub fn sum(&self) -> Wrench<S> {
         self.buoyancy + self.drag + self.inertia + self.slamming + self.wind + self.entrained
     }
@@ -102,7 +102,7 @@ impl<S: Scalar> Drag<S> {
 
 impl<S: Scalar> WindOnDry<S> {
     /// 1/2 rho C_D A_p |w - v| (w - v) of the dry share, at the solid's centre.
-    pub(super) fn force(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Wrench<S> {
+    pub(super) fn force(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let Some(wind) = &at.world.wind else { return Wrench::zero() };
         let mut flow = wind.at_height(self.height);
         if let (Some(gusts), true) = (&self.gusts, at.situation.has_waves()) {

@@ -6,19 +6,21 @@ mod immersion;
 mod loads;
 
 pub use entrained::EntrainedWater;
-pub use growth::{Growth, GrowthError};
+pub use growth::{AddedMassGrowth, GrowthError};
 pub use immersion::Waters;
 pub use loads::{AddedMassOf, Drag, WindOnDry};
 
 use super::hull::HullFrame;
-use super::{Components, Crossing, Declaration, Element, Event, Frame, Kept, Moment, Output, Own, Situation};
+use super::{
+    Components, Context, Crossing, Declaration, Element, ElementState, Event, Output, Own, Situation, VectorFrame,
+};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::sea::hull::Solid;
-use crate::spatial::{Frame as Axes, Vector3, Wrench};
+use crate::spatial::{Frame, Vector3, Wrench};
 use entrained::Levels;
 use immersion::{Immersion, Phase};
-use loads::Parts;
+use loads::SubmergedLoads;
 
 /// A plain solid on a body that is lowered through the surface of the sea, small beside the waves.
 ///
@@ -80,7 +82,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
 
     fn declare(&self) -> Declaration {
         Declaration {
-            states: self.entrained.iter().map(|_| Kept::new("entrained_level", "m")).collect(),
+            states: self.entrained.iter().map(|_| ElementState::new("entrained_level", "m")).collect(),
             modes: vec!["phase".to_owned()],
             outputs: outputs(&self.name, self.entrained.is_some()),
             events: EVENTS.to_vec(),
@@ -88,7 +90,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn begin(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         self.renew(at, own);
         if let Some(water) = &self.entrained {
             let depth = self.waters.depth(at, &self.place, water.floor());
@@ -96,19 +98,19 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn renew(&mut self, at: &Moment<'_, S>, own: &mut Own<'_, S>) {
+    fn renew(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let [low, high] = self.waters.margins(at, &self.place, &self.solid);
         own.modes[0] = Phase::of(low, high) as i64;
     }
 
-    fn rates(&mut self, at: &Moment<'_, S>, rates: &mut [S]) {
+    fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let Some(water) = self.entrained else { return };
         let outside = water.outside(self.waters.depth(at, &self.place, water.floor()));
         rates[0] = water.rate(at.world.gravity, &Levels { inside: at.states[0], outside });
     }
 
     /// Adds the loads, the added mass, and who does the work.
-    fn loads(&mut self, at: &Moment<'_, S>, loads: &mut Loads<S>) {
+    fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let now = self.immersion(at);
         let parts = self.parts(at, &now);
         let (about_centre, twist) = (|wrench: &Wrench<S>| self.place.about_centre(wrench), &now.twist);
@@ -119,16 +121,16 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         loads.wrenches.push((self.place.body, about_centre(&parts.sum())));
         if !now.share.all(|share| share == 0.0) {
             let added = self.added_mass.inertia(at.world.water_density, now.factor);
-            loads.added_inertia.push((self.place.body, added.to_parent(&Axes::translation(self.place.origin))));
+            loads.added_inertia.push((self.place.body, added.to_parent(&Frame::translation(self.place.origin))));
         }
         if let Some((water, levels)) = self.inside(at, &now) {
             let carried = water.inertia(at.world.water_density, &levels);
-            loads.added_inertia.push((self.place.body, carried.to_parent(&Axes::translation(self.place.origin))));
+            loads.added_inertia.push((self.place.body, carried.to_parent(&Frame::translation(self.place.origin))));
         }
     }
 
     /// What it took to push it into still water, J.
-    fn potential_energy(&mut self, at: &Moment<'_, S>) -> S {
+    fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let frame = self.place.frame(at.model, at.links);
         let (vertical, level) = (frame.rotation.row(2), -frame.position[2]);
         let below = self.solid.below(vertical, level);
@@ -136,7 +138,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         -(height_moment * at.world.specific_weight() * self.displaced)
     }
 
-    fn outputs(&mut self, at: &Moment<'_, S>, out: &mut Vec<S>) {
+    fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let now = self.immersion(at);
         let parts = self.parts(at, &now);
         let world = |vector: Vector3<S>| now.frame.rotation * vector;
@@ -154,7 +156,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn witnesses(&mut self, at: &Moment<'_, S>, values: &mut [S]) {
+    fn witnesses(&mut self, at: &Context<'_, S>, values: &mut [S]) {
         let phase = Phase::at(at);
         let [low, high] = self.waters.margins(at, &self.place, &self.solid);
         for (event, value) in values.iter_mut().enumerate() {
@@ -174,7 +176,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    fn respond(&mut self, event: usize, _at: &Moment<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
+    fn respond(&mut self, event: usize, _at: &Context<'_, S>, own: &mut Own<'_, S>, _v: &mut [S]) {
         own.modes[0] = match event {
             MEETS | COMES_UP => Phase::Cut,
             IS_UNDER => Phase::Wet,
@@ -188,16 +190,16 @@ impl<S: Scalar> Element<S> for Submerged<S> {
 }
 
 impl<S: Scalar> Submerged<S> {
-    fn immersion(&mut self, at: &Moment<'_, S>) -> Immersion<S> {
+    fn immersion(&mut self, at: &Context<'_, S>) -> Immersion<S> {
         let mut now = self.waters.immersion(at, &self.place, &self.solid);
         [now.factor, now.factor_rate] = self.added_mass.growth.at(now.share, now.share_rate);
         now
     }
 
-    fn parts(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Parts<S> {
+    fn parts(&self, at: &Context<'_, S>, now: &Immersion<S>) -> SubmergedLoads<S> {
         let density = at.world.water_density;
         let (inertia, slamming) = self.added_mass.forces(density, now);
-        Parts {
+        SubmergedLoads {
             buoyancy: self.buoyancy(at, now),
             drag: self.drag.force(density, now),
             inertia,
@@ -210,7 +212,7 @@ impl<S: Scalar> Submerged<S> {
     }
 
     /// The water inside, where there may be some. At rest it stands as high as the sea.
-    fn inside(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Option<(EntrainedWater<S>, Levels<S>)> {
+    fn inside(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Option<(EntrainedWater<S>, Levels<S>)> {
         let water = self.entrained?;
         let outside = water.outside(now.depth(water.floor()));
         let inside = if has_phases(at.situation) { *at.states.first()? } else { outside };
@@ -218,14 +220,14 @@ impl<S: Scalar> Submerged<S> {
     }
 
     /// rho V (g + a), at the centre of V.
-    fn buoyancy(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Wrench<S> {
+    fn buoyancy(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let vertical = now.frame.rotation.row(2);
         let field = (vertical * at.world.gravity + now.acceleration) * (at.world.water_density * self.displaced);
         Wrench { moment: now.below.first_moment.cross(field), force: field * now.below.volume }
     }
 
     /// That in still water, which has a potential.
-    fn still_buoyancy(&self, at: &Moment<'_, S>, now: &Immersion<S>) -> Wrench<S> {
+    fn still_buoyancy(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let vertical = now.frame.rotation.row(2);
         let below = if now.in_waves { self.solid.below(vertical, -now.frame.position[2]) } else { now.below };
         let field = vertical * (at.world.specific_weight() * self.displaced);
@@ -241,7 +243,7 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
         frame,
         ..number(variable, description, unit)
     };
-    let force = |variable, description| vector(variable, description, Frame::World, &["N"]);
+    let force = |variable, description| vector(variable, description, VectorFrame::World, &["N"]);
     let mut all = vec![
         number("submerged_share", "volume below the surface over the whole volume", &["1"]),
         force("submerged_buoyancy", "buoyancy with the Froude-Krylov force of the waves"),
@@ -258,9 +260,9 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
              acceleration takes",
             "submerged",
             name,
-            Frame::World,
+            VectorFrame::World,
         ),
-        vector("submerged_added_mass", "added mass along the body's axes", Frame::Body, &["kg"]),
+        vector("submerged_added_mass", "added mass along the body's axes", VectorFrame::Body, &["kg"]),
     ];
     if holds_water {
         let what = "weight of the water inside a lifted object that stands above the sea outside; negative: the sea stands higher";

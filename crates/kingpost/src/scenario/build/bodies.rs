@@ -6,7 +6,7 @@ use super::flexible::{ELASTIC_AXES, FlexibleBody, carrier};
 use super::{FieldError, known};
 use crate::elements::{AnyElement, JointDamping};
 use crate::model::joint::{AxisList, Fixed, Floating, Prismatic, Revolute, Spherical};
-use crate::model::{Axis, BodyDescription, Joint, JointKind, Mode, Model, Shape};
+use crate::model::{Axis, BodyDefinition, Joint, JointKind, Mode, Model, Shape};
 use crate::scenario::leaf::Quantity;
 use crate::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, rotation_from_roll_pitch_yaw};
 use std::collections::HashSet;
@@ -21,7 +21,7 @@ pub struct Bodies<S> {
 }
 
 pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<Bodies<S>, FieldError> {
-    let mut growth = Growth::default();
+    let mut growth = TreeBuilder::default();
     for name in order(scenario)? {
         growth.add(scenario, name)?;
     }
@@ -30,15 +30,15 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<Bodies<S>, FieldErro
 
 /// The tree while it grows, parents first.
 #[derive(Default)]
-struct Growth<S> {
-    descriptions: Vec<BodyDescription<S>>,
+struct TreeBuilder<S> {
+    descriptions: Vec<BodyDefinition<S>>,
     q: Vec<S>,
     v: Vec<S>,
     forces: Vec<AnyElement<S>>,
     rotors: Vec<(usize, S)>,
 }
 
-impl<S: Quantity> Growth<S> {
+impl<S: Quantity> TreeBuilder<S> {
     fn add(&mut self, scenario: &Scenario<S>, name: &str) -> Result<(), FieldError> {
         let body = &scenario.bodies[name];
         let flexible = FlexibleBody::read(name, body)?;
@@ -56,7 +56,7 @@ impl<S: Quantity> Growth<S> {
                 let points =
                     body.points.iter().map(|(name, point)| (name.to_string(), Vector3(point.position_m) - centre));
                 let points = points.collect();
-                self.descriptions.push(BodyDescription { name: name.to_owned(), parent, joint, mass, inertia, points });
+                self.descriptions.push(BodyDefinition { name: name.to_owned(), parent, joint, mass, inertia, points });
                 Ok(())
             }
             Some(beam) => self.add_beam(body, &beam, parent, joint),

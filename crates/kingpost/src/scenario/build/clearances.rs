@@ -5,7 +5,7 @@ use super::bodies::axis;
 use super::cylinders::attachment;
 use super::damping::rigid;
 use super::{FieldError, known};
-use crate::elements::contact::Solid;
+use crate::elements::contact::ContactSolid;
 use crate::elements::{AirGap, AnyElement, Clearance};
 use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
@@ -100,17 +100,17 @@ fn solid<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
     given: &schema::ClearanceFrom<S>,
-) -> Result<Solid<S>, FieldError> {
-    let Some(shape) = &given.shape else { return Ok(Solid::Sphere { radius: S::ZERO }) };
+) -> Result<ContactSolid<S>, FieldError> {
+    let Some(shape) = &given.shape else { return Ok(ContactSolid::Sphere { radius: S::ZERO }) };
     if scenario.bodies.contains_key(&given.body) {
         rigid(scenario, format!("{field}.body"), &given.body)?;
     }
     Ok(match shape {
         ClearanceShape::Own => own(scenario, field, given)?,
-        ClearanceShape::Plane(given) => Solid::Plane { normal: Vector3(given.normal.get()).direction() },
+        ClearanceShape::Plane(given) => ContactSolid::Plane { normal: Vector3(given.normal.get()).direction() },
         ClearanceShape::Box(given) => of_box(given),
         ClearanceShape::Cylinder(given) => of_cylinder(given),
-        ClearanceShape::Sphere(given) => Solid::Sphere { radius: given.radius_m.get() },
+        ClearanceShape::Sphere(given) => ContactSolid::Sphere { radius: given.radius_m.get() },
     })
 }
 
@@ -119,7 +119,7 @@ fn own<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
     given: &schema::ClearanceFrom<S>,
-) -> Result<Solid<S>, FieldError> {
+) -> Result<ContactSolid<S>, FieldError> {
     let is_placed = |numbers: &[S; 3]| !numbers.iter().all(|number| number.vanishes());
     for (name, placed) in [
         ("point", given.point.is_some()),
@@ -134,7 +134,7 @@ fn own<S: Quantity>(
     match scenario.bodies.get(&given.body).and_then(|body| body.shape.as_ref()) {
         Some(schema::Shape::Box(given)) => Ok(of_box(given)),
         Some(schema::Shape::Cylinder(given)) => Ok(of_cylinder(given)),
-        Some(schema::Shape::Sphere(given)) => Ok(Solid::Sphere { radius: given.radius_m.get() }),
+        Some(schema::Shape::Sphere(given)) => Ok(ContactSolid::Sphere { radius: given.radius_m.get() }),
         Some(schema::Shape::Point(_)) | None => {
             let found = format!("own, and {} is no solid", given.body);
             Err(FieldError::new(format!("{field}.shape"), found, "plane, box, cylinder or sphere, with its fields"))
@@ -142,12 +142,12 @@ fn own<S: Quantity>(
     }
 }
 
-fn of_box<S: Quantity>(given: &schema::BoxShape<S>) -> Solid<S> {
+fn of_box<S: Quantity>(given: &schema::BoxShape<S>) -> ContactSolid<S> {
     let edges = [given.length_m, given.width_m, given.height_m];
-    Solid::Box { half: edges.map(|edge| edge.get() * S::constant(0.5)) }
+    ContactSolid::Box { half: edges.map(|edge| edge.get() * S::constant(0.5)) }
 }
 
-fn of_cylinder<S: Quantity>(given: &schema::CylinderShape<S>) -> Solid<S> {
+fn of_cylinder<S: Quantity>(given: &schema::CylinderShape<S>) -> ContactSolid<S> {
     let (radius, half_length) = (given.radius_m.get(), given.length_m.get() * S::constant(0.5));
-    Solid::Cylinder { radius, half_length, axis: axis(given.axis) }
+    ContactSolid::Cylinder { radius, half_length, axis: axis(given.axis) }
 }

@@ -7,7 +7,7 @@ use super::damping::rigid;
 use super::ropes_at_start::at_rest;
 use super::{FieldError, known};
 use crate::dynamics::LinkKinematics;
-use crate::elements::contact::{Facing, Friction, Solid, Spot, dissipation};
+use crate::elements::contact::{ContactSolid, Facing, Friction, Spot, dissipation};
 use crate::elements::{AnyElement, Contact, of_kind, of_kind_mut};
 use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
@@ -87,7 +87,7 @@ fn check_bodies<S: Quantity>(
     Ok(())
 }
 
-type Shapes<S> = (Vec<(Facing, Spot<S>)>, [Option<Solid<S>>; 2]);
+type Shapes<S> = (Vec<(Facing, Spot<S>)>, [Option<ContactSolid<S>>; 2]);
 
 /// The spots of both sides and the solids that they meet.
 fn shapes<S: Quantity>(
@@ -117,10 +117,10 @@ fn shapes<S: Quantity>(
         }
     };
     let solid = match &load.shape {
-        LoadShape::Box(given) => Some(Solid::Box { half: half(given) }),
+        LoadShape::Box(given) => Some(ContactSolid::Box { half: half(given) }),
         LoadShape::Cylinder(given) => {
             let (radius, half_length) = (given.radius_m.get(), given.length_m.get() * S::constant(0.5));
-            Some(Solid::Cylinder { radius, half_length, axis: axis(given.axis) })
+            Some(ContactSolid::Cylinder { radius, half_length, axis: axis(given.axis) })
         }
         LoadShape::Sphere(_) | LoadShape::Points(_) => None,
     };
@@ -128,7 +128,7 @@ fn shapes<S: Quantity>(
     Ok(match (&surface.shape, &load.shape) {
         (SurfaceShape::Plane(given), _) => {
             let normal = Vector3(given.normal.get()).direction();
-            (of_load(own).collect(), [None, Some(Solid::Plane { normal })])
+            (of_load(own).collect(), [None, Some(ContactSolid::Plane { normal })])
         }
         (SurfaceShape::Box(_), LoadShape::Cylinder(_)) => {
             let allowed = "box, sphere or points, on a box: a cylinder touches planes and spheres";
@@ -139,10 +139,10 @@ fn shapes<S: Quantity>(
             // A ball sees edges and corners by itself; feet have no solid.
             let theirs =
                 corners(half).filter(|_| solid.is_some()).map(|corner| (Facing::Surface, ball(corner, S::ZERO)));
-            (of_load(own).chain(theirs).collect(), [solid, Some(Solid::Box { half })])
+            (of_load(own).chain(theirs).collect(), [solid, Some(ContactSolid::Box { half })])
         }
         (SurfaceShape::Sphere(given), LoadShape::Sphere(_) | LoadShape::Points(_)) => {
-            (of_load(own).collect(), [None, Some(Solid::Sphere { radius: given.radius_m.get() })])
+            (of_load(own).collect(), [None, Some(ContactSolid::Sphere { radius: given.radius_m.get() })])
         }
         (SurfaceShape::Sphere(given), _) => {
             (vec![(Facing::Surface, ball(Vector3::zero(), given.radius_m.get()))], [solid, None])

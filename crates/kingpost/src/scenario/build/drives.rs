@@ -23,7 +23,7 @@ pub fn build<S: Quantity>(
     let mut drives: Vec<AnyElement<S>> = Vec::new();
     let mut driven = IndexMap::new();
     for (name, drive) in &scenario.drives {
-        let Some(parts) = Parts::of(name, drive) else {
+        let Some(parts) = JointDrive::of(name, drive) else {
             if let Some(cylinder) = cylinders::build(scenario, name, model)? {
                 drives.push(Box::new(cylinder));
             }
@@ -95,7 +95,7 @@ fn offset<S>(scenario: &Scenario<S>, name: &str, motion: AxisMotion) -> Option<I
 const FARTHEST_OFFSET: f64 = 1e6;
 
 /// A drive that is on has nothing to say where the coordinate is held or prescribed.
-fn check_free<S: Quantity>(parts: &Parts<'_, S>, mode: Mode) -> Result<(), FieldError> {
+fn check_free<S: Quantity>(parts: &JointDrive<'_, S>, mode: Mode) -> Result<(), FieldError> {
     let mode = match mode {
         Mode::Free => return Ok(()),
         Mode::Held => "held",
@@ -107,7 +107,7 @@ fn check_free<S: Quantity>(parts: &Parts<'_, S>, mode: Mode) -> Result<(), Field
 
 /// Two drives that follow set-points would fight over one joint. The efforts of motors and brakes add to what is there.
 fn check_alone<'a, S: Quantity>(
-    parts: &Parts<'_, S>,
+    parts: &JointDrive<'_, S>,
     name: &'a str,
     drives_it: &mut Option<&'a str>,
 ) -> Result<(), FieldError> {
@@ -124,7 +124,7 @@ fn check_alone<'a, S: Quantity>(
 }
 
 /// A drive of a joint, without the difference between turning and sliding.
-struct Parts<'a, S> {
+struct JointDrive<'a, S> {
     field: String,
     enabled: bool,
     joint: &'a str,
@@ -158,7 +158,7 @@ enum Law<'a, S> {
     },
 }
 
-impl<'a, S: Quantity> Parts<'a, S> {
+impl<'a, S: Quantity> JointDrive<'a, S> {
     /// `None` for a drive that is in no joint.
     fn of(name: &str, drive: &'a schema::Drive<S>) -> Option<Self> {
         let motor = |effort, history, pulse: &'a Option<schema::Pulse>, list: &'a Option<schema::HistoryList<S>>| {

@@ -4,7 +4,7 @@ use super::super::schema::{self, Flexible, FlexibleDamping, Positive, Scenario, 
 use super::FieldError;
 use crate::elements::{AnyElement, JointDamping, JointSpring};
 use crate::model::joint::AxisList;
-use crate::model::{Beam, BodyDescription, Joint, JointKind, Mode, Model, Section};
+use crate::model::{Beam, BodyDefinition, Joint, JointKind, Mode, Model, Section};
 use crate::scenario::leaf::{Leaf, Quantity};
 use crate::spatial::{Frame, Matrix3, Vector3};
 
@@ -133,10 +133,10 @@ impl<S: Quantity> FlexibleBody<S> {
         parent: Option<usize>,
         joint: Joint<S>,
         points: Vec<(String, Vector3<S>)>,
-    ) -> BodyDescription<S> {
+    ) -> BodyDefinition<S> {
         let name = if segment == 0 { self.name.clone() } else { self.segment_name(segment) };
         let (mass, inertia) = (self.beam.segment_mass(segment), self.beam.segment_inertia(segment));
-        BodyDescription { name, parent, joint, mass, inertia, points }
+        BodyDefinition { name, parent, joint, mass, inertia, points }
     }
 
     fn segment_name(&self, segment: usize) -> String {

@@ -3,7 +3,7 @@
 use super::super::schema::{self, Force as ForceSchema, PositioningGains, Scenario, ThrustPriority};
 use super::FieldError;
 use super::damping::{from_centre, rigid};
-use super::positioning_loop::{Growth, Loop};
+use super::positioning_loop::{ControlLoop, RootGrowth};
 use crate::elements::dynamic_positioning::{
     Allocation, DynamicPositioning, Gains, Planar, Target, Thruster, ThrusterKind, WaveFilter,
 };
@@ -174,7 +174,7 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
     let running = given.thrusters.values().filter(|thruster| thruster.enabled());
     let slowest = running.map(|thruster| thruster.numbers()[2]).fold(0.0, f64::max);
     for (k, (name, tuning)) in ["surge", "sway", "yaw"].into_iter().zip(tunings(periods)).enumerate() {
-        let of = Loop {
+        let of = ControlLoop {
             inertia: tuning.inertia,
             gains: gains.map(|gains| gains[k]),
             filter: given.wave_filter.as_ref(),
@@ -182,8 +182,8 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
         };
         let delays = "the delays of wave filter and thrusters";
         let (found, allowed) = match of.growth() {
-            Growth::None => continue,
-            Growth::Of(root) => (
+            RootGrowth::None => continue,
+            RootGrowth::Of(root) => (
                 format!(
                     "{} s, with which {delays} make an oscillation of {:.1} s grow",
                     tuning.period_s,
@@ -191,7 +191,7 @@ fn check_loops(given: &schema::DynamicPositioning, field: &str) -> Result<(), Fi
                 ),
                 "a longer natural period, or filter periods and thrusters' time constants that are shorter",
             ),
-            Growth::Unknown => (
+            RootGrowth::Unknown => (
                 format!(
                     "{} s, with which {delays} differ so much in size that their stability cannot be found",
                     tuning.period_s

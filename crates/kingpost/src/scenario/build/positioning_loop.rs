@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix};
 
 /// What a controlled ship does when it is left alone.
-pub(super) enum Growth {
+pub(super) enum RootGrowth {
     /// It comes to rest.
     None,
     /// This root grows.
@@ -18,7 +18,7 @@ pub(super) enum Growth {
 const MOST_ITERATIONS: usize = 1000;
 
 /// One of surge, sway and yaw.
-pub(super) struct Loop<'a> {
+pub(super) struct ControlLoop<'a> {
     /// m, K_p, K_d, K_i.
     pub(super) inertia: f64,
     pub(super) gains: [f64; 3],
@@ -27,16 +27,16 @@ pub(super) struct Loop<'a> {
     pub(super) time_constant_s: f64,
 }
 
-impl Loop<'_> {
+impl ControlLoop<'_> {
     /// The root that grows fastest of a free ship, m x'' = T, under the controller.
-    pub(super) fn growth(&self) -> Growth {
-        let Some(schur) = self.rates().try_schur(f64::EPSILON, MOST_ITERATIONS) else { return Growth::Unknown };
+    pub(super) fn growth(&self) -> RootGrowth {
+        let Some(schur) = self.rates().try_schur(f64::EPSILON, MOST_ITERATIONS) else { return RootGrowth::Unknown };
         let roots = schur.complex_eigenvalues();
         let fastest = roots.iter().copied().max_by(|a, b| a.re.total_cmp(&b.re)).unwrap_or_default();
         if fastest.re > ROUNDING * fastest.im.abs().max(1.0 / self.time_constant_s) {
-            Growth::Of(fastest)
+            RootGrowth::Of(fastest)
         } else {
-            Growth::None
+            RootGrowth::None
         }
     }
 
@@ -76,20 +76,20 @@ impl Loop<'_> {
 const ROUNDING: f64 = 1e-6;
 
 /// A section as [`WaveFilter`](crate::elements::dynamic_positioning::WaveFilter) has it.
-struct Section {
+struct PlainSection {
     frequency: f64,
     damping_ratio: f64,
     notch: Option<f64>,
 }
 
-fn sections(filter: &schema::WaveFilter) -> Vec<Section> {
+fn sections(filter: &schema::WaveFilter) -> Vec<PlainSection> {
     let notch = Some(2.0 * (1.0 - filter.notch_damping_ratio.get()));
-    let notches = filter.notch_periods_s.iter().map(|period| Section {
+    let notches = filter.notch_periods_s.iter().map(|period| PlainSection {
         frequency: TAU / period.get(),
         damping_ratio: 1.0,
         notch,
     });
-    let low_pass = filter.cutoff_period_s.map(|period| Section {
+    let low_pass = filter.cutoff_period_s.map(|period| PlainSection {
         frequency: TAU / period.get(),
         damping_ratio: filter.cutoff_damping_ratio.get(),
         notch: None,

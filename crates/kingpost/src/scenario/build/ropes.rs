@@ -3,7 +3,7 @@
 use super::super::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use super::cylinders::attachment;
 use super::{FieldError, flexible, known, load_chart};
-use crate::elements::ropes::{Drum, Efficiency, Inextensible, Layers, Path, RopeWeight, Round, Station};
+use crate::elements::ropes::{Drum, Efficiency, Inextensible, Layers, RopePath, RopeWeight, Round, Station};
 use crate::elements::{AnyElement, Rope, TuggerLine};
 use crate::model::joint::Revolute;
 use crate::model::{Attachment, JointKind, Model, Node};
@@ -32,7 +32,7 @@ pub fn build<S: Quantity>(
         given.load_chart.as_ref().map(|chart| load_chart::build(scenario, name, chart, model)).transpose()?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
     let load_chart = load_chart.flatten();
-    let path = Path::new(stations);
+    let path = RopePath::new(stations);
     let gives_way = given.axial_stiffness_n.is_some() || given.series_stiffness_n_per_m.is_some();
     if !gives_way {
         check_inextensible(&format!("forces.{name}.rope"), given)?;
@@ -131,7 +131,7 @@ pub fn tugger<S: Quantity>(
     }
     let Laid { stations, .. } = lay(scenario, &field, &given.path, model)?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
-    let (name, path, tension) = (name.to_owned(), Path::new(stations), given.tension_n.get());
+    let (name, path, tension) = (name.to_owned(), RopePath::new(stations), given.tension_n.get());
     Ok(Some(Box::new(TuggerLine { name, path, tension })))
 }
 

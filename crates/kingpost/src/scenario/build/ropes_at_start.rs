@@ -2,8 +2,8 @@
 
 use super::FieldError;
 use crate::dynamics::LinkKinematics;
-use crate::elements::ropes::Path;
-use crate::elements::{Moment, Rope, TuggerLine, of_kind, of_kind_mut};
+use crate::elements::ropes::RopePath;
+use crate::elements::{Context, Rope, TuggerLine, of_kind, of_kind_mut};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
@@ -45,7 +45,7 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     })
 }
 
-fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Moment<'_, S>) -> Result<(), FieldError> {
+fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Context<'_, S>) -> Result<(), FieldError> {
     let of = format!("forces.{}.rope", rope.name);
     check_apart(&mut rope.path, at, &of)?;
     let length = rope.begin_at(at);
@@ -78,7 +78,7 @@ fn check_inextensible<S: Quantity>(rope: &Rope<S>, length: S, of: &str) -> Resul
 }
 
 /// No two places of the path meet, and a drum stands across the rope.
-fn check_apart<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -> Result<(), FieldError> {
+fn check_apart<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &str) -> Result<(), FieldError> {
     if let Some((leg, [distance, radii])) = path.overlap(at) {
         let found = format!("a place {distance:.4} m from the one before it");
         let allowed = format!("one farther from it than {radii:.4} m, the radii of both");
@@ -91,7 +91,7 @@ fn check_apart<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) ->
     Ok(())
 }
 
-fn check_length<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -> Result<(), FieldError> {
+fn check_length<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &str) -> Result<(), FieldError> {
     let length = path.extent(at).length;
     if length.all(|length| length >= LEAST_LENGTH_M) {
         return Ok(());
@@ -101,7 +101,7 @@ fn check_length<S: Quantity>(path: &mut Path<S>, at: &Moment<'_, S>, of: &str) -
 }
 
 /// The rope lies against every sheave, on the side that the axis says.
-fn check_sides<S: Quantity>(path: &mut Path<S>, of: &str) -> Result<(), FieldError> {
+fn check_sides<S: Quantity>(path: &mut RopePath<S>, of: &str) -> Result<(), FieldError> {
     for (i, wrap) in path.wraps() {
         let degrees = wrap * S::constant(180.0 / core::f64::consts::PI);
         if !degrees.all(|degrees| (-ROUNDING_DEG..=LARGEST_WRAP_DEG).contains(&degrees)) {
@@ -137,7 +137,7 @@ pub(super) fn at_rest<S: Quantity, R>(
     model: &Model<S>,
     links: &LinkKinematics<S>,
     (q, v): (&[S], &[S]),
-    see: impl FnOnce(&Moment<'_, S>) -> R,
+    see: impl FnOnce(&Context<'_, S>) -> R,
 ) -> R {
-    see(&Moment::at_rest(world, model, links, (q, v)))
+    see(&Context::at_rest(world, model, links, (q, v)))
 }

@@ -3,7 +3,7 @@
 use super::super::schema::{self, PrincipalAxis, Scenario, SubmergedShape};
 use super::damping::{from_centre, rigid};
 use super::{FieldError, flow, world as worlds};
-use crate::elements::submerged::{AddedMassOf, Drag, EntrainedWater, Growth, Waters, WindOnDry};
+use crate::elements::submerged::{AddedMassGrowth, AddedMassOf, Drag, EntrainedWater, Waters, WindOnDry};
 use crate::elements::{AnyElement, Submerged, hull::HullFrame};
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
@@ -123,8 +123,8 @@ fn added_mass<S: Quantity>(
         let allowed = format!("a number from 0 to {LARGEST_PERFORATION}");
         return Err(FieldError::new(format!("{field}.perforation"), perforation, allowed));
     }
-    let growth = given.growth.as_ref().map_or(Ok(Growth::in_proportion()), |growth| {
-        Growth::new(&growth.shares, &growth.factors).map_err(|error| {
+    let growth = given.growth.as_ref().map_or(Ok(AddedMassGrowth::in_proportion()), |growth| {
+        AddedMassGrowth::new(&growth.shares, &growth.factors).map_err(|error| {
             let field = format!("{field}.growth.{}", error.column);
             FieldError::new(error.row.map_or(field.clone(), |row| format!("{field}.{row}")), error.found, error.allowed)
         })

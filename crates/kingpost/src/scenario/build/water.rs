@@ -4,8 +4,8 @@ use super::super::schema::{self, Force as ForceSchema, Hydrostatics as Hydrostat
 use super::damping::from_centre;
 use super::{FieldError, known, world};
 use crate::elements::hull::{
-    AddedMass, Carried, CoefficientFrame, Excitation, FloatingMesh, HullFrame, Hydrostatics, LinearLimits,
-    MeanAttitude, MeshInWaves, Parts, Plan, QuadraticTerms, Radiation, added_inertia,
+    AddedMass, Carried, CoefficientFrame, FloatingMesh, HullFrame, Hydrostatics, LinearLimits, MeanAttitude,
+    MeshInWaves, Plan, QuadraticTerms, Radiation, WaveExcitation, WaveForces, added_inertia,
 };
 use crate::elements::{AnyElement, AnyWatcher, Hull, MeanHeading};
 use crate::model::{JointKind, Model};
@@ -212,7 +212,7 @@ fn excitation<S: Quantity>(
     field: &impl Fn(&str) -> String,
     database: &Database,
     world: &World<S>,
-) -> Result<Option<Excitation<S>>, FieldError> {
+) -> Result<Option<WaveExcitation<S>>, FieldError> {
     if given.wave_drift && database.mean_drift.is_none() {
         let found = "true, with a database that holds no mean drift";
         return Err(FieldError::new(
@@ -238,9 +238,12 @@ fn excitation<S: Quantity>(
     }
     let Some(waves) = world.waves.as_ref().filter(|_| given.excitation) else { return Ok(None) };
     check_coverage(&field("database"), database.band_rad_s(), world)?;
-    let parts =
-        Parts { froude_krylov: !given.wave_pressure, drift: given.wave_drift, drift_damping: given.wave_drift_damping };
-    Ok(Some(Excitation::new(database, waves, parts)))
+    let parts = WaveForces {
+        froude_krylov: !given.wave_pressure,
+        drift: given.wave_drift,
+        drift_damping: given.wave_drift_damping,
+    };
+    Ok(Some(WaveExcitation::new(database, waves, parts)))
 }
 
 /// By how much a database's water may differ from the sea's, relative.

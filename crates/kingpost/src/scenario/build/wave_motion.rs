@@ -7,7 +7,7 @@ use super::world;
 use crate::elements::drives::WaveMotion;
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
-use crate::sea::raos::{RaoTable, Response};
+use crate::sea::raos::{MotionResponse, RaoTable};
 use crate::sea::waves::{WaveComponent, WaveField};
 use crate::world::World;
 
@@ -64,7 +64,7 @@ fn response<S: Quantity>(
     (angular_frequency_rad_s, MODE_OF.map(|mode| of_wave(carried[mode])))
 }
 
-fn carried_to_axes<S: Quantity>(at: &Response<S>, origin_m: [f64; 3]) -> Response<S> {
+fn carried_to_axes<S: Quantity>(at: &MotionResponse<S>, origin_m: [f64; 3]) -> MotionResponse<S> {
     let ([x, y, z], [roll, pitch, yaw]) = (origin_m.map(S::constant), [at[3], at[4], at[5]]);
     let minus = |k: usize, turn: &dyn Fn(usize) -> S| [0, 1].map(|part| at[k][part] - turn(part));
     [

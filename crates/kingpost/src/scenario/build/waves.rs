@@ -30,7 +30,7 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>, water: &Water) -> Result<Vec<W
     let (mut components, seed) = (Vec::new(), scenario.simulation.seed);
     let systems = scenario.sea.iter().flat_map(|sea| &sea.waves);
     for (number, (name, waves)) in (0..).zip(systems) {
-        let at = Place { path: format!("sea.waves.{name}.{}", waves.kind()) };
+        let at = SystemField { path: format!("sea.waves.{name}.{}", waves.kind()) };
         let found = match waves {
             _ if !waves.enabled() => continue,
             Waves::Regular(wave) => regular(wave, water).map_err(|error| at.error(error))?,
@@ -54,11 +54,11 @@ fn constant<S: Quantity>(waves: Vec<WaveComponent>, scale: S) -> Vec<Wave<S>> {
 }
 
 /// Where a wave system stands.
-struct Place {
+struct SystemField {
     path: String,
 }
 
-impl Place {
+impl SystemField {
     fn field(&self, name: &str) -> String {
         format!("{}.{name}", self.path)
     }
@@ -86,7 +86,7 @@ pub fn cut_off(scenario: &Scenario) -> Vec<(String, f64, f64)> {
     let Ok(water) = water else { return Vec::new() };
     let systems = sea.waves.iter().filter(|(_, waves)| waves.enabled());
     let cut = systems.filter_map(|(name, waves)| {
-        let (system, _) = of_spectrum(waves, &water, &Place { path: String::new() }).ok()??;
+        let (system, _) = of_spectrum(waves, &water, &SystemField { path: String::new() }).ok()??;
         system.band?;
         Some((name.to_string(), system.spectrum.significant_height_m(), system.energy_cut_off()))
     });
@@ -124,7 +124,7 @@ fn record<S: Quantity>(
 fn of_spectrum<S: Quantity>(
     waves: &Waves<S>,
     water: &Water,
-    at: &Place,
+    at: &SystemField,
 ) -> Result<Option<(WaveSystem, S)>, FieldError> {
     let in_place = |error| at.of_realisation(error);
     let unbroken = |part: &str, height: f64, period: &Positive| {

@@ -15,11 +15,11 @@ pub use names::{FILES, REFERENCES};
 use indexmap::IndexMap;
 use serde_json::{Value, json};
 
-use super::error::{Fault, Place};
+use super::error::{Fault, SourcePlace};
 use super::files::Files;
-use super::parameters::{self, Override, Target};
+use super::parameters::{self, Override, OverrideTarget};
 use super::schema::{Mounting, Name, Scenario, WORLD};
-use super::tree::{Content, Field, Node, segments};
+use super::tree::{Content, Field, ScenarioNode, segments};
 use super::{parse, read, units, wording};
 
 /// Parts in parts, and parts in all: more is a mistake, and would take the machine.
@@ -59,7 +59,7 @@ struct Level<'a> {
 /// Converts the units of a scenario just parsed and mounts its parts. Gives back what it is made of, and the overrides that
 /// were not of a mounting.
 pub(super) fn mount<'a>(
-    tree: &mut Node,
+    tree: &mut ScenarioNode,
     file: &str,
     given: Vec<Override<'a>>,
     host: &Files,
@@ -76,7 +76,7 @@ impl Mounter<'_> {
     /// Mounts every part of a file.
     fn mount_all<'a>(
         &mut self,
-        tree: &mut Node,
+        tree: &mut ScenarioNode,
         level: &Level<'_>,
         given: Vec<Override<'a>>,
     ) -> Result<Vec<Override<'a>>, Fault> {
@@ -159,7 +159,7 @@ struct Mount<'a> {
     mounting: &'a Mounting,
     /// Its fields, with their places.
     node: &'a Field,
-    place: &'a Place,
+    place: &'a SourcePlace,
 }
 
 impl Mount<'_> {
@@ -213,7 +213,7 @@ impl Mount<'_> {
 }
 
 /// The tree of a part's text, with its places, if it is one that can be mounted.
-fn parsed(text: &str, file: &str) -> Result<Node, Fault> {
+fn parsed(text: &str, file: &str) -> Result<ScenarioNode, Fault> {
     let in_part = |fault: Fault| Fault { place: names::place_in_part(&fault.place, file), error: fault.error };
     let mut tree = parse::parse(text).map_err(in_part)?;
     names::places_of_part(&mut tree, file);
@@ -233,14 +233,14 @@ fn parsed(text: &str, file: &str) -> Result<Node, Fault> {
 }
 
 /// Writes a part's own defaults and then what is set.
-fn apply(tree: &mut Node, given: &[Override<'_>]) -> Result<(), Fault> {
+fn apply(tree: &mut ScenarioNode, given: &[Override<'_>]) -> Result<(), Fault> {
     let as_written: Scenario = read::typed(tree)?;
     let whole = serde_json::to_value(&as_written).unwrap_or_default();
-    parameters::apply(Target { tree, whole: &whole }, &as_written.parameters, given)
+    parameters::apply(OverrideTarget { tree, whole: &whole }, &as_written.parameters, given)
 }
 
 /// Leaves the parameters that are not set, without defaults: their values stand in the fields.
-fn passed_up(tree: &mut Node, set: &IndexMap<String, Value>) {
+fn passed_up(tree: &mut ScenarioNode, set: &IndexMap<String, Value>) {
     let Content::Fields(fields) = &mut tree.content else { return };
     let Some(Content::List(parameters)) = fields.get_mut("parameters").map(|field| &mut field.node.content) else {
         return;
@@ -257,7 +257,7 @@ fn passed_up(tree: &mut Node, set: &IndexMap<String, Value>) {
 }
 
 /// A field taken out of a tree.
-fn take(tree: &mut Node, name: &str) -> Option<Field> {
+fn take(tree: &mut ScenarioNode, name: &str) -> Option<Field> {
     match &mut tree.content {
         Content::Fields(fields) => fields.shift_remove(name),
         _ => None,
@@ -265,14 +265,14 @@ fn take(tree: &mut Node, name: &str) -> Option<Field> {
 }
 
 /// Puts a value that comes from a place at a path of named fields and places in lists; fields that are not there are made.
-fn put(tree: &mut Node, path: &[&str], value: &Value, place: &Place) {
+fn put(tree: &mut ScenarioNode, path: &[&str], value: &Value, place: &SourcePlace) {
     let Some((name, rest)) = path.split_first() else {
-        *tree = Node::from_value(value, place);
+        *tree = ScenarioNode::from_value(value, place);
         return;
     };
     match &mut tree.content {
         Content::Fields(fields) => {
-            let new = || Field::new(place.clone(), Node::from_value(&json!({}), place));
+            let new = || Field::new(place.clone(), ScenarioNode::from_value(&json!({}), place));
             put(&mut fields.entry((*name).to_owned()).or_insert_with(new).node, rest, value, place);
         }
         Content::List(entries) => {

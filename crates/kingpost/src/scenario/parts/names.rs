@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 
-use super::super::error::{Fault, Place};
-use super::super::tree::{Content, Node};
+use super::super::error::{Fault, SourcePlace};
+use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
 use super::files;
 
@@ -42,7 +42,7 @@ fn in_whole(path: &str, prefix: &str) -> String {
 }
 
 /// Puts the prefix before every name of a part, and the paths of its files where the main file would look for them.
-pub fn into_whole(tree: &mut Node, prefix: &str, file: &str, label: &str) -> Result<(), Fault> {
+pub fn into_whole(tree: &mut ScenarioNode, prefix: &str, file: &str, label: &str) -> Result<(), Fault> {
     let Content::Fields(fields) = &mut tree.content else { return Ok(()) };
     for (section, field) in fields.iter_mut() {
         match &mut field.node.content {
@@ -63,7 +63,7 @@ pub fn into_whole(tree: &mut Node, prefix: &str, file: &str, label: &str) -> Res
 }
 
 /// The same inside of an entry.
-fn references(node: &mut Node, prefix: &str, file: &str) {
+fn references(node: &mut ScenarioNode, prefix: &str, file: &str) {
     match &mut node.content {
         Content::Scalar(_) => {}
         Content::List(entries) => entries.iter_mut().for_each(|entry| references(entry, prefix, file)),
@@ -86,7 +86,7 @@ fn references(node: &mut Node, prefix: &str, file: &str) {
 }
 
 /// A parameter of a part that becomes one of the whole.
-fn parameter(node: &mut Node, index: usize, prefix: &str, label: &str) -> Result<(), Fault> {
+fn parameter(node: &mut ScenarioNode, index: usize, prefix: &str, label: &str) -> Result<(), Fault> {
     let Content::Fields(fields) = &mut node.content else { return Ok(()) };
     if let Some(writes) = fields.get_mut("writes")
         && let Content::List(paths) = &mut writes.node.content
@@ -101,7 +101,7 @@ fn parameter(node: &mut Node, index: usize, prefix: &str, label: &str) -> Result
             *text = in_whole(text, prefix);
         }
     }
-    let text = |node: &Node| node.to_value().as_str().map(str::to_owned);
+    let text = |node: &ScenarioNode| node.to_value().as_str().map(str::to_owned);
     let name = fields.get("name").and_then(|field| text(&field.node)).unwrap_or_default();
     let shown = fields.get("label").and_then(|field| text(&field.node)).unwrap_or_else(|| name.clone());
     if let Some(field) = fields.get_mut("name") {
@@ -115,24 +115,24 @@ fn parameter(node: &mut Node, index: usize, prefix: &str, label: &str) -> Result
 }
 
 /// Makes the places of a file just parsed those of a part.
-pub fn places_of_part(node: &mut Node, file: &str) {
+pub fn places_of_part(node: &mut ScenarioNode, file: &str) {
     each_place(node, &mut |place| *place = place_in_part(place, file));
 }
 
 /// A place of a file just parsed as one of a part.
-pub fn place_in_part(place: &Place, file: &str) -> Place {
+pub fn place_in_part(place: &SourcePlace, file: &str) -> SourcePlace {
     match place {
-        Place::File { line, column } => {
-            Place::Part { file: file.into(), prefix: "".into(), line: *line, column: *column }
+        SourcePlace::File { line, column } => {
+            SourcePlace::Part { file: file.into(), prefix: "".into(), line: *line, column: *column }
         }
         other => other.clone(),
     }
 }
 
 /// Remembers a prefix in the places of a part; what the including file `from` sets has its own.
-pub fn places_with_prefix(node: &mut Node, prefix: &str, from: &str) {
+pub fn places_with_prefix(node: &mut ScenarioNode, prefix: &str, from: &str) {
     each_place(node, &mut |place| {
-        if let Place::Part { file, prefix: inner, .. } = place
+        if let SourcePlace::Part { file, prefix: inner, .. } = place
             && **file != *from
         {
             *inner = format!("{prefix}{inner}").into();
@@ -140,7 +140,7 @@ pub fn places_with_prefix(node: &mut Node, prefix: &str, from: &str) {
     });
 }
 
-fn each_place(node: &mut Node, change: &mut impl FnMut(&mut Place)) {
+fn each_place(node: &mut ScenarioNode, change: &mut impl FnMut(&mut SourcePlace)) {
     change(&mut node.place);
     match &mut node.content {
         Content::Scalar(_) => {}

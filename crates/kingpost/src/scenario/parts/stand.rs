@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use super::super::error::{Fault, Place};
+use super::super::error::{Fault, SourcePlace};
 use super::super::schema::Mounting;
-use super::super::tree::{Content, Node};
+use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
 use super::{Mount, WORLD, numbers, put};
 use crate::spatial::{Matrix3, Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
@@ -52,7 +52,7 @@ impl Pose {
 /// Puts everything that stands on the world on the mounting. Gives back the paths that hold its place, or the path of what
 /// has a place of its own besides.
 pub fn on_the_mounting(
-    tree: &mut Node,
+    tree: &mut ScenarioNode,
     whole: &Value,
     mount: &Mount<'_>,
 ) -> Result<Result<Vec<String>, String>, Fault> {
@@ -85,8 +85,8 @@ pub fn on_the_mounting(
 }
 
 /// Paths of the fields whose `body` is the world.
-fn world_pins(node: &Node, path: &mut Vec<String>, into: &mut Vec<Vec<String>>) {
-    let mut below = |name: String, node: &Node| {
+fn world_pins(node: &ScenarioNode, path: &mut Vec<String>, into: &mut Vec<Vec<String>>) {
+    let mut below = |name: String, node: &ScenarioNode| {
         path.push(name);
         world_pins(node, path, into);
         path.pop();
@@ -117,17 +117,17 @@ impl Standing<'_> {
     }
 
     /// Where a field of the mounting stands.
-    fn place(&self, field: &str) -> Place {
+    fn place(&self, field: &str) -> SourcePlace {
         self.mount.fault(field, "", "").place
     }
 
-    fn write(&self, tree: &mut Node, path: &str, value: &Value) {
+    fn write(&self, tree: &mut ScenarioNode, path: &str, value: &Value) {
         let place = self.place(if path.ends_with("_rad") { "orientation_rad" } else { "position_m" });
         put(tree, &path.split('.').collect::<Vec<_>>(), value, &place);
     }
 
     /// Moves the point at a path; gives back whether it was at the origin.
-    fn move_point(&self, tree: &mut Node, path: &str) -> bool {
+    fn move_point(&self, tree: &mut ScenarioNode, path: &str) -> bool {
         let Some(own) = numbers(self.whole, path) else { return true };
         if !self.pose.is_none() {
             self.write(tree, path, &json!(self.pose.point(own)));
@@ -136,7 +136,7 @@ impl Standing<'_> {
     }
 
     /// Turns the axes whose roll, pitch and yaw are at a path; gives back whether they were even.
-    fn turn_axes(&self, tree: &mut Node, path: &str) -> bool {
+    fn turn_axes(&self, tree: &mut ScenarioNode, path: &str) -> bool {
         let Some(own) = numbers(self.whole, path) else { return true };
         if self.pose.angles != NONE {
             self.write(tree, path, &json!(self.pose.turned(own)));
@@ -145,7 +145,7 @@ impl Standing<'_> {
     }
 
     /// A body that stands on the world; the path that holds its place, unless it has one of its own.
-    fn root(&self, tree: &mut Node, name: &str, kind: &str) -> Result<Option<String>, Fault> {
+    fn root(&self, tree: &mut ScenarioNode, name: &str, kind: &str) -> Result<Option<String>, Fault> {
         let joint = format!("bodies.{name}.joint.{kind}");
         let frame = match kind {
             "floating" => format!("{joint}.initial"),
@@ -176,7 +176,7 @@ impl Standing<'_> {
     }
 
     /// A point, or axes, on the world.
-    fn pin(&self, tree: &mut Node, path: &[String]) {
+    fn pin(&self, tree: &mut ScenarioNode, path: &[String]) {
         let path = path.join(".");
         self.move_point(tree, &format!("{path}.position_m"));
         self.turn_axes(tree, &format!("{path}.orientation_rad"));
@@ -192,7 +192,7 @@ impl Standing<'_> {
     }
 
     /// What has a place in the world without naming it: anchors, and the place that a ship keeps.
-    fn in_the_world(&self, tree: &mut Node, section: &str, name: &str, kind: &str) -> Result<bool, Fault> {
+    fn in_the_world(&self, tree: &mut ScenarioNode, section: &str, name: &str, kind: &str) -> Result<bool, Fault> {
         let entry = format!("{section}.{name}.{kind}");
         match (section, kind) {
             ("forces", "catenary_line") => {
@@ -223,7 +223,7 @@ impl Standing<'_> {
         super::super::tree::value_at(self.whole, &super::segments(path)).is_some_and(|value| !value.is_null())
     }
 
-    fn move_target(&self, tree: &mut Node, target: &str) {
+    fn move_target(&self, tree: &mut ScenarioNode, target: &str) {
         if !self.pose.is_none() {
             let [x, y, _] =
                 self.pose.point([self.number(&format!("{target}.x_m")), self.number(&format!("{target}.y_m")), 0.0]);
@@ -233,7 +233,7 @@ impl Standing<'_> {
         self.turn_heading(tree, &format!("{target}.heading_rad"));
     }
 
-    fn turn_heading(&self, tree: &mut Node, path: &str) {
+    fn turn_heading(&self, tree: &mut ScenarioNode, path: &str) {
         let [_, _, by] = self.pose.angles;
         if by != 0.0 {
             self.write(tree, path, &json!(self.number(path) + by));

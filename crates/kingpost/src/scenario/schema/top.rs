@@ -10,14 +10,14 @@ use serde::forward_to_deserialize_any;
 pub fn is_top_field(name: &str) -> bool {
     let asked = Cell::new([].as_slice());
     // It reads nothing: asked for a struct, it notes the names of the fields.
-    let nothing = Scenario::<f64>::deserialize(Asked(&asked));
+    let nothing = Scenario::<f64>::deserialize(FieldNames(&asked));
     nothing.is_err() && asked.get().contains(&name)
 }
 
 /// A source of nothing, which notes the fields that it is asked for.
-struct Asked<'a>(&'a Cell<&'static [&'static str]>);
+struct FieldNames<'a>(&'a Cell<&'static [&'static str]>);
 
-impl<'de> Deserializer<'de> for Asked<'_> {
+impl<'de> Deserializer<'de> for FieldNames<'_> {
     type Error = Error;
 
     fn deserialize_struct<V: Visitor<'de>>(

@@ -1,6 +1,6 @@
 //! What every database must hold.
 
-use super::{Attitude, Database, DatabaseError, Excitation, RadiationModel, SixBySix, physical};
+use super::{Attitude, Database, DatabaseError, ExcitationTable, RadiationModel, SixBySix, physical};
 
 /// By how much a direction may miss its place in the regular grid, rad: what seven digits leave.
 const GRID_TOLERANCE_RAD: f64 = 1e-5;
@@ -97,7 +97,7 @@ fn is_finite(matrix: &SixBySix) -> bool {
     matrix.iter().flatten().all(|x| x.is_finite())
 }
 
-fn check_excitation(field: &str, database: &Database, given: &Excitation) -> Checked {
+fn check_excitation(field: &str, database: &Database, given: &ExcitationTable) -> Checked {
     check_waves(&format!("{field}.real"), database, &given.real)?;
     check_waves(&format!("{field}.imaginary"), database, &given.imaginary)
 }

@@ -43,7 +43,7 @@ pub struct Database {
     #[serde(default)]
     pub provenance: Value,
     /// The water that it holds for.
-    pub water: Water,
+    pub water: DatabaseWater,
     /// The hull at rest.
     pub hull: HullAtRest,
     /// Frequencies, rad/s, increasing.
@@ -57,9 +57,9 @@ pub struct Database {
     /// A at infinite frequency.
     pub added_mass_infinite: SixBySix,
     /// Excitation by the incident wave's own pressure, N/m, N m/m.
-    pub froude_krylov: Excitation,
+    pub froude_krylov: ExcitationTable,
     /// Excitation by the waves that the hull scatters.
-    pub diffraction: Excitation,
+    pub diffraction: ExcitationTable,
     /// Mean drift by frequency and direction: surge and sway force, yaw moment per amplitude squared, hull axes, N/m^2,
     /// N m/m^2.
     #[serde(default)]
@@ -89,7 +89,7 @@ pub struct DriftLoading {
 /// Water.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Water {
+pub struct DatabaseWater {
     /// kg/m^3.
     pub density_kg_m3: f64,
     /// m/s^2.
@@ -113,7 +113,7 @@ pub struct HullAtRest {
     /// Its centre, m.
     pub centre_of_buoyancy_m: [f64; 3],
     /// The water plane.
-    pub waterplane: Waterplane,
+    pub waterplane: WaterplaneMoments,
     /// The whole hull with its deck, closed.
     #[serde(default)]
     pub mesh: Option<Mesh>,
@@ -138,7 +138,7 @@ pub struct Attitude {
 /// Moments of the water plane's area about the origin.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Waterplane {
+pub struct WaterplaneMoments {
     /// m^2.
     pub area_m2: f64,
     /// Integrals of x and y, m^3.
@@ -160,7 +160,7 @@ pub struct Mesh {
 /// Complex excitation by frequency, direction and mode.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Excitation {
+pub struct ExcitationTable {
     /// Real part.
     pub real: Vec<Vec<[f64; 6]>>,
     /// Imaginary part.
@@ -208,7 +208,7 @@ impl Database {
     pub fn excitation(&self, omega_rad_s: f64, froude_krylov: bool) -> Vec<[[f64; 2]; 6]> {
         let (below, share) = self.bracket(omega_rad_s);
         let part = |k: usize, direction: usize, mode: usize| {
-            let of = |x: &Excitation| [x.real[k][direction][mode], x.imaginary[k][direction][mode]];
+            let of = |x: &ExcitationTable| [x.real[k][direction][mode], x.imaginary[k][direction][mode]];
             let (own, scattered) = (of(&self.froude_krylov), of(&self.diffraction));
             if froude_krylov { [own[0] + scattered[0], own[1] + scattered[1]] } else { scattered }
         };

@@ -39,7 +39,7 @@ pub(super) struct Afloat {
 }
 
 /// A hull, its weight and the memory to find how they float.
-pub(super) struct Floating<'a> {
+pub(super) struct EquilibriumSearch<'a> {
     mesh: &'a HullMesh,
     wetted: WettedHull,
     volume: f64,
@@ -51,7 +51,7 @@ pub(super) struct Floating<'a> {
     rounding: f64,
 }
 
-impl<'a> Floating<'a> {
+impl<'a> EquilibriumSearch<'a> {
     pub(super) fn new(mesh: &'a HullMesh, loading: &Loading, tanks: &'a [HullTank]) -> Result<Self, StabilityError> {
         let Loading { mass, centre_of_gravity, water_density } = *loading;
         for (quantity, found) in [("the mass that floats", mass), ("the water's density", water_density)] {

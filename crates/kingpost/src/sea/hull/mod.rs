@@ -21,7 +21,7 @@ pub use box_tank::{BoxTank, HullTank};
 pub use linear::{LinearHydrostatics, Restoring};
 pub use mesh::{HullMesh, MeshError};
 pub use solids::{Below, Solid};
-pub use stability::{Equilibrium, Loading, RightingArm, StabilityError};
+pub use stability::{FloatingEquilibrium, Loading, RightingArm, StabilityError};
 pub use waterplane::Waterplane;
 pub use wave_pressure::LocalWater;
 pub use wetted::{Buoyancy, WettedHull};

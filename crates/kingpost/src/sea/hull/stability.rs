@@ -1,6 +1,6 @@
 //! How a loaded hull floats, and how it rights itself.
 
-use super::afloat::{Afloat, Floating, heel_of, tangents, trim_of};
+use super::afloat::{Afloat, EquilibriumSearch, heel_of, tangents, trim_of};
 use super::{Buoyancy, FloatingPosition, HullMesh, HullTank, Waterplane};
 use crate::spatial::Vector3;
 use thiserror::Error;
@@ -71,7 +71,7 @@ pub enum StabilityError {
 /// A loading that balances on an unstable position exactly, as a symmetric one does, is found
 /// there: its metacentric height is negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Equilibrium {
+pub struct FloatingEquilibrium {
     /// How it floats.
     pub position: FloatingPosition,
     /// To starboard, rad.
@@ -107,7 +107,7 @@ pub struct RightingArm {
     pub arm: f64,
 }
 
-impl Equilibrium {
+impl FloatingEquilibrium {
     /// Draught, heel and trim at which weight and buoyancy balance: a stationary point of
     /// `Phi / W = z0 + n . c - H / V` at constant displacement, by Newton's method from upright
     /// that only goes down (c the centre of gravity; see [`Buoyancy`]).
@@ -115,7 +115,7 @@ impl Equilibrium {
     /// # Errors
     /// [`StabilityError`].
     pub fn find(mesh: &HullMesh, loading: &Loading) -> Result<Self, StabilityError> {
-        let mut floating = Floating::new(mesh, loading, &[])?;
+        let mut floating = EquilibriumSearch::new(mesh, loading, &[])?;
         let afloat = floating.settle(FloatingPosition::upright(0.0).vertical, true)?;
         let Afloat { position, buoyancy, waterplane } = afloat;
         let lever = floating.lever(&afloat);
@@ -155,7 +155,7 @@ impl RightingArm {
         tanks: &[HullTank],
         heels: &[f64],
     ) -> Result<Vec<Self>, StabilityError> {
-        let mut floating = Floating::new(mesh, loading, tanks)?;
+        let mut floating = EquilibriumSearch::new(mesh, loading, tanks)?;
         let mut trim_before = 0.0;
         let mut point = |&heel: &f64| {
             if !heel.is_finite() {

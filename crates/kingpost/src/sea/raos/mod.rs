@@ -28,7 +28,7 @@ impl RaoError {
 
 /// Surge, sway, heave (m/m), roll, pitch, yaw (rad/m), each real and imaginary: x forward, y to port, z up, right-handed,
 /// with the motion Re{X a e^(-i w t)} where the wave at the RAOs' origin is Re{a e^(-i w t)}. A lag is a positive angle.
-pub type Response<S = f64> = [[S; 2]; 6];
+pub type MotionResponse<S = f64> = [[S; 2]; 6];
 
 /// Displacement RAOs over wave direction and frequency.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,19 +44,19 @@ pub struct RaoTable {
     /// Frequencies, rad/s, increasing.
     frequencies_rad_s: Vec<f64>,
     /// By direction and frequency.
-    responses: Vec<Vec<Response>>,
+    responses: Vec<Vec<MotionResponse>>,
 }
 
 /// One line of a file.
-struct Row {
+struct RaoEntry {
     direction_rad: f64,
     frequency_rad_s: f64,
-    response: Response,
+    response: MotionResponse,
 }
 
 /// What a file holds.
-struct Content {
-    rows: Vec<Row>,
+struct RaoFile {
+    rows: Vec<RaoEntry>,
     origin_m: [f64; 3],
     phase_origin_m: [f64; 3],
     symmetric: Option<bool>,
@@ -83,9 +83,9 @@ impl RaoTable {
         Self::from_content(if is_yaml { orcaflex::read(text)? } else { csv::read(text)? })
     }
 
-    fn from_content(content: Content) -> Result<Self, RaoError> {
-        let Content { mut rows, origin_m, phase_origin_m, symmetric } = content;
-        let order = |a: &Row, b: &Row| {
+    fn from_content(content: RaoFile) -> Result<Self, RaoError> {
+        let RaoFile { mut rows, origin_m, phase_origin_m, symmetric } = content;
+        let order = |a: &RaoEntry, b: &RaoEntry| {
             let by_direction = a.direction_rad.total_cmp(&b.direction_rad);
             by_direction.then(a.frequency_rad_s.total_cmp(&b.frequency_rad_s))
         };
@@ -167,7 +167,7 @@ impl RaoTable {
     }
 
     /// Linear between the real and imaginary parts at the nearest directions and frequencies; nothing outside.
-    pub fn at<S: Scalar>(&self, frequency_rad_s: f64, direction_rad: S) -> Response<S> {
+    pub fn at<S: Scalar>(&self, frequency_rad_s: f64, direction_rad: S) -> MotionResponse<S> {
         if !self.covers(frequency_rad_s) {
             return [[S::ZERO; 2]; 6];
         }
@@ -192,7 +192,7 @@ impl RaoTable {
     }
 
     /// How far a direction is on the way between the two nearest, the way in rad, and the responses at both.
-    fn between_directions(&self, frequency_rad_s: f64, direction_rad: f64) -> (f64, f64, [Response; 2]) {
+    fn between_directions(&self, frequency_rad_s: f64, direction_rad: f64) -> (f64, f64, [MotionResponse; 2]) {
         let n = self.directions_rad.len();
         let first = self.directions_rad[0];
         let direction = (direction_rad - first).rem_euclid(TAU) + first;
@@ -213,7 +213,7 @@ impl RaoTable {
 }
 
 /// The response to the mirrored wave.
-fn mirror(response: &Response) -> Response {
+fn mirror(response: &MotionResponse) -> MotionResponse {
     let sign = |mode: usize| if mode.is_multiple_of(2) { 1.0 } else { -1.0 };
     core::array::from_fn(|mode| response[mode].map(|part| sign(mode) * part))
 }

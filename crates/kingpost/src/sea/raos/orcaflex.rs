@@ -1,7 +1,7 @@
 //! RAOs in OrcaFlex's YAML, whose vessel type states the conventions.
 
 use super::csv::ToRadS;
-use super::{Content, RaoError, Row, phasor};
+use super::{RaoEntry, RaoError, RaoFile, phasor};
 use core::f64::consts::{PI, TAU};
 use serde_json::Value;
 
@@ -9,7 +9,7 @@ use serde_json::Value;
 const COLUMNS: &str = "RAOPeriodOrFrequency, RAOSurgeAmp, RAOSurgePhase, RAOSwayAmp, RAOSwayPhase, RAOHeaveAmp, \
                        RAOHeavePhase, RAORollAmp, RAORollPhase, RAOPitchAmp, RAOPitchPhase, RAOYawAmp, RAOYawPhase";
 
-pub(super) fn read(text: &str) -> Result<Content, RaoError> {
+pub(super) fn read(text: &str) -> Result<RaoFile, RaoError> {
     let whole: Value = serde_saphyr::from_str(text)
         .map_err(|error| RaoError::new("the file", error.to_string().replace('\n', " "), "YAML"))?;
     let vessel = only(&whole["VesselTypes"], "VesselTypes")?;
@@ -34,7 +34,7 @@ pub(super) fn read(text: &str) -> Result<Content, RaoError> {
             rows.push(conventions.row(direction, line)?);
         }
     }
-    Ok(Content { rows, origin_m, phase_origin_m, symmetric: Some(conventions.symmetric) })
+    Ok(RaoFile { rows, origin_m, phase_origin_m, symmetric: Some(conventions.symmetric) })
 }
 
 fn only<'a>(list: &'a Value, name: &str) -> Result<&'a Value, RaoError> {
@@ -94,7 +94,7 @@ impl Conventions {
         Ok(Self { to_rad_s, factors, lag: [way * unit, after], symmetric })
     }
 
-    fn row(&self, direction: f64, line: &Value) -> Result<Row, RaoError> {
+    fn row(&self, direction: f64, line: &Value) -> Result<RaoEntry, RaoError> {
         let number = |cell: &Value| cell.as_f64().or((cell == "Infinity").then_some(f64::INFINITY));
         let numbers: Option<Vec<f64>> = line.as_array().and_then(|cells| cells.iter().map(number).collect());
         let numbers = numbers.filter(|all| all.len() == 13 && all[1..].iter().all(|x| x.is_finite()));
@@ -108,7 +108,7 @@ impl Conventions {
             let [amplitude, phase] = [numbers[1 + 2 * mode], numbers[2 + 2 * mode]];
             phasor(amplitude * self.factors[mode], self.lag[0] * phase + self.lag[1])
         });
-        Ok(Row { direction_rad: direction.to_radians().rem_euclid(TAU), frequency_rad_s, response })
+        Ok(RaoEntry { direction_rad: direction.to_radians().rem_euclid(TAU), frequency_rad_s, response })
     }
 }
 

@@ -29,7 +29,7 @@ pub struct WaveField<S = f64> {
     water: Water,
     ramp_s: f64,
     pub(super) amplitudes_m: Vec<S>,
-    pub(super) turns: Turns<S>,
+    pub(super) turns: PhaseTurns<S>,
     /// 1 / (1 + e^-2kh) of each wave.
     pub(super) bottom_scales: Vec<S>,
     /// How often its waves have been replaced.
@@ -39,7 +39,7 @@ pub struct WaveField<S = f64> {
 /// What the waves' phases are made of, in turns of 2 pi rad and one array each, so that a loop over
 /// the waves becomes SIMD code.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Turns<S> {
+pub(super) struct PhaseTurns<S> {
     pub(super) x_per_m: Vec<S>,
     pub(super) y_per_m: Vec<S>,
     pub(super) time_per_s: Vec<S>,
@@ -68,7 +68,7 @@ impl<S: Scalar> WaveField<S> {
     pub fn new(waves: &[WaveComponent<S>], water: Water, ramp_s: f64) -> Self {
         let turn = S::constant(1.0 / TAU);
         let of_each = |f: &dyn Fn(&WaveComponent<S>) -> S| waves.iter().map(f).collect::<Vec<S>>();
-        let turns = Turns {
+        let turns = PhaseTurns {
             x_per_m: of_each(&|wave| wave.wave_number_per_m * wave.direction_rad.sin_cos().1 * turn),
             y_per_m: of_each(&|wave| wave.wave_number_per_m * wave.direction_rad.sin_cos().0 * turn),
             time_per_s: of_each(&|wave| wave.angular_frequency_rad_s * turn),

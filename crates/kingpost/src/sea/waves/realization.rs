@@ -44,7 +44,7 @@ const EVEN_SHARE: f64 = 0.5;
 
 /// What a channel of noise is for; each system has one of each.
 #[derive(Clone, Copy)]
-enum Draw {
+enum WaveDraw {
     Frequency = 0,
     Phase = 1,
     Direction = 2,
@@ -69,18 +69,18 @@ impl WaveSystem {
         let band = self.checked_band()?;
         let bins = self.bins(band)?;
         let (noise, count) = (Noise::new(seed), self.components as u64);
-        let uniform = |draw: Draw, i: u64| noise.uniform(4 * system + draw as u64, i);
-        let shares: Vec<f64> = (0..count).map(|i| uniform(Draw::Direction, i)).collect();
+        let uniform = |draw: WaveDraw, i: u64| noise.uniform(4 * system + draw as u64, i);
+        let shares: Vec<f64> = (0..count).map(|i| uniform(WaveDraw::Direction, i)).collect();
         let angles = self.spreading.quantiles_rad(&shares);
         let of_bin = |(i, bin): (u64, &Bin)| {
-            let frequency = bin.start_rad_s + (bin.end_rad_s - bin.start_rad_s) * uniform(Draw::Frequency, i);
+            let frequency = bin.start_rad_s + (bin.end_rad_s - bin.start_rad_s) * uniform(WaveDraw::Frequency, i);
             let mean_square = match self.amplitudes {
                 Amplitudes::Deterministic => 1.0,
-                Amplitudes::Random => -libm::log(uniform(Draw::Amplitude, i)),
+                Amplitudes::Random => -libm::log(uniform(WaveDraw::Amplitude, i)),
             };
             let amplitude = libm::sqrt(2.0 * bin.variance_m2 * mean_square);
             let direction = self.direction_rad + angles[i as usize];
-            WaveComponent::in_water(water, amplitude, frequency, direction, TAU * uniform(Draw::Phase, i))
+            WaveComponent::in_water(water, amplitude, frequency, direction, TAU * uniform(WaveDraw::Phase, i))
         };
         Ok((0..count).zip(&bins).map(of_bin).collect())
     }

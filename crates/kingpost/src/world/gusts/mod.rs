@@ -11,7 +11,7 @@ use crate::sea::waves::{Amplitudes, MOST_COMPONENTS, Noise, ramp};
 const FIRST_CHANNEL: u64 = 1 << 32;
 /// What a channel of noise is for.
 #[derive(Clone, Copy)]
-enum Draw {
+enum GustDraw {
     Frequency = 0,
     Phase = 1,
     Amplitude = 2,
@@ -95,16 +95,16 @@ impl<S: Scalar> Gusts<S> {
         let (noise, count) = (Noise::new(of.seed), of.components as f64);
         let (begin, width) = (libm::log(lowest), libm::log(highest / lowest) / count);
         let component = |i: u64| {
-            let uniform = |draw: Draw| noise.uniform(FIRST_CHANNEL + draw as u64, i);
+            let uniform = |draw: GustDraw| noise.uniform(FIRST_CHANNEL + draw as u64, i);
             let at = |bins: f64| libm::exp(begin + width * bins);
             let start = i as f64;
             Component {
                 ends_hz: [at(start), at(start + 1.0)],
-                frequency_hz: at(start + uniform(Draw::Frequency)),
-                phase_turns: uniform(Draw::Phase),
+                frequency_hz: at(start + uniform(GustDraw::Frequency)),
+                phase_turns: uniform(GustDraw::Phase),
                 share: match of.amplitudes {
                     Amplitudes::Deterministic => 1.0,
-                    Amplitudes::Random => -libm::log(uniform(Draw::Amplitude)),
+                    Amplitudes::Random => -libm::log(uniform(GustDraw::Amplitude)),
                 },
             }
         };

@@ -12,7 +12,7 @@ use crate::spatial::Vector3;
 use core::f64::consts::PI;
 
 /// About its centre, along one of the axes.
-pub(super) struct Cylinder<S> {
+pub(super) struct CutCylinder<S> {
     pub radius: S,
     pub length: S,
     pub axis: usize,
@@ -47,7 +47,7 @@ struct Slope<S> {
     direction: Vector3<S>,
 }
 
-impl<S: Scalar> Cylinder<S> {
+impl<S: Scalar> CutCylinder<S> {
     /// What is below n . r = l.
     pub fn below(&self, normal: Vector3<S>, level: S) -> Below<S> {
         let slope = self.slope(normal);

@@ -5,7 +5,7 @@ mod cylinder;
 use super::wetted::{corner_shares, side};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
-use cylinder::Cylinder;
+use cylinder::CutCylinder;
 
 /// What of a solid is below a plane n . r = l, n a unit vector in the solid's axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +94,7 @@ impl<S: Scalar> Solid<S> {
     pub fn below(&self, vertical: Vector3<S>, level: S) -> Below<S> {
         match *self {
             Self::Box { edges } => Below::of_box(edges, vertical, level),
-            Self::Cylinder { radius, length, axis } => Cylinder { radius, length, axis }.below(vertical, level),
+            Self::Cylinder { radius, length, axis } => CutCylinder { radius, length, axis }.below(vertical, level),
             Self::Sphere { radius } => Below::of_sphere(radius, vertical, level),
         }
     }

@@ -14,13 +14,13 @@ use crate::sea::waves::error::{HEIGHTS_M, PERIODS_S, WaveError, between};
 /// by integration over all frequencies here, so that m0 = Hs^2 / 16.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torsethaugen {
-    primary: System,
-    secondary: System,
+    primary: TorsethaugenPart,
+    secondary: TorsethaugenPart,
 }
 
 /// One of the two systems.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct System {
+struct TorsethaugenPart {
     peak_rad_s: f64,
     gamma: f64,
     /// Hs_j^2 G A / 16 w_pj, m^2 s/rad.
@@ -49,16 +49,16 @@ impl Torsethaugen {
             let distance = (fully_developed - period) / (fully_developed - shortest);
             let share = 0.7 + 0.3 * libm::exp(-(2.0 * distance) * (2.0 * distance));
             let (wind, swell) = shared(height, share);
-            let primary = System::new(wind, period, sharpness(steepness(wind, period)));
-            let secondary = System::new(swell, fully_developed + 2.0, 1.0);
+            let primary = TorsethaugenPart::new(wind, period, sharpness(steepness(wind, period)));
+            let secondary = TorsethaugenPart::new(swell, fully_developed + 2.0, 1.0);
             return Ok(Self { primary, secondary });
         }
         let distance = (period - fully_developed) / (25.0 - fully_developed);
         let share = 0.6 + 0.4 * libm::exp(-(distance / 0.3) * (distance / 0.3));
         let (swell, wind) = shared(height, share);
         let gamma = sharpness(steepness(height, fully_developed)) * (1.0 + 6.0 * distance);
-        let primary = System::new(swell, period, gamma);
-        let secondary = System::new(wind, 6.6 * libm::cbrt(wind), 1.0);
+        let primary = TorsethaugenPart::new(swell, period, gamma);
+        let secondary = TorsethaugenPart::new(wind, 6.6 * libm::cbrt(wind), 1.0);
         Ok(Self { primary, secondary })
     }
 
@@ -84,7 +84,7 @@ fn shared(height: f64, share: f64) -> (f64, f64) {
     (share * height, height * libm::sqrt((1.0 - share * share).max(0.0)))
 }
 
-impl System {
+impl TorsethaugenPart {
     /// A system of this height, peak period and sharpness. A gamma below 1, which the formulas give
     /// for gentle seas, counts as 1.
     fn new(height_m: f64, peak_period_s: f64, gamma: f64) -> Self {

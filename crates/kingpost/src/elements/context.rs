@@ -25,7 +25,7 @@ impl Situation {
 
 /// What an element acts on, and when. States, inputs, numbers and modes are the element's own.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment<'a, S = f64> {
+pub struct Context<'a, S = f64> {
     /// When.
     pub clock: Clock,
     /// What for.
@@ -50,7 +50,7 @@ pub struct Moment<'a, S = f64> {
     pub modes: &'a [i64],
 }
 
-impl<'a, S> Moment<'a, S> {
+impl<'a, S> Context<'a, S> {
     /// A model at rest, as an element without entries of its own sees it; `q` and `v` are its.
     pub fn at_rest(
         world: &'a World<S>,
