@@ -4,7 +4,6 @@
 //! with the articulated inertia `[J, C; C^T, L]` about the ball, only `L - C^T J^-1 C` remains of
 //! it (Featherstone 2008, sec. 7.2, with S taken about the joint).
 
-use super::Loads;
 use crate::model::{Link, Mode};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
@@ -43,14 +42,14 @@ impl<'a, S: Scalar> Ball<'a, S> {
         &self,
         inertia: &SpatialInertia<S>,
         bias: &Wrench<S>,
-        loads: &Loads<S>,
+        force: &[S],
     ) -> (SpatialInertia<S>, Wrench<S>) {
         if self.plan.mode != Mode::Free {
             return (*inertia, *bias);
         }
         let to_ball = Frame::translation(-self.position);
         let (about_ball, bias) = (inertia.to_parent(&to_ball), to_ball.wrench_to_parent(bias));
-        let (applied, inverse) = (self.moment(loads), about_ball.angular.inverse());
+        let (applied, inverse) = (self.moment(force), about_ball.angular.inverse());
         let yielding = about_ball.coupling.transpose() * (inverse.to_matrix() * about_ball.coupling);
         let linear = Symmetric3::from_upper(&(about_ball.linear.to_matrix() - yielding));
         let reduced = SpatialInertia { linear, ..SpatialInertia::default() };
@@ -61,9 +60,9 @@ impl<'a, S: Scalar> Ball<'a, S> {
         (reduced, carried)
     }
 
-    /// The moment applied in the joint.
-    fn moment(&self, loads: &Loads<S>) -> Vector3<S> {
-        self.in_root.rotation * Vector3::from_slice(&loads.force[self.plan.velocities..])
+    /// The moment applied in the joint, of the loads along all coordinates.
+    fn moment(&self, force: &[S]) -> Vector3<S> {
+        self.in_root.rotation * Vector3::from_slice(&force[self.plan.velocities..])
     }
 
     /// Acceleration of the link, once what the parent and the velocities carry is known; writes that
@@ -73,10 +72,10 @@ impl<'a, S: Scalar> Ball<'a, S> {
         inertia: &SpatialInertia<S>,
         bias: &Wrench<S>,
         carried: &Twist<S>,
-        loads: &Loads<S>,
+        force: &[S],
         v_dot: &mut [S],
     ) -> Twist<S> {
-        self.accelerate_under(self.moment(loads), inertia, bias, carried, v_dot)
+        self.accelerate_under(self.moment(force), inertia, bias, carried, v_dot)
     }
 
     /// The same under a moment applied in the joint.
@@ -100,6 +99,7 @@ impl<'a, S: Scalar> Ball<'a, S> {
         in_child.write_to(&mut v_dot[self.plan.velocities..]);
         *carried + self.twist(&in_child.0)
     }
+
     /// What the ball lets through of a bias alone, without velocities and other loads.
     pub(super) fn passes(&self, inertia: &SpatialInertia<S>, bias: &Wrench<S>) -> Wrench<S> {
         if self.plan.mode != Mode::Free {

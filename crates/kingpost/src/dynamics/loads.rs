@@ -109,4 +109,15 @@ impl<S: Scalar> Loads<S> {
         self.restraints.iter_mut().for_each(|restraint| restraint.acts = false);
         self.power = Power::default();
     }
+
+    /// Adds what the restraints that act carry, their multipliers in the same order.
+    pub fn carry(&mut self, multipliers: &[S]) {
+        let Self { restraints, wrenches, force, .. } = self;
+        for (restraint, multiplier) in restraints.iter().filter(|restraint| restraint.acts).zip(multipliers) {
+            wrenches.extend(restraint.wrenches.iter().map(|(body, wrench)| (*body, *wrench * *multiplier)));
+            for (coordinate, load) in &restraint.along {
+                force[*coordinate] += *load * *multiplier;
+            }
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! A constraint that an element holds while it acts: an inextensible rope, taut.
 
-use super::{LinkKinematics, Loads};
+use super::LinkKinematics;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Wrench};
@@ -58,18 +58,5 @@ impl<S: Scalar> Restraint<S> {
     pub fn times(&self, twist: impl Fn(usize) -> Twist<S>, rates: &[S]) -> S {
         let by_bodies = self.wrenches.iter().fold(S::ZERO, |sum, (body, wrench)| sum + wrench.dot(&twist(*body)));
         self.along.iter().fold(by_bodies, |sum, (coordinate, load)| sum + *load * rates[*coordinate])
-    }
-}
-
-impl<S: Scalar> Loads<S> {
-    /// Adds what the restraints that act carry, their multipliers in the same order.
-    pub fn carry(&mut self, multipliers: &[S]) {
-        let Self { restraints, wrenches, force, .. } = self;
-        for (restraint, multiplier) in restraints.iter().filter(|restraint| restraint.acts).zip(multipliers) {
-            wrenches.extend(restraint.wrenches.iter().map(|(body, wrench)| (*body, *wrench * *multiplier)));
-            for (coordinate, load) in &restraint.along {
-                force[*coordinate] += *load * *multiplier;
-            }
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! Sine and cosine of an angle in radians, without branches.
 
+use super::Scalar;
 use super::turns::{ROUNDING, cosine, sine};
-use super::{LANES, Lanes, Scalar};
 use core::f64::consts::FRAC_2_PI;
 
 /// A quarter of a turn in three parts: two of 33 bits, whose products with whole numbers up to 2^20 are exact, and the
@@ -27,7 +27,7 @@ pub(super) fn sin_cos(angle: f64) -> (f64, f64) {
 
 /// The whole number of quarters, in the last bits, and what is left, rad.
 #[inline(always)]
-fn reduced<S: Scalar>(angle: S) -> (S, S) {
+pub(super) fn reduced<S: Scalar>(angle: S) -> (S, S) {
     let [first, second, third] = QUARTER.map(S::constant);
     let rounding = S::constant(ROUNDING);
     let quarters = angle * S::constant(FRAC_2_PI) + rounding;
@@ -39,20 +39,10 @@ fn reduced<S: Scalar>(angle: S) -> (S, S) {
 
 /// Sine and cosine of an angle and so many quarters of a turn, from those of the angle.
 #[inline(always)]
-fn turned(sin: f64, cos: f64, quarters: f64) -> (f64, f64) {
+pub(super) fn turned(sin: f64, cos: f64, quarters: f64) -> (f64, f64) {
     let by_quadrant = [sin, cos, -sin, -cos, sin];
     let quadrant = (quarters.to_bits() & 3) as usize;
     (by_quadrant[quadrant], by_quadrant[quadrant + 1])
-}
-
-/// The same in lanes, all of angles up to [`LARGEST`].
-#[inline(always)]
-pub(super) fn sin_cos_of_lanes(angle: Lanes) -> (Lanes, Lanes) {
-    let (quarters, left) = reduced(angle);
-    let (sin, cos) = (sine(left).to_array(), cosine(left).to_array());
-    let quarters = quarters.to_array();
-    let both: [(f64, f64); LANES] = core::array::from_fn(|k| turned(sin[k], cos[k], quarters[k]));
-    (Lanes::new(both.map(|(sin, _)| sin)), Lanes::new(both.map(|(_, cos)| cos)))
 }
 
 #[cfg(test)]

@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-use super::parts::{files, names};
-use super::wording;
+use super::{part_names, wording};
 
 /// What is wrong with a field, where its place in the file is not known.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -126,10 +125,10 @@ impl Fault {
                 ScenarioError { file: file.to_owned(), line: Some(line), column: Some(column), ..error }
             }
             SourcePlace::Part { file: part, prefix, line, column } => ScenarioError {
-                file: files::beside(file, &part),
+                file: part_names::beside(file, &part),
                 line: Some(line),
                 column: Some(column),
-                field: names::in_part(&error.field, &prefix),
+                field: part_names::in_part(&error.field, &prefix),
                 ..error
             },
             SourcePlace::Set(name) => ScenarioError { file: format!("{SET}{name}"), ..error },

@@ -1,6 +1,7 @@
 //! Files that a scenario names: their texts come from the host, for the engine reads no disk.
 
 use super::error::FieldError;
+use super::named_files::NamedFiles;
 use super::schema::{Force, Joint, Scenario, Waves};
 use crate::sea::database::Database;
 use crate::sea::raos::RaoTable;
@@ -117,33 +118,6 @@ impl Files {
             FieldError::new(field, format!("{name}: {}: {}", error.field, error.found), error.allowed)
         });
         Ok(Arc::new(table?))
-    }
-}
-
-/// What is in the files that a scenario names, by their names.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct NamedFiles {
-    databases: IndexMap<String, Arc<Database>>,
-    records: IndexMap<String, Arc<ElevationTable>>,
-    raos: IndexMap<String, Arc<RaoTable>>,
-    /// Of the text of each.
-    digests: IndexMap<String, u64>,
-}
-
-impl NamedFiles {
-    /// The hydrodynamic database of a file.
-    pub fn database(&self, name: &str) -> Option<&Arc<Database>> {
-        self.databases.get(name)
-    }
-
-    /// The record of the sea's elevation of a file.
-    pub fn record(&self, name: &str) -> Option<&Arc<ElevationTable>> {
-        self.records.get(name)
-    }
-
-    /// The displacement RAOs of a file.
-    pub fn raos(&self, name: &str) -> Option<&Arc<RaoTable>> {
-        self.raos.get(name)
     }
 }
 

@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::error::{Fault, SourcePlace};
 use super::schema::{self, Parameter, ParameterKind, ParameterValue, Scenario};
 use super::tree::{Content, Field, ScenarioNode, segments, value_child};
-use super::{units, wording};
+use super::{conversion, units, wording};
 
 /// A value that is set by name: of a parameter, or of a field by its dotted path.
 pub(super) struct Override<'a> {
@@ -224,12 +224,12 @@ impl OverrideTarget<'_> {
         let (si, factor) = units::si_path(&written);
         self.check(&si).map_err(|NoSuchField { found, allowed }| Fault::new(name_place, path, found, allowed))?;
         let mut node = ScenarioNode::from_value(value, place);
-        units::to_si(&mut node).map_err(|mut fault| {
+        conversion::to_si(&mut node).map_err(|mut fault| {
             fault.error.field = format!("{path}.{}", fault.error.field);
             fault
         })?;
         if factor != 1.0 {
-            units::convert(&mut node, factor);
+            conversion::convert(&mut node, factor);
         }
         put(self.tree, self.whole, &FieldPath { si: &si, written: &written, place: name_place }, node);
         Ok(())

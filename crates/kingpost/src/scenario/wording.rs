@@ -219,7 +219,6 @@ pub(super) fn not_a_name() -> (String, String) {
     pair("a field whose name is not a text", "name: value")
 }
 
-pub(super) const ONE_UNIT: &str = "one of the two";
 pub(super) const UNKNOWN_NAME: &str = "an unknown name";
 pub(super) const OWN_NAME: &str = "a name that no field at the top of the file has";
 pub(super) const PATHS: &str = "paths of fields, as bodies.ship.mass_kg";

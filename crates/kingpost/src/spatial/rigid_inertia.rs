@@ -16,6 +16,20 @@ pub struct RigidInertia<S = f64> {
     pub moments: Symmetric3<S>,
 }
 
+impl<S: Scalar> SpatialInertia<S> {
+    /// The sum with a rigid body's inertia about the same origin.
+    #[inline]
+    pub fn plus_rigid(&self, rigid: &RigidInertia<S>) -> Self {
+        let ([x, y, z], [p, q, r], m) = (rigid.first_moment.0, self.coupling.0, rigid.mass);
+        let Symmetric3 { xx, yy, zz, .. } = self.linear;
+        Self {
+            angular: self.angular + rigid.moments,
+            coupling: Matrix3([[p[0], p[1] - z, p[2] + y], [q[0] + z, q[1], q[2] - x], [r[0] - y, r[1] + x, r[2]]]),
+            linear: Symmetric3 { xx: xx + m, yy: yy + m, zz: zz + m, ..self.linear },
+        }
+    }
+}
+
 impl<S: Scalar> RigidInertia<S> {
     /// The ten numbers of a 6x6 inertia, or `None` where that is not a rigid body's.
     pub fn from_spatial(inertia: &SpatialInertia<S>) -> Option<Self> {

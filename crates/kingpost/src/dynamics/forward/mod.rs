@@ -142,7 +142,7 @@ fn articulate<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, loads: &Lo
             LinkJoint::Ball => {
                 if let Some(parent) = parent {
                     let (inertia, bias) =
-                        Ball::new(plan, &moving.in_root).transmitted(&link.inertia(moving), &link.bias, loads);
+                        Ball::new(plan, &moving.in_root).transmitted(&link.inertia(moving), &link.bias, &loads.force);
                     parent.carry(&inertia);
                     parent.bias += bias;
                 }
@@ -188,7 +188,7 @@ fn respond<S: Scalar>(
             }
             LinkJoint::Ball => {
                 let ball = Ball::new(plan, &moving.in_root);
-                link.response = ball.accelerate(&link.inertia(moving), &link.bias, &carried(), loads, v_dot);
+                link.response = ball.accelerate(&link.inertia(moving), &link.bias, &carried(), &loads.force, v_dot);
             }
             LinkJoint::Hinge | LinkJoint::Slide => {
                 let carried = carried();

@@ -16,13 +16,15 @@
 //! the term of Kirchhoff's equations that moves momentum: both vanish for the paper's bodies.
 
 mod blocks;
+mod factors;
 mod formula;
 mod labels;
 mod loops;
 mod symbolic;
 mod symbols;
 
-pub use formula::{Factor, Formula, Instant, Symbol};
+pub use factors::{Factor, Symbol};
+pub use formula::{Formula, Instant};
 pub use labels::NamedMatrix;
 pub use symbolic::{BlockMatrix, SymbolicMatrix};
 pub use symbols::{Naming, Symbols};

@@ -1,7 +1,8 @@
 //! The method's matrices as formulas, generated from the tree: what stands in each block of B, and
 //! of the others, for any mechanism.
 
-use super::formula::{Factor, Formula, Instant, Symbol};
+use super::factors::{Factor, Symbol};
+use super::formula::{Formula, Instant};
 use super::symbols::Symbols;
 use crate::model::{AxisMotion, JointKind, Mode};
 use nalgebra::DMatrix;

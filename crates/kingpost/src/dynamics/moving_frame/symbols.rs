@@ -1,6 +1,6 @@
 //! The paper's symbols for the bodies and joints of a model.
 
-use super::formula::{Factor, Symbol};
+use super::factors::{Factor, Symbol};
 use crate::model::joint::ElementaryAxis;
 use crate::model::{AxisMotion, JointKind, Model, Node};
 use crate::spatial::Vector3;

@@ -1,11 +1,8 @@
 //! Joints of several axes, one after another.
 
-use super::{AxisMotion, Columns, ElementaryAxis, JointKind, Mode, Prismatic, Revolute};
+use super::{AxisMotion, Columns, ElementaryAxis, JointKind, MOST_AXES, Mode, Prismatic, Revolute};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
-
-/// Most axes that one joint can have.
-pub const MOST_AXES: usize = 6;
 
 /// A joint of up to six elementary axes: `E(child/parent) = placement A1(q1) ... An(qn) [I, s_C]`.
 ///

@@ -1,9 +1,11 @@
 //! The columns of a joint's motion.
 
-use super::axis_list::MOST_AXES;
 use crate::scalar::Scalar;
 use crate::spatial::Twist;
 use core::ops::{Deref, DerefMut};
+
+/// Most axes that one joint can have.
+pub const MOST_AXES: usize = 6;
 
 /// One twist a coordinate of a joint, in child axes about the child's centre of mass; a slice of
 /// none to six.

@@ -19,8 +19,8 @@ mod spherical;
 mod universal;
 
 pub use axis::{AxisMotion, ElementaryAxis};
-pub use axis_list::{AxisList, MOST_AXES};
-pub use columns::Columns;
+pub use axis_list::AxisList;
+pub use columns::{Columns, MOST_AXES};
 pub use fixed::Fixed;
 pub use floating::Floating;
 pub use prismatic::Prismatic;

@@ -2,7 +2,7 @@
 
 use super::super::schema::{self, Scenario};
 use super::FieldError;
-use super::ropes::hinge;
+use super::hinges::hinge;
 use crate::elements::ropes::LoadChart;
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;

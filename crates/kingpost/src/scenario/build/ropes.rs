@@ -2,11 +2,11 @@
 
 use super::super::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use super::cylinders::attachment;
+use super::hinges::hinge;
 use super::{FieldError, flexible, known, load_chart};
 use crate::elements::ropes::{Drum, Efficiency, Inextensible, Layers, RopePath, RopeWeight, Round, Station};
 use crate::elements::{AnyElement, Rope, TuggerLine};
-use crate::model::joint::Revolute;
-use crate::model::{Attachment, JointKind, Model, Node};
+use crate::model::{Attachment, Model};
 use crate::scenario::leaf::Quantity;
 use crate::spatial::{Frame, Vector3};
 
@@ -217,26 +217,6 @@ fn check_bodies<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) ->
     }
     let allowed = "places on two bodies, or on a body and world";
     Err(FieldError::new(field("path".to_owned()), format!("places that are all on {first}"), allowed))
-}
-
-/// A body's node and the revolute joint that it turns by.
-type Hinged<'a, S> = (&'a Node<S>, &'a Revolute<S>);
-
-/// The joint of a drum or of a crane that slews: a revolute one of this name; `None` where it is not there.
-pub(super) fn hinge<'a, S: Quantity>(
-    scenario: &Scenario<S>,
-    field: &str,
-    joint: &str,
-    model: &'a Model<S>,
-) -> Result<Option<Hinged<'a, S>>, FieldError> {
-    let revolute = |(_, body): &(&schema::Name, &schema::Body<S>)| matches!(body.joint, schema::Joint::Revolute(_));
-    let joints = scenario.bodies.iter().filter(revolute).map(|(name, body)| super::bodies::joint_name(name, body));
-    known(field, joint, joints)?;
-    let owner = model.coordinate(joint).and_then(|coordinate| model.owner(coordinate));
-    Ok(owner.and_then(|(body, _)| {
-        let node = &model.tree.nodes[body];
-        if let JointKind::Revolute(hinge) = &node.kind { Some((node, hinge)) } else { None }
-    }))
 }
 
 /// The station of a drum and the drum, where its joint is there.

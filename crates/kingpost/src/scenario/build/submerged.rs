@@ -2,7 +2,7 @@
 
 use super::super::schema::{self, PrincipalAxis, Scenario, SubmergedShape};
 use super::damping::{from_centre, rigid};
-use super::{FieldError, flow, world as worlds};
+use super::{FieldError, flow, still_water};
 use crate::elements::submerged::{AddedMassGrowth, AddedMassOf, Drag, EntrainedWater, Waters, WindOnDry};
 use crate::elements::{AnyElement, Submerged, hull::HullFrame};
 use crate::model::Model;
@@ -163,7 +163,7 @@ fn check_wind<S: Quantity>(
 
 /// Water needs weight, and a current over infinite depth no power of it.
 fn check_world<S: Quantity>(scenario: &Scenario<S>, field: &str, world: &World<S>) -> Result<(), FieldError> {
-    if worlds::gravity(scenario).is_err() {
+    if still_water::gravity(scenario).is_err() {
         return Err(FieldError::new(field, "buoyancy, and no gravity", "gravity that is enabled"));
     }
     if matches!(world.current.profile, CurrentProfile::PowerLaw(_)) && world.depth.is_none() {

@@ -2,7 +2,7 @@
 
 use super::super::schema::{self, Force as ForceSchema, Scenario};
 use super::damping::{from_centre, rigid};
-use super::{FieldError, world};
+use super::{FieldError, still_water};
 use crate::elements::hull::HullFrame;
 use crate::elements::{AnyElement, SlackTank};
 use crate::model::Model;
@@ -21,7 +21,7 @@ pub fn slack<S: Quantity>(
     rigid(scenario, format!("{field}.body"), &given.body)?;
     let Some(body) = model.body(&given.body).filter(|_| given.enabled) else { return Ok(None) };
     check_body(scenario, model, body, &format!("{field}.body"))?;
-    if world::gravity(scenario).is_err() {
+    if still_water::gravity(scenario).is_err() {
         return Err(FieldError::new(field, "a free surface, and no gravity", "gravity that is enabled"));
     }
     Ok(Some(Box::new(SlackTank {

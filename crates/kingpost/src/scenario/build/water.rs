@@ -2,7 +2,7 @@
 
 use super::super::schema::{self, Force as ForceSchema, Hydrostatics as HydrostaticsSchema, Scenario};
 use super::damping::from_centre;
-use super::{FieldError, known, world};
+use super::{FieldError, known, still_water};
 use crate::elements::hull::{
     AddedMass, Carried, CoefficientFrame, FloatingMesh, HullFrame, Hydrostatics, LinearLimits, MeanAttitude,
     MeshInWaves, Plan, QuadraticTerms, Radiation, WaveExcitation, WaveForces, added_inertia,
@@ -29,7 +29,7 @@ pub fn build<S: Quantity>(
         let field = |rest: &str| format!("forces.{name}.hydrodynamics.{rest}");
         let body = floating_body(scenario, &model, &field("body"), &given.body)?;
         let Some(database) = scenario.files.database(&given.database) else { continue };
-        world::gravity(scenario)?;
+        still_water::gravity(scenario)?;
         check_water(&field("database"), database, world)?;
         let origin = from_centre(scenario, &given.body, Vector3(given.origin_m));
         let coefficients = CoefficientFrame { body, in_body: Frame::translation(origin).times(&attitude(database)) };

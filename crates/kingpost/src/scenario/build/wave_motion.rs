@@ -2,8 +2,8 @@
 
 use super::super::schema::{self, Scenario};
 use super::FieldError;
+use super::still_water;
 use super::water::check_coverage;
-use super::world;
 use crate::elements::drives::WaveMotion;
 use crate::model::Model;
 use crate::scenario::leaf::Quantity;
@@ -28,7 +28,7 @@ pub fn build<S: Quantity>(
         let table = table.whole_circle(given.symmetric).map_err(|error| {
             FieldError::new(format!("{field}.raos"), format!("{}: {}", error.field, error.found), error.allowed)
         })?;
-        world::gravity(scenario)?;
+        still_water::gravity(scenario)?;
         check_coverage(&format!("{field}.raos"), table.band_rad_s(), world)?;
         let waves = world.waves.iter().flat_map(WaveField::components);
         let node = &model.tree.nodes[index];

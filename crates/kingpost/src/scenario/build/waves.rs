@@ -2,7 +2,7 @@
 
 use super::super::schema::{self, Positive, Scenario, WaveAmplitudes, WaveRealisation, Waves};
 use super::FieldError;
-use super::world::{gravity, water_of};
+use super::still_water::{gravity, water_of};
 use crate::scenario::leaf::Quantity;
 use crate::sea::waves::{
     Amplitudes, Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Spreading,

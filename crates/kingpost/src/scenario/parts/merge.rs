@@ -4,9 +4,9 @@ use indexmap::IndexMap;
 use serde_json::Value;
 
 use super::super::error::{Fault, SourcePlace};
+use super::super::part_names::SECTIONS;
 use super::super::tree::{Content, Field, ScenarioNode};
 use super::super::wording;
-use super::names::SECTIONS;
 use super::{Mount, WORLD, take};
 
 /// A part, its names and places those of the including file.

@@ -4,9 +4,8 @@
 //! names get the prefix, what stands on the world in it is put on the mounting, and the result is merged into the
 //! including tree, where no `parts` remain.
 
-pub(super) mod files;
 mod merge;
-pub(super) mod names;
+mod names;
 mod overrides;
 mod stand;
 
@@ -20,7 +19,8 @@ use super::files::Files;
 use super::parameters::{self, Override, OverrideTarget};
 use super::schema::{Mounting, Name, Scenario, WORLD};
 use super::tree::{Content, Field, ScenarioNode, segments};
-use super::{parse, read, units, wording};
+use super::typed::{check_version, typed};
+use super::{conversion, parse, part_names, wording};
 
 /// Parts in parts, and parts in all: more is a mistake, and would take the machine.
 const MOST_LEVELS: usize = 16;
@@ -66,7 +66,7 @@ pub(super) fn mount<'a>(
     only_names: bool,
 ) -> Result<(Mounted, Vec<Override<'a>>), Fault> {
     let mut mounter = Mounter { host, only_names, mounted: Mounted::default(), count: 0 };
-    let main = files::of_main(file);
+    let main = part_names::of_main(file);
     let level = Level { chain: vec![&main], prefix: String::new(), list: String::new() };
     let rest = mounter.mount_all(tree, &level, given)?;
     Ok((mounter.mounted, rest))
@@ -81,7 +81,7 @@ impl Mounter<'_> {
         given: Vec<Override<'a>>,
     ) -> Result<Vec<Override<'a>>, Fault> {
         let parts = take(tree, "parts");
-        units::to_si(tree)?;
+        conversion::to_si(tree)?;
         let Some(mut parts) = parts else { return Ok(given) };
         let rest = overrides::write(&mut parts, tree, given)?;
         let mountings = overrides::typed_mountings(&mut parts)?;
@@ -105,7 +105,7 @@ impl Mounter<'_> {
     /// The tree of a part as it goes into the including file; `None` where only names are asked and a file is not there.
     fn part(&mut self, mount: &Mount<'_>, level: &Level<'_>) -> Result<Option<merge::Part>, Fault> {
         let from = level.chain.last().copied().unwrap_or_default();
-        let file = files::of_part(from, &mount.mounting.part);
+        let file = part_names::of_part(from, &mount.mounting.part);
         self.check_chain(mount, &level.chain, &file)?;
         if !self.mounted.files.contains(&file) {
             self.mounted.files.push(file.clone());
@@ -132,7 +132,7 @@ impl Mounter<'_> {
         passed_up(&mut tree, &mount.mounting.parameters);
         names::into_whole(&mut tree, &prefix, &file, mount.name)?;
         names::places_with_prefix(&mut tree, &prefix, from);
-        let whole = mount.remapped(read::typed(&tree))?;
+        let whole = mount.remapped(typed(&tree))?;
         let whole = serde_json::to_value(&whole).unwrap_or_default();
         let frames = stand::on_the_mounting(&mut tree, &whole, mount)?;
         Ok(Some(merge::Part { tree, frames }))
@@ -217,7 +217,7 @@ fn parsed(text: &str, file: &str) -> Result<ScenarioNode, Fault> {
     let in_part = |fault: Fault| Fault { place: names::place_in_part(&fault.place, file), error: fault.error };
     let mut tree = parse::parse(text).map_err(in_part)?;
     names::places_of_part(&mut tree, file);
-    read::check_version(&tree)?;
+    check_version(&tree)?;
     for field in ["simulation", "sea", "wind"] {
         if let Some(found) = tree.field(field) {
             return Err(Fault::new(&found.name_place, field, field, wording::OF_THE_PART));
@@ -234,7 +234,7 @@ fn parsed(text: &str, file: &str) -> Result<ScenarioNode, Fault> {
 
 /// Writes a part's own defaults and then what is set.
 fn apply(tree: &mut ScenarioNode, given: &[Override<'_>]) -> Result<(), Fault> {
-    let as_written: Scenario = read::typed(tree)?;
+    let as_written: Scenario = typed(tree)?;
     let whole = serde_json::to_value(&as_written).unwrap_or_default();
     parameters::apply(OverrideTarget { tree, whole: &whole }, &as_written.parameters, given)
 }

@@ -3,12 +3,9 @@
 use serde_json::Value;
 
 use super::super::error::{Fault, SourcePlace};
+use super::super::part_names::{self, SECTIONS};
 use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
-use super::files;
-
-/// The fields of a scenario whose entries have names of their own in the whole.
-pub const SECTIONS: [&str; 7] = ["bodies", "loops", "forces", "drives", "sensors", "wires", "limits"];
 
 /// Fields below the sections that name something of the scenario, whatever they stand in.
 pub const REFERENCES: [&str; 7] = [
@@ -23,15 +20,6 @@ pub const REFERENCES: [&str; 7] = [
 
 /// Fields below the sections that name files.
 pub const FILES: [&str; 2] = ["database", "raos"];
-
-/// The field of an error in the whole as the part's file has it.
-pub fn in_part(field: &str, prefix: &str) -> String {
-    let own = |section: &str, rest: &str| {
-        let named = SECTIONS.contains(&section).then(|| rest.strip_prefix(prefix)).flatten();
-        named.map(|rest| format!("{section}.{rest}"))
-    };
-    field.split_once('.').and_then(|(section, rest)| own(section, rest)).unwrap_or_else(|| field.to_owned())
-}
 
 /// A path of a part in the whole.
 fn in_whole(path: &str, prefix: &str) -> String {
@@ -76,7 +64,7 @@ fn references(node: &mut ScenarioNode, prefix: &str, file: &str) {
                         }
                     }
                     Content::Scalar(Value::String(text)) if FILES.contains(&name.as_str()) => {
-                        *text = files::from_folder_of(file, text);
+                        *text = part_names::from_folder_of(file, text);
                     }
                     _ => references(&mut field.node, prefix, file),
                 }

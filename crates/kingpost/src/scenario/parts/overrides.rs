@@ -7,7 +7,8 @@ use super::super::error::{Fault, SourcePlace};
 use super::super::parameters::{Override, OverrideTarget};
 use super::super::schema::{Mounting, Name, Scenario};
 use super::super::tree::{Content, Field, ScenarioNode, segments};
-use super::super::{read, units, wording};
+use super::super::typed::typed;
+use super::super::{conversion, units, wording};
 use super::{put, take};
 
 /// Writes the overrides of mountings, `parts.crane.position_m` and so on, and gives back the others. `tree` is the file
@@ -31,7 +32,7 @@ pub fn write<'a>(parts: &mut Field, tree: &ScenarioNode, given: Vec<Override<'a>
                     return Err(fault);
                 }
                 in_probe(parts, |probe| {
-                    let whole = serde_json::to_value(Mountings::of(&read::typed(probe)?)).unwrap_or_default();
+                    let whole = serde_json::to_value(Mountings::of(&typed(probe)?)).unwrap_or_default();
                     OverrideTarget { tree: probe, whole: &whole }.write(set.name, set.value, &set.place, &set.place)
                 })?;
             }
@@ -75,7 +76,7 @@ fn to_si(parts: &mut Field) -> Result<(), Fault> {
             }
         }
     }
-    in_probe(parts, units::to_si)?;
+    in_probe(parts, conversion::to_si)?;
     if let Content::Fields(mountings) = &mut parts.node.content {
         for (name, given) in parameters {
             if let Some(mounting) = mountings.get_mut(&name)
@@ -90,7 +91,7 @@ fn to_si(parts: &mut Field) -> Result<(), Fault> {
 
 /// The mountings by their names.
 pub fn typed_mountings(parts: &mut Field) -> Result<IndexMap<Name, Mounting>, Fault> {
-    in_probe(parts, |probe| Ok(read::typed(probe)?.parts))
+    in_probe(parts, |probe| Ok(typed(probe)?.parts))
 }
 
 /// Does something with a scenario that has these parts and nothing else.

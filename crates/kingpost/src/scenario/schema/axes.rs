@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
-use super::{History, NonNegative, Positive};
+use super::histories::{AngleTravel, History, HistoryList, LengthTravel, RatePulse};
+use super::{NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
 
 /// One axis that a joint turns about.

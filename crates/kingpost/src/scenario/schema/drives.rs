@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::axes::slow;
-use super::histories::HistoryList;
+use super::histories::{History, HistoryList};
 use super::{ControlledDrive, CoordinateName, Cylinder, LinearControlledDrive, NonNegative, Positive, yes};
 use crate::scenario::leaf::Leaf;
 
@@ -34,22 +34,6 @@ pub enum Drive<S = f64> {
     LinearBrake(LinearBrake<S>),
     /// A hydraulic cylinder between two pins, on any two bodies.
     Cylinder(Cylinder<S>),
-}
-
-/// How a drive's strength goes with time.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum History {
-    /// Full strength from the start on.
-    #[default]
-    Constant,
-    /// Up, hold, stop, or up, hold, reverse, stop, by the times of `pulse`.
-    Pulse,
-    /// Straight lines between the shares of `list` at given times.
-    List,
-    /// An input in [-1, 1], named as the drive, times the full strength.
-    Lever,
 }
 
 /// Times of a pulse of strength T: from 0 to T in `rise_s`, T for `hold_s`, back to 0 in `rise_s`, and 0 from then on;

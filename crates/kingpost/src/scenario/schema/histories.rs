@@ -5,6 +5,22 @@ use serde::{Deserialize, Serialize};
 use super::{NonNegative, Positive};
 use crate::scenario::leaf::Leaf;
 
+/// How a drive's strength goes with time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum History {
+    /// Full strength from the start on.
+    #[default]
+    Constant,
+    /// Up, hold, stop, or up, hold, reverse, stop, by the times of `pulse`.
+    Pulse,
+    /// Straight lines between the shares of `list` at given times.
+    List,
+    /// An input in [-1, 1], named as the drive, times the full strength.
+    Lever,
+}
+
 /// Shares of the full strength at given times, and straight lines between them: none before the first time, the last
 /// share after the last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -39,7 +39,7 @@ use serde::{Deserialize, Serialize};
 
 use super::leaf::Leaf;
 
-pub use super::files::NamedFiles;
+pub use super::named_files::NamedFiles;
 pub use super::range::{Direction, Fraction, NonNegative, Positive};
 pub use super::text::{Colour, CoordinateName, Name, SignalName, Version, WORLD};
 pub use axes::{
@@ -57,7 +57,7 @@ pub use controlled_drives::{
     LinearControlledDrive, RateSetPoint, SpeedSetPoint, TorqueSetPoint,
 };
 pub use cylinder::{Cylinder, CylinderTarget, Pin, TargetLength};
-pub use drives::{Brake, BrakeState, Drive, History, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
+pub use drives::{Brake, BrakeState, Drive, LinearBrake, LinearMotor, LinearServo, Motor, Pulse, Servo};
 pub use dynamic_positioning::{
     AzimuthThruster, DynamicPositioning, MainPropeller, NaturalPeriods, PositioningGains, RotationTuning, StatedGains,
     StationTarget, ThrustPriority, Thruster, TranslationTuning, TunnelThruster, WaveFilter,
@@ -71,7 +71,7 @@ pub use flow::{
 };
 pub use forces::{DampedAgainst, Force, Gravity, QuadraticDamping, ViscousDamping};
 pub use gusts::{ApiGusts, GustSpectrum, Gusts, KaimalGusts};
-pub use histories::{AngleTravel, HistoryList, LengthTravel, RatePulse};
+pub use histories::{AngleTravel, History, HistoryList, LengthTravel, RatePulse};
 pub use hydrodynamics::{Hydrodynamics, Hydrostatics};
 pub use integrators::{DormandPrinceSettings, GeneralizedAlphaSettings, Integrator, NewmarkSettings};
 pub use joints::{FixedJoint, FloatingJoint, InitialMotion, Joint, JointPlace, PrismaticJoint, RevoluteJoint};

@@ -1,18 +1,10 @@
 //! What every database must hold.
 
-use super::{Attitude, Database, DatabaseError, ExcitationTable, RadiationModel, SixBySix, physical};
+use super::error::{Checked, unless};
+use super::{Attitude, Database, ExcitationTable, RadiationModel, SixBySix, physical};
 
 /// By how much a direction may miss its place in the regular grid, rad: what seven digits leave.
 const GRID_TOLERANCE_RAD: f64 = 1e-5;
-
-pub(super) type Checked = Result<(), DatabaseError>;
-
-pub(super) fn unless(holds: bool, field: &str, found: impl ToString, allowed: &str) -> Checked {
-    if holds {
-        return Ok(());
-    }
-    Err(DatabaseError { field: field.to_owned(), found: found.to_string(), allowed: allowed.to_owned() })
-}
 
 pub(super) fn check(database: &Database) -> Checked {
     unless(database.format == "kingpost-hydrodynamics", "format", &database.format, "kingpost-hydrodynamics")?;

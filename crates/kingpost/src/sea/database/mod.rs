@@ -7,29 +7,19 @@
 
 mod check;
 mod drift;
+mod error;
 mod physical;
+
+pub use error::DatabaseError;
 
 use serde::Deserialize;
 use serde_json::Value;
-use thiserror::Error;
 
 /// Names of the six modes of motion.
 pub const MODES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
 
 /// By mode and mode.
 pub type SixBySix = [[f64; 6]; 6];
-
-/// Something that is wrong with a database.
-#[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("{field}: found {found}, allowed: {allowed}")]
-pub struct DatabaseError {
-    /// The field, dotted.
-    pub field: String,
-    /// What it holds.
-    pub found: String,
-    /// What it may hold.
-    pub allowed: String,
-}
 
 /// The hydrodynamic data of a hull.
 #[derive(Clone, Debug, PartialEq, Deserialize)]

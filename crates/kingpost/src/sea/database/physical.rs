@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, Matrix6};
 
-use super::check::{Checked, unless};
+use super::error::{Checked, unless};
 use super::{Database, MODES, RadiationModel, SixBySix};
 
 /// Largest `|M_ij - M_ji|` over the root of the diagonals' product, each at its largest: panels keep it only nearly.

@@ -10,6 +10,7 @@
 mod afloat;
 mod box_tank;
 mod linear;
+mod loading;
 mod mesh;
 mod solids;
 mod stability;
@@ -19,9 +20,10 @@ mod wetted;
 
 pub use box_tank::{BoxTank, HullTank};
 pub use linear::{LinearHydrostatics, Restoring};
+pub use loading::{Loading, StabilityError};
 pub use mesh::{HullMesh, MeshError};
 pub use solids::{Below, Solid};
-pub use stability::{FloatingEquilibrium, Loading, RightingArm, StabilityError};
+pub use stability::{FloatingEquilibrium, RightingArm};
 pub use waterplane::Waterplane;
 pub use wave_pressure::LocalWater;
 pub use wetted::{Buoyancy, WettedHull};

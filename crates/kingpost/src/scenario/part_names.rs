@@ -1,4 +1,7 @@
-//! Names of the files that parts stand on: from the main file's folder, or in the gallery.
+//! Where parts stand: their files, from the main file's folder or in the gallery, and their fields in the whole.
+
+/// The fields of a scenario whose entries have names of their own in the whole.
+pub const SECTIONS: [&str; 7] = ["bodies", "loops", "forces", "drives", "sensors", "wires", "limits"];
 
 /// What the name of a file of the gallery begins with.
 pub const GALLERY: &str = "gallery:";
@@ -50,6 +53,15 @@ pub fn of_main(main: &str) -> String {
 /// Whether a path does not begin in a folder: of the gallery, from the root, or on a drive `C:`.
 fn is_absolute(path: &str) -> bool {
     path.starts_with('/') || path.starts_with(GALLERY) || path.as_bytes().get(1) == Some(&b':')
+}
+
+/// The field of an error in the whole as the part's file has it.
+pub fn in_part(field: &str, prefix: &str) -> String {
+    let own = |section: &str, rest: &str| {
+        let named = SECTIONS.contains(&section).then(|| rest.strip_prefix(prefix)).flatten();
+        named.map(|rest| format!("{section}.{rest}"))
+    };
+    field.split_once('.').and_then(|(section, rest)| own(section, rest)).unwrap_or_else(|| field.to_owned())
 }
 
 #[cfg(test)]
