@@ -6,7 +6,6 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from ..engine import engine, source_digest
@@ -97,9 +96,7 @@ def _some(
     """Runs side by side; each alone where one of them is no scenario or has other bodies."""
     variants = json.dumps([job.variants[run] for run in runs])
     try:
-        rows, errors, published = engine.batch(
-            job.text, job.file, job.files, variants, (1, MOST_BYTES), None
-        )
+        rows, errors, published = engine.batch(job.text, job.file, job.files, variants, (1, MOST_BYTES), None)
     except KingpostError as error:
         if len(runs) == 1:
             arrays["status"][runs[0]] = reduce.NOT_BUILT
@@ -115,12 +112,14 @@ def _some(
     for k, run in enumerate(runs):
         if missing:
             arrays["status"][run] = reduce.NOT_BUILT
-            ends[run] = f"found no column {missing[0]} in this run, allowed: the columns of the first run in all"
+            ends[run] = (
+                f"found no column {missing[0]} in this run, allowed: the columns of the first run in all"
+            )
             continue
-        error = errors[k]
-        if error is not None:
-            ends[run] = str(error)
-        reduce.reduce(arrays, run, rows[k], at, limits[k], error is None, job.kept)
+        ended = errors[k]
+        if ended is not None:
+            ends[run] = str(ended)
+        reduce.reduce(arrays, run, rows[k], at, limits[k], ended is None, job.kept)
         _count(warnings[k], warned)
 
 
@@ -133,9 +132,7 @@ def _count(warnings: list[dict[str, Any]], warned: dict[tuple[str, str], dict[st
 
 def _places(channels: list[dict[str, Any]]) -> dict[str, int]:
     """Where each flat column is in a row."""
-    return {
-        name: channel["offset"] + k for channel in channels for k, name in enumerate(channel["columns"])
-    }
+    return {name: channel["offset"] + k for channel in channels for k, name in enumerate(channel["columns"])}
 
 
 def columns(channels: list[dict[str, Any]]) -> dict[str, str]:
@@ -149,5 +146,3 @@ def run_bytes(settings: dict[str, float], channels: list[dict[str, Any]]) -> flo
     """What the rows of a run take, with its simulation's settings."""
     rows = settings["duration_s"] / max(settings["record_every_s"], settings["step_s"]) + 2
     return float(8 * rows * sum(channel["len"] for channel in channels))
-
-

@@ -57,8 +57,8 @@ class StudyFile:
         return self.places.get(path)
 
     def placed(self, error: ScenarioError, where: Mapping[str, str]) -> ScenarioError:
-        """An error of the engine in a value that the study sets; `where` has its path in the study by the name
-        that it is set under. Any other error stays as it is."""
+        """An error of the engine in a value that the study sets; `where` has its path in the study by the
+        name that it is set under. Any other error stays as it is."""
         file = error.file or ""
         name = file.removeprefix(SET)
         if name == file or error.found is None or error.allowed is None:
@@ -115,7 +115,9 @@ def read(source: str | Path | Mapping[str, Any]) -> StudyFile:
         try:
             text, file = json.dumps(source, indent=1), ""
         except TypeError as error:
-            raise KingpostError(f"study: found {error}, allowed: texts, numbers, lists, dictionaries") from None
+            raise KingpostError(
+                f"study: found {error}, allowed: texts, numbers, lists, dictionaries"
+            ) from None
     else:
         path = Path(source)
         if path.is_dir() or not path.exists():

@@ -44,14 +44,17 @@ def fields(before: Any, now: Any, path: str = "") -> list[str]:
     >>> fields({"sea": {"depth_m": 10}, "title": "x"}, {"sea": {"depth_m": 20}, "title": "x"})
     ['sea.depth_m']
     """
-    pairs: list[tuple[Any, Any, Any]]
     if isinstance(before, dict) and isinstance(now, dict):
-        pairs = [(key, before.get(key), now.get(key)) for key in {**before, **now}]
+        pairs = {str(key): (before.get(key), now.get(key)) for key in {**before, **now}}
     elif isinstance(before, list) and isinstance(now, list) and len(before) == len(now):
-        pairs = [(k, *both) for k, both in enumerate(zip(before, now, strict=True))]
+        pairs = {str(k): (before[k], now[k]) for k in range(len(now))}
     else:
         return [] if before == now else [path]
-    return [found for key, *both in pairs for found in fields(*both, f"{path}.{key}".removeprefix("."))]
+    return [
+        found
+        for key, (old, new) in pairs.items()
+        for found in fields(old, new, f"{path}.{key}".removeprefix("."))
+    ]
 
 
 def in_words(parts: list[str], scenario_fields: list[str]) -> str:

@@ -26,11 +26,17 @@ MOST_RUNS = 1_000_000
 MOST_UNITS, MOST_RUNS_OF_UNIT, LANES = 64, 32, 4
 MOST_CHECKED = 100
 """Values of an axis, and corners of all axes, that are tried before the first run."""
-TAKEN = ("run", "case", "seed", "sample", "cell", "column", "column_unit", "statistic", "limit", "limit_column",
-         "limit_unit", "at_least", "at_most", "peak", "slope", "status", "statistics", "limit_held", "limit_worst",
-         "limit_time", "peaks", "peak_count", "damage", "cycles")  # fmt: skip
+TAKEN = {
+    *("run", "case", "seed", "sample", "cell", "column", "column_unit", "statistic", "statistics", "status"),
+    *("limit", "limit_column", "limit_unit", "at_least", "at_most", "limit_held", "limit_worst", "limit_time"),
+    *("peak", "peaks", "peak_count", "slope", "damage", "cycles"),
+}
 """Names of the results, which no axis can have."""
-SEA = {"significant_height": "significant_height_m", "peak_period": "peak_period_s", "direction": "direction_"}
+SEA = {
+    "significant_height": "significant_height_m",
+    "peak_period": "peak_period_s",
+    "direction": "direction_",
+}
 """How the last name of the field begins that has a quantity of the sea."""
 
 
@@ -156,7 +162,9 @@ def plan(file: StudyFile) -> Plan:
     size = run_bytes(scenario.resolved["simulation"], simulation.channels)
     _check_length(file, scenario, size)
     _check_axes(file, scenario)
-    found = Plan(file, scenario, _cases(file), {name: known[name] for name in kept.columns}, limits, kept, size)
+    found = Plan(
+        file, scenario, _cases(file), {name: known[name] for name in kept.columns}, limits, kept, size
+    )
     if not 1 <= found.runs <= MOST_RUNS:
         raise file.error("axes", f"{found.runs} runs", f"from 1 to {MOST_RUNS} runs")
     _check_corners(file, scenario, found.cases)
@@ -253,9 +261,7 @@ def _check_corners(file: StudyFile, scenario: Scenario, found: Cases) -> None:
         _try(file, scenario, pairs, {name: f"axes.{name}" for name in found.names})
 
 
-def _try(
-    file: StudyFile, scenario: Scenario, pairs: list[tuple[str, Any]], where: dict[str, str]
-) -> None:
+def _try(file: StudyFile, scenario: Scenario, pairs: list[tuple[str, Any]], where: dict[str, str]) -> None:
     try:
         scenario.with_overrides(dict(pairs))
     except ScenarioError as error:

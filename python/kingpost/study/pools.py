@@ -11,7 +11,7 @@ from concurrent.futures import FIRST_COMPLETED, CancelledError, Executor, Future
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing.connection import wait as wait_for
 
-from ..errors import KingpostError
+from ..errors import KingpostError, RunError
 from .compute import Job, Result, compute
 
 TRIES = 4
@@ -85,7 +85,7 @@ def _spread(
                     _try_again(job, tries, again, error)
             if broken:
                 if replaced is None:
-                    raise KingpostError("executor: found workers that ended, allowed: an executor that works")
+                    raise RunError("executor: found workers that ended, allowed: an executor that works")
                 again.extend(waiting.values())
                 waiting.clear()
                 pool = replaced(pool)
@@ -98,8 +98,8 @@ def _spread(
 def _try_again(job: Job, tries: dict[int, int], again: list[Job], error: BaseException) -> None:
     if tries[job.unit] >= TRIES:
         hint = "" if str(error) == "" else f": {error}"
-        raise KingpostError(
-            f"unit {job.unit}: its worker ended {TRIES} times{hint}; allowed: workers that end with their work. "
+        raise RunError(
+            f"unit {job.unit}: its worker ended {TRIES} times{hint}; allowed: workers that go on. "
             'A script that starts a study needs the line `if __name__ == "__main__":` above it'
         ) from error
     again.append(job)

@@ -1,6 +1,7 @@
 """A run's rows, reduced to numbers of fixed size: statistics of columns, limits, peaks, cycles.
 
-Plain NumPy over flat columns, many at a time; sums have one order, so that a run has the same bits on any machine.
+Plain NumPy over flat columns, many at a time; sums have one order, so that a run has the same bits on any
+machine.
 """
 
 from __future__ import annotations
@@ -96,9 +97,7 @@ def variables(kept: Kept) -> dict[str, Variable]:
 
 def empty(kept: Kept, runs: int) -> dict[str, NDArray[Any]]:
     """Arrays of so many runs, none of which has run."""
-    return {
-        name: np.full((runs, *one.shape), one.fill, one.dtype) for name, one in variables(kept).items()
-    }
+    return {name: np.full((runs, *one.shape), one.fill, one.dtype) for name, one in variables(kept).items()}
 
 
 def reduce(
@@ -150,7 +149,11 @@ def reduce(
 
 
 def _limits(
-    into: Mapping[str, NDArray[Any]], run: int, limits: Sequence[Mapping[str, Any]], finished: bool, kept: Kept
+    into: Mapping[str, NDArray[Any]],
+    run: int,
+    limits: Sequence[Mapping[str, Any]],
+    finished: bool,
+    kept: Kept,
 ) -> None:
     by_name = {limit["name"]: limit for limit in limits}
     for k, name in enumerate(kept.limits):
@@ -245,7 +248,7 @@ def damage(x: NDArray[np.float64], slopes: Sequence[float]) -> tuple[float, list
 
 
 def _power(x: NDArray[np.float64], exponent: float) -> NDArray[np.float64]:
-    """A power; of a whole number a product, since those of libraries differ in their last bit by processor."""
+    """A power; of a whole number a product: powers of libraries differ in their last bit by processor."""
     if exponent.is_integer() and exponent <= MOST_FACTORS:
         return np.prod(np.repeat(x[None, :], int(exponent), axis=0), axis=0)
     return x**exponent

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import Executor
 from contextlib import ExitStack, closing
 from dataclasses import dataclass
@@ -46,14 +46,14 @@ def run(
     part: locks.Part | None = None,
     progress: Callable[[int], Progress] | None = None,
 ) -> Done:
-    """Run what is missing. `progress` is called with the number of runs to compute, and returns what is called
-    with the number of those that are done.
+    """Run what is missing. `progress` is called with the number of runs to compute, and returns what is
+    called with the number of those that are done.
 
     Raises
     ------
     KingpostError
-        When the folder has another study, or another process is at work in it; `OutputError` when it cannot be
-        written. What is finished is kept.
+        When the folder has another study, or another process is at work in it; `OutputError` when it
+        cannot be written. What is finished is kept.
     """
     _check(workers, part)
     store = Store(folder, plan)
@@ -87,12 +87,14 @@ def _units(plan: Plan, part: locks.Part | None) -> tuple[list[int], list[int]]:
     """The units of this part, and those of the others."""
     which, of = part or (1, 1)
     every = range(plan.units)
-    return [unit for unit in every if unit % of == which - 1], [unit for unit in every if unit % of != which - 1]
+    return [unit for unit in every if unit % of == which - 1], [
+        unit for unit in every if unit % of != which - 1
+    ]
 
 
 def _results(
     plan: Plan, units: list[int], executor: Executor | None, workers: int | None
-) -> Iterator[Result]:
+) -> Generator[Result, None, None]:
     jobs: Iterator[Job] = (plan.job(unit) for unit in units)
     if executor is not None:
         at_once = pools.AHEAD * (workers or getattr(executor, "_max_workers", None) or pools.processors())

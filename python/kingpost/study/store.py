@@ -88,7 +88,12 @@ class Store:
         with _written(self.folder):
             for path in self.folder.glob(f"{BEGINNING}*"):
                 shutil.rmtree(path, ignore_errors=True)
-            for pattern in (f".*{PARTIAL}", f".{ABOUT}.*", f"{UNITS}/.*{PARTIAL}", f"{RESULTS}/**/*{PARTIAL}"):
+            for pattern in (
+                f".*{PARTIAL}",
+                f".{ABOUT}.*",
+                f"{UNITS}/.*{PARTIAL}",
+                f"{RESULTS}/**/*{PARTIAL}",
+            ):
                 for path in self.folder.glob(pattern):
                     path.unlink(missing_ok=True)
 
@@ -121,7 +126,8 @@ class Store:
         fields = fingerprint.fields(before, self.plan.scenario.resolved) if before else []
         differ = fingerprint.in_words(parts, fields)
         raise KingpostError(
-            f"{self.folder}: found a study that differs in: {differ}; allowed: the same study, or another folder"
+            f"{self.folder}: found a study that differs in {differ}; "
+            "allowed: the same study, or another folder"
         )
 
     def _lay_out(self) -> None:
@@ -251,8 +257,13 @@ def _frame(path: Path, plan: Plan) -> None:
                                                      if dims != name)})  # fmt: skip
     for name, (dim, values, about) in coordinates.items():
         array = group.create_array(
-            name, shape=values.shape, chunks=values.shape, dtype=values.dtype, dimension_names=(dim,), attributes=about
-        )  # fmt: skip
+            name,
+            shape=values.shape,
+            chunks=values.shape,
+            dtype=values.dtype,
+            dimension_names=(dim,),
+            attributes=about,
+        )
         array[:] = values
     for name, one in variables(plan.kept).items():
         group.create_array(

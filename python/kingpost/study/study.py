@@ -86,16 +86,16 @@ class Study:
     ) -> xarray.Dataset:
         """Run what is missing in a folder, and open its results.
 
-        A run has the same bits on any number of workers, here or elsewhere. Whatever ends this on the way, the
-        units (up to 32 runs) that are finished stay, and ``resume=True`` goes on.
+        A run has the same bits on any number of workers, here or elsewhere. Whatever ends this on the way,
+        the units (up to 32 runs) that are finished stay, and ``resume=True`` goes on.
 
         Parameters
         ----------
         folder
             Where results are; made if it is not there.
         executor
-            Any `concurrent.futures.Executor`: of Dask ``client.get_executor()``. Without it, processes of this
-            machine; a script then needs ``if __name__ == "__main__":`` above its call.
+            Any `concurrent.futures.Executor`: of Dask ``client.get_executor()``. Without it, processes of
+            this machine; a script then needs ``if __name__ == "__main__":`` above its call.
         workers
             How many processes; as many as there are processors unless given. 1 computes in this process.
             With an executor: how many units are handed to it at a time, by half.
@@ -116,8 +116,8 @@ class Study:
         Raises
         ------
         KingpostError
-            When there is a study in the folder and `resume` is not given, another study, or another process at
-            work; when workers end again and again.
+            When there is a study in the folder and `resume` is not given, another study, or another
+            process at work; a `RunError` when workers end again and again.
         OutputError
             When the folder cannot be written, as on a full disk.
         """
@@ -138,7 +138,8 @@ def open_study(folder: str | Path) -> xarray.Dataset:
     xarray.Dataset
         Along ``run``, with coordinates ``case``, ``seed`` and each axis:
 
-        - ``status``: 0 finished, 1 ended early (it diverged), 2 not built (the case is no scenario), -1 not run;
+        - ``status``: 0 finished, 1 ended early (it diverged), 2 not built (the case is no scenario), -1 not
+          run;
         - ``statistics`` (run, column, statistic): mean, standard deviation, mean zero up-crossing period,
           maximum, minimum and their times, without the start of the run; SI units, ``column_unit``;
         - ``limit_held`` (run, limit): 1 held, 0 exceeded, -1 unknown; ``limit_worst``, the value nearest to a
