@@ -22,6 +22,7 @@ from .simulation.batch import Batch
 from .simulation.linear import Equilibrium, Linearization
 from .simulation.records import Input, State
 from .simulation.simulate import Simulation, run
+from .study.study import Study, open_study
 
 # Its messages go where a program that uses it sends them, else nowhere.
 logging.getLogger(__name__).addHandler(logging.NullHandler())
@@ -41,12 +42,14 @@ __all__ = [
     "ScenarioError",
     "Simulation",
     "State",
+    "Study",
     "__version__",
     "equilibrium",
     "gradient",
     "lift_rules",
     "load",
     "modes",
+    "open_study",
     "rao",
     "results",
     "run",

@@ -32,6 +32,7 @@ from .commands import (
     run,
     serve,
     statistics,
+    study,
     verify,
 )
 from .commands.common import DONE, FAILED, INTERRUPTED, WRONG_INPUT, fail
@@ -43,6 +44,7 @@ COMMANDS = {
     "modes": modes,
     "rao": rao,
     "statistics": statistics,
+    "study": study,
     "plot": plot,
     "list": gallery,
     "paper": paper,

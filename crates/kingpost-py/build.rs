@@ -1,0 +1,36 @@
+//! The digest of the engine's sources: builds of the same sources give the same numbers, whatever they are built for.
+
+use sha2::{Digest, Sha256};
+use std::path::{Path, PathBuf};
+use std::{env, fs, io};
+
+fn main() -> io::Result<()> {
+    let engine = Path::new(&env::var("CARGO_MANIFEST_DIR").unwrap_or_default()).join("../kingpost");
+    let mut files = Vec::new();
+    sources(&engine.join("src"), &mut files)?;
+    files.sort();
+    let mut digest = Sha256::new();
+    for file in &files {
+        let text = fs::read_to_string(file)?;
+        digest.update(file.strip_prefix(&engine).unwrap_or(file).to_string_lossy().replace('\\', "/"));
+        digest.update([0]);
+        // A checkout may have other line ends.
+        digest.update(text.replace("\r\n", "\n"));
+        digest.update([0]);
+    }
+    println!("cargo::rustc-env=KINGPOST_SOURCE_DIGEST={:x}", digest.finalize());
+    println!("cargo::rerun-if-changed={}", engine.join("src").display());
+    Ok(())
+}
+
+fn sources(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            sources(&path, files)?;
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
