@@ -216,6 +216,17 @@ impl Simulation {
         self.with(|held| serde_json::to_string(&held.inner.limits()).map_err(errors::input))
     }
 
+    /// Name and column of each limit, and the smallest and the largest value that it allows, in the column's SI unit.
+    fn limit_bounds(&self) -> PyResult<Vec<(String, String, Option<f64>, Option<f64>)>> {
+        self.with(|held| {
+            let each = held.inner.limits_given().map(|limit| {
+                let [least, most] = limit.bounds.map(|bound| bound.map(|bound| bound * limit.unit.1));
+                (limit.name.clone(), limit.column.clone(), least, most)
+            });
+            Ok(each.collect())
+        })
+    }
+
     /// What a hand has set so far: time, input, value.
     fn lever_moves(&self) -> PyResult<Vec<(f64, String, f64)>> {
         self.with(|held| {
@@ -333,10 +344,11 @@ impl Simulation {
         py: Python<'py>,
         waves_json: &str,
         columns: Vec<String>,
+        about_resonances: bool,
     ) -> PyResult<(Matrix<'py>, String)> {
         self.with(|held| {
             let waves = serde_json::from_str(waves_json).map_err(errors::input)?;
-            let found = py.detach(|| held.scenario.column_response(&held.inner, &waves, &columns));
+            let found = py.detach(|| held.scenario.column_response(&held.inner, &waves, &columns, about_resonances));
             let found = found.map_err(errors::input)?;
             let amplitudes = found.amplitudes.as_flattened().to_vec();
             let about = serde_json::to_string(&found).map_err(errors::input)?;

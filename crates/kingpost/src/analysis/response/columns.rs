@@ -1,7 +1,7 @@
 //! How every column of the results answers small regular waves.
 
 use super::excitation::WaveLoads;
-use super::resonances::{Resonance, resonances};
+use super::resonances::{Resonance, resolved, resonances};
 use super::rows::Rows;
 use super::{AtRest, ResponseError, WaveGrid, check_directions, smoothness};
 use crate::elements::{AnyElement, ShownWaves};
@@ -60,7 +60,8 @@ const PROBED: [[f64; 2]; 6] = [[0.7, 0.1], [0.7, 0.3], [0.7, 0.6], [2.3, 0.1], [
 
 impl Scenario {
     /// How columns of the results of a simulation answer regular waves, as [`wave_response`](Self::wave_response) has its
-    /// motions; all columns where none are named.
+    /// motions; all columns where none are named. `about_resonances` adds frequencies about each that is narrower than the
+    /// steps between those asked for.
     ///
     /// With the states' amplitudes x and the forces f of waves of 1 m, `H = C x + D f + E`: C and D are the exact
     /// derivatives of a row of results at rest by the states and by forces at the hulls (accelerations and what joints
@@ -74,12 +75,16 @@ impl Scenario {
         simulation: &Simulation,
         waves: &WaveGrid,
         columns: &[String],
+        about_resonances: bool,
     ) -> Result<ColumnResponse, ResponseError> {
         let elements = self.elements_in_waves()?;
         let mut at = AtRest::new(self, simulation)?;
         let loads = WaveLoads::new(&elements, &mut at.rest, &at.free)?;
         let frequencies_rad_s = loads.frequencies(&waves.frequencies_rad_s)?;
         check_directions(&waves.directions_rad)?;
+        let resonances = resonances(&at.linear.a);
+        let frequencies_rad_s =
+            if about_resonances { resolved(&frequencies_rad_s, &resonances) } else { frequencies_rad_s };
         let mut rows = Rows::new(self, &at, &loads)?;
         let shown = Shown::new(&elements, &at, &loads, &mut rows);
         smoothness::mark(&mut rows, &probes(&at, &loads, &frequencies_rad_s)?);
@@ -98,7 +103,6 @@ impl Scenario {
                 let first = (direction * frequencies_rad_s.len() + k) * chosen.len();
                 for (row, column) in chosen.iter().enumerate().filter(|(_, column)| column.not_linear.is_none()) {
                     let Complex { re, im } = h[(row, direction)];
-                    debug_assert!(column.place < rows.mean.len());
                     amplitudes[first + row] = [re, im];
                 }
             }
@@ -113,7 +117,7 @@ impl Scenario {
             mean: chosen.iter().map(|column| rows.mean[column.place]).collect(),
             not_linear: chosen.iter().map(|column| column.not_linear).collect(),
             amplitudes,
-            resonances: resonances(&at.linear.a),
+            resonances,
             warnings: self.warnings_of_response(&at, &elements, &rows),
         })
     }
