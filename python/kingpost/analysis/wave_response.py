@@ -37,14 +37,14 @@ def wave_response(
     overrides: Overrides | None = None,
     **parameters: Any,
 ) -> xarray.Dataset:
-    """Complex amplitudes of columns of the results for each metre of wave amplitude, about rest in still water.
+    """Amplitudes of columns of the results for each metre of wave amplitude, about rest in still water.
 
-    With A of the exact linearisation, the accelerations b by the waves' forces f, and the derivatives C and D of
-    a row of results by states and by forces, ``H = C (-i w - A)^-1 b + D f + E``; E is what a column shows of the
-    waves themselves, as their elevation under an air gap. Under the wave elevation ``Re{a e^(-i w t)}`` at the
-    reference point the column is ``mean + Re{a H e^(-i w t)}`` (for a hull alone Newman, *Marine Hydrodynamics*,
-    1977, sec. 6.17). Held and prescribed joints stand where they are, and so does what samples; what is of
-    second order at rest, as quadratic damping and drift, plays no part.
+    With A of the exact linearisation, the accelerations b by the waves' forces f, and the derivatives C and
+    D of a row of results by states and by forces, ``H = C (-i w - A)^-1 b + D f + E``; E is what a column
+    shows of the waves themselves, as their elevation under an air gap. Under the wave elevation ``Re{a
+    e^(-i w t)}`` at the reference point the column is ``mean + Re{a H e^(-i w t)}`` (for a hull alone
+    Newman, *Marine Hydrodynamics*, 1977, sec. 6.17). Held and prescribed joints stand where they are, and
+    so does what samples; what is of second order at rest, as quadratic damping and drift, plays no part.
 
     Parameters
     ----------
@@ -55,29 +55,31 @@ def wave_response(
     directions_rad
         That the waves go to, from the world's x counter-clockwise, rad. Every 45 degrees unless given.
     frequencies_rad_s
-        Angular frequencies, rad/s; unless given those that `kingpost.rao` takes, and more about each resonance.
+        Angular frequencies, rad/s; unless given those that `kingpost.rao` takes, and more about each
+        resonance.
     overrides, parameters
         Set over a scenario.
 
     Returns
     -------
     xarray.Dataset
-        ``response`` (the amplitude) and ``response_phase`` (the lag behind the crest at the reference point, rad)
-        by ``column``, ``direction`` (rad) and ``omega`` (rad/s); by ``column`` the value at rest, ``mean``, whether
-        it is ``linear``, and if not the ``reason``. `complex_amplitude` of `kingpost.analysis.response` puts both
-        parts together. Attributes: ``reference_m``, ``heading_rad``, ``resonances_rad_s`` with
-        ``resonance_decays_per_s``, ``warning``.
+        ``response`` (the amplitude) and ``response_phase`` (the lag behind the crest at the reference
+        point, rad) by ``column``, ``direction`` (rad) and ``omega`` (rad/s); by ``column`` the value at
+        rest, ``mean``, whether it is ``linear``, and if not the ``reason``. `complex_amplitude` of
+        `kingpost.analysis.response` puts both parts together. Attributes: ``reference_m``, ``heading_rad``,
+        ``resonances_rad_s`` with ``resonance_decays_per_s``, ``warning``.
 
     Raises
     ------
     KingpostError
-        When nothing comes to rest, no waves act, a database does not cover a frequency, or there is no such column.
+        When nothing comes to rest, no waves act, a database does not cover a frequency, or there is no such
+        column.
 
     >>> found = wave_response("offshore_vessel", ["hull.roll", "load.acceleration.z"], [np.pi / 2], [0.3])
     >>> found.response.sizes["column"], bool(found.linear.all())
     (2, True)
     """
-    simulation = _simulation(scenario_or_simulation, overrides, parameters)
+    simulation = as_simulation(scenario_or_simulation, overrides, parameters)
     given = np.deg2rad(DIRECTIONS_DEG) if directions_rad is None else np.atleast_1d(directions_rad)
     directions = within_one_turn(np.asarray(given, float))
     covered = frequencies_that_all_cover(simulation.scenario)
@@ -123,9 +125,10 @@ def matching(simulation: Simulation, patterns: Sequence[str]) -> list[str]:
     return list(found)
 
 
-def _simulation(
+def as_simulation(
     given: Scenario | Simulation | str | Path, overrides: Overrides | None, parameters: dict[str, Any]
 ) -> Simulation:
+    """A simulation as it is given, or of a scenario with more set over it."""
     if not isinstance(given, Simulation):
         return Simulation(as_scenario(given, overrides, parameters))
     if overrides or parameters:

@@ -248,9 +248,10 @@ class Equations:
         Returns
         -------
         list of list of dict
-            For each sea, of each system that runs: ``name``, ``directions_rad`` with equal shares of the energy,
-            ``band_rad_s``, ``nodes_rad_s`` where the density changes its form, ``density_m2_s`` (m^2 s/rad), and
-            ``lines`` of waves of one frequency: angular frequency (rad/s), direction (rad), variance (m^2).
+            For each sea, of each system that runs: ``name``, ``directions_rad`` with equal shares of the
+            energy, ``band_rad_s``, ``nodes_rad_s`` where the density changes its form, ``density_m2_s``
+            (m^2 s/rad), and ``lines`` of waves of one frequency: angular frequency (rad/s), direction
+            (rad), variance (m^2).
 
         Raises
         ------

@@ -25,6 +25,8 @@ pub struct SeaSpectrum {
     pub nodes_rad_s: Vec<f64>,
     /// Density of the elevation's variance at each frequency that was asked for, m^2 s/rad; 0 outside the band.
     pub density_m2_s: Vec<f64>,
+    /// Variance of the elevation, m^2, at frequencies that were not asked for too.
+    pub variance_m2: f64,
     /// Waves of single frequencies: angular frequency, rad/s, direction, rad, and variance of the elevation, m^2.
     pub lines: Vec<[f64; 3]>,
 }
@@ -65,6 +67,7 @@ impl Scenario {
             band_rad_s: None,
             nodes_rad_s: Vec::new(),
             density_m2_s: vec![0.0; frequencies_rad_s.len()],
+            variance_m2: 0.0,
             lines: components.iter().map(line).collect(),
         };
         match waves {
@@ -87,6 +90,7 @@ impl Scenario {
                     band_rad_s: Some([band.lowest_rad_s, band.highest_rad_s]),
                     nodes_rad_s: system.spectrum.nodes_rad_s(),
                     density_m2_s: frequencies_rad_s.iter().map(density).collect(),
+                    variance_m2: factor * system.spectrum.moment(0, band),
                     ..lines(Vec::new())
                 })
             }
