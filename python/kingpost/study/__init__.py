@@ -1,0 +1,1 @@
+"""Studies: many cases of one scenario, screened, run, reduced and reported."""
