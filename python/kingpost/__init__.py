@@ -15,6 +15,7 @@ from .analysis.gradients import gradient
 from .analysis.response import rao
 from .analysis.stable_step import stable_step
 from .analysis.vibration import equilibrium, modes
+from .analysis.wave_response import wave_response
 from .engine import engine
 from .errors import KingpostError, KingpostWarning, RunError, ScenarioError
 from .scenario import Scenario, load
@@ -56,4 +57,5 @@ __all__ = [
     "stable_step",
     "statistics",
     "verify",
+    "wave_response",
 ]

@@ -90,14 +90,14 @@ def rao(
     else:
         simulation = Simulation(as_scenario(scenario_or_simulation, overrides, parameters))
     given = np.deg2rad(DIRECTIONS_DEG) if directions_rad is None else np.atleast_1d(directions_rad)
-    directions = _within_one_turn(np.asarray(given, float))
-    covered = _frequencies_that_all_cover(simulation.scenario)
-    frequencies_rad_s = covered if frequencies_rad_s is None else _onto_ends(frequencies_rad_s, covered)
+    directions = within_one_turn(np.asarray(given, float))
+    covered = frequencies_that_all_cover(simulation.scenario)
+    frequencies_rad_s = covered if frequencies_rad_s is None else onto_ends(frequencies_rad_s, covered)
     found = simulation.wave_response(directions, np.atleast_1d(np.asarray(frequencies_rad_s, float)))
     return _dataset(simulation, found, points)
 
 
-def _frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
+def frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
     """Those of the first hull's database and three between each two, since resonances are narrower than what
     data need, within the databases of all hulls in waves; none where these have no frequency in common."""
     fields = (of_kind for force in scenario.resolved.get("forces", {}).values() for of_kind in force.values())
@@ -113,7 +113,7 @@ def _frequencies_that_all_cover(scenario: Scenario) -> NDArray[np.float64]:
     return np.unique(refined[(ends[0] <= refined) & (refined <= ends[1])])
 
 
-def _onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDArray[np.float64]:
+def onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> NDArray[np.float64]:
     """Frequencies as they are; those that are the lowest or the highest of the data but for the digits that
     are printed of it are that."""
     asked = np.atleast_1d(np.asarray(frequencies_rad_s, float))
@@ -122,7 +122,7 @@ def _onto_ends(frequencies_rad_s: ArrayLike, covered: NDArray[np.float64]) -> ND
     return asked
 
 
-def _within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
+def within_one_turn(directions_rad: NDArray[np.float64]) -> NDArray[np.float64]:
     """Directions as they are: beyond one turn they were meant in other units."""
     beyond = directions_rad[~(np.abs(directions_rad) <= FULL_TURN_RAD * (1 + 1e-9))]
     if beyond.size:

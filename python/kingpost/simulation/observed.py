@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import KingpostError
 from . import step_limit
-from .records import DrawnLine, Event, LeverMove, Limit, Warning
+from .records import DrawnLine, Event, LeverMove, Limit, LimitBounds, Warning
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -76,6 +76,17 @@ class Observed:
         True
         """
         return [Limit(**limit) for limit in json.loads(self._engine.limits_json())]
+
+    @property
+    def limit_bounds(self) -> list[LimitBounds]:
+        """What the scenario's limits allow, in SI units.
+
+        >>> from kingpost import Simulation, load
+        >>> limits = {"limits": {"roll": {"column": "ship.roll", "at_most": 180, "unit": "deg"}}}
+        >>> Simulation(load("paper").with_overrides(limits)).limit_bounds[0].at_most
+        3.141592653589793
+        """
+        return [LimitBounds(*bounds) for bounds in self._engine.limit_bounds()]
 
     @property
     def lever_moves(self) -> list[LeverMove]:

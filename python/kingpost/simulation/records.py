@@ -49,6 +49,16 @@ class Input:
 
 
 @dataclass(frozen=True)
+class LimitBounds:
+    """What a limit allows its column, in the column's SI unit; None where there is no bound."""
+
+    name: str
+    column: str
+    at_least: float | None
+    at_most: float | None
+
+
+@dataclass(frozen=True)
 class DrawnLine:
     """A line that a picture draws: the rope of a load, a mooring line, a tube.
 

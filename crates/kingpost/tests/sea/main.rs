@@ -6,6 +6,7 @@ mod common;
 mod another_sea;
 mod box_tanks;
 mod catenary;
+mod column_response;
 mod current_profiles;
 mod drift_damping;
 mod dynamic_positioning;

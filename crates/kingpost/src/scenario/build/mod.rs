@@ -22,6 +22,7 @@ mod positioning;
 mod positioning_loop;
 mod ropes;
 mod ropes_at_start;
+mod sea_spectra;
 mod sensors;
 mod soft_hold;
 mod station;
@@ -50,6 +51,7 @@ use crate::scenario::leaf::Quantity;
 use crate::simulation::{SchemeName, Settings, Setup, Simulation};
 use crate::spatial::Frame;
 use crate::world::World;
+pub use sea_spectra::{SeaSpectrum, SeaWaves};
 
 /// Numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
 const MOST_NUMBERS: f64 = 2.5e8;

@@ -54,21 +54,26 @@ fn constant<S: Quantity>(waves: Vec<WaveComponent>, scale: S) -> Vec<Wave<S>> {
 }
 
 /// Where a wave system stands.
-struct SystemField {
+pub(super) struct SystemField {
     path: String,
 }
 
 impl SystemField {
+    /// Of waves without a name.
+    pub(super) fn of(waves: &Waves) -> Self {
+        Self { path: format!("sea.waves.{}", waves.kind()) }
+    }
+
     fn field(&self, name: &str) -> String {
         format!("{}.{name}", self.path)
     }
 
-    fn error(&self, error: WaveError) -> FieldError {
+    pub(super) fn error(&self, error: WaveError) -> FieldError {
         FieldError::new(self.field(&error.field), error.found, error.allowed)
     }
 
     /// The same of a spectrum's waves, some of whose fields are those of the realisation.
-    fn of_realisation(&self, error: WaveError) -> FieldError {
+    pub(super) fn of_realisation(&self, error: WaveError) -> FieldError {
         let of_realisation = OF_REALISATION.iter().any(|part| error.field.starts_with(part));
         let field = if of_realisation { format!("realisation.{}", error.field) } else { error.field };
         FieldError::new(self.field(&field), error.found, error.allowed)
@@ -93,7 +98,7 @@ pub fn cut_off(scenario: &Scenario) -> Vec<(String, f64, f64)> {
     cut.collect()
 }
 
-fn regular<S: Quantity>(wave: &schema::RegularWave<S>, water: &Water) -> Result<Vec<Wave<S>>, WaveError> {
+pub(super) fn regular<S: Quantity>(wave: &schema::RegularWave<S>, water: &Water) -> Result<Vec<Wave<S>>, WaveError> {
     let schema::RegularWave { height_m, period_s, direction_rad, phase_rad, .. } = wave;
     let height_m = height_m.get();
     let of = |height: f64| WaveComponent::regular(height, period_s.get(), *direction_rad, *phase_rad, water);
@@ -107,7 +112,7 @@ fn regular<S: Quantity>(wave: &schema::RegularWave<S>, water: &Water) -> Result<
     }
 }
 
-fn record<S: Quantity>(
+pub(super) fn record<S: Quantity>(
     scenario: &Scenario<S>,
     given: &schema::ElevationRecord,
     water: &Water,
@@ -121,7 +126,7 @@ fn record<S: Quantity>(
 /// The random sea of a spectrum, and the factor 1 that carries the derivatives of its amplitudes; waves of another kind are
 /// none. The amplitudes of a spectrum of one peak are in proportion to the significant height. Those of two peaks are not:
 /// their frequencies move with the heights.
-fn of_spectrum<S: Quantity>(
+pub(super) fn of_spectrum<S: Quantity>(
     waves: &Waves<S>,
     water: &Water,
     at: &SystemField,
