@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from statistics import NormalDist
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,6 +23,8 @@ SEED = 20120
 """Of the samples that intervals are calibrated with; their generator is counter-based (Philox)."""
 DRAWN, FEWEST_SAMPLES, MOST_SAMPLES = 2_000_000, 1000, 20_000
 """Numbers drawn for a calibration, and how many samples these make at least and at most."""
+MOST_RECORDS = 500
+"""Of more records the percentiles are those of the normal distribution."""
 REDUCED = np.arange(-3.0, 16.01, 0.25)
 """Reduced variates, -ln(-ln P), of the table of a calibration."""
 
@@ -115,10 +118,10 @@ class Extreme:
         shift = np.log(self.duration_s / self.record_s)
         reduced = REDUCED - shift
         low, high = self._limits(reduced, confidence)
-        inside = np.flatnonzero((low <= level) & (level <= high))
-        if len(inside) == 0:
-            return (1.0, 1.0) if level < low.min() else (0.0, 0.0)
-        first, last = inside[0], inside[-1]
+        reached, passed = np.flatnonzero(high >= level), np.flatnonzero(low <= level)
+        if not (len(reached) and len(passed)):
+            return (0.0, 0.0) if len(passed) else (1.0, 1.0)
+        first, last = reached[0], passed[-1]
         least = -np.inf if first == 0 else _crossing(reduced, high, first, level)
         most = np.inf if last == len(reduced) - 1 else _crossing(reduced, low, last + 1, level)
         with np.errstate(over="ignore"):
@@ -211,13 +214,16 @@ def _fitted(moments: NDArray[np.float64], shift: float = 0.0) -> NDArray[np.floa
 @lru_cache(maxsize=64)
 def _percentiles(records: int, confidence: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Of (true - estimate) / standard error, at each of `REDUCED`: what lies below and above an interval."""
+    sides = (0.5 - confidence / 2, 0.5 + confidence / 2)
+    if records > MOST_RECORDS:
+        above = np.full(len(REDUCED), NormalDist().inv_cdf(sides[1]))
+        return -above, above
     samples = int(np.clip(DRAWN // records, FEWEST_SAMPLES, MOST_SAMPLES))
     drawn = np.random.Generator(np.random.Philox(SEED)).gumbel(size=(samples, records))
     location, scale = _fitted(l_moments(drawn)).T
     without = _fitted(without_each(drawn))
     off = without - without.mean(axis=1, keepdims=True)
     variances = (records - 1) / records * np.einsum("sia,sib->sab", off, off)
-    sides = (0.5 - confidence / 2, 0.5 + confidence / 2)
     found = []
     for reduced in REDUCED:
         along = np.array([1.0, reduced])
