@@ -11,21 +11,20 @@ in which waves grow and motions settle. Words:
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
 from ..errors import KingpostError
 from ..results.columns import unit_coordinate
+from .extremes import EULER as EULER
+from .extremes import THREE_HOURS_S as THREE_HOURS_S
+from .extremes import Extreme as Extreme
+from .extremes import extreme as extreme
 
 if TYPE_CHECKING:
     import xarray
-    from numpy.typing import ArrayLike, NDArray
-
-THREE_HOURS_S = 10800.0
-EULER = 0.5772156649015329
-"""Euler's constant: the mean of the standard Gumbel distribution."""
+    from numpy.typing import NDArray
 
 STATISTICS = ("mean", "standard_deviation", "significant_amplitude", "significant_double_amplitude",
               "zero_up_crossing_period", "maximum", "minimum")  # fmt: skip
@@ -203,111 +202,6 @@ def moments(density: xarray.DataArray, orders: tuple[int, ...] = (0, 1, 2, 4)) -
     return xarray.concat(parts, xarray.DataArray(np.array(orders), dims="order", name="order"))
 
 
-@dataclass(frozen=True)
-class Extreme:
-    """A Gumbel distribution of the largest value in a stated time, P(x) = exp(-exp(-(x - mu) / beta)).
-
-    Attributes
-    ----------
-    location, scale
-        mu, the most probable largest value, and beta.
-    duration_s
-        The time that the largest value is of, s.
-    records
-        Maxima that it was fitted to.
-    covariance
-        Of (mu, beta), for this number of records.
-    """
-
-    location: float
-    scale: float
-    duration_s: float
-    records: int
-    covariance: NDArray[np.float64]
-
-    @property
-    def expected(self) -> float:
-        """The mean of the largest value."""
-        return self.location + EULER * self.scale
-
-    @property
-    def expected_error(self) -> float:
-        """Standard error of that."""
-        return self._error(EULER)
-
-    def quantile(self, probability: float) -> float:
-        """What is exceeded with the probability 1 - `probability`."""
-        return self.location + self.scale * _reduced(probability)
-
-    def quantile_error(self, probability: float) -> float:
-        """Standard error of that."""
-        return self._error(_reduced(probability))
-
-    def _error(self, reduced: float) -> float:
-        along = np.array([1.0, reduced])
-        return float(np.sqrt(along @ self.covariance @ along))
-
-
-def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_S) -> Extreme:
-    """The largest value in three hours from the largest values of several runs, each another seed.
-
-    A Gumbel distribution is fitted by L-moments: beta is half the mean difference between two records over
-    ln 2, mu the mean less Euler's constant times beta. Both are free of bias for any number of records
-    (Landwehr, Matalas & Wallis, *Water Resour. Res.* 15(5), 1979; Hosking, *J. R. Stat. Soc. B* 52, 1990),
-    where maximum likelihood takes beta of five records a seventh too small. Where a run's record is shorter
-    or longer than `duration_s`, mu is moved by beta ln(duration / record): the largest of independent
-    Gumbel values is a Gumbel value of the same scale. Ten runs or more give an error worth having.
-
-    Parameters
-    ----------
-    maxima
-        The largest value of each run, five or more.
-    record_s
-        How long each run is without its start, s.
-    duration_s
-        Time to find the extreme of, s.
-
-    Returns
-    -------
-    Extreme
-        The fitted distribution with its standard errors.
-
-    Raises
-    ------
-    KingpostError
-        When there are too few maxima, or a time is not greater than 0.
-
-    Examples
-    --------
-    >>> rng = np.random.default_rng(1)
-    >>> found = extreme(rng.gumbel(7.0, 0.5, 2000), record_s=10800.0)
-    >>> bool(abs(found.location - 7.0) < 3 * found.covariance[0, 0] ** 0.5)
-    True
-    """
-    x = np.asarray(maxima, float).ravel()
-    if len(x) < 5 or not np.isfinite(x).all():
-        raise KingpostError(f"maxima: found {len(x)} values, allowed: 5 or more, all finite")
-    if np.ptp(x) == 0:
-        raise KingpostError(f"maxima: found {len(x)} times {x[0]:g}, allowed: values that differ, by seed")
-    for name, value in (("record_s", record_s), ("duration_s", duration_s)):
-        if not (value > 0 and np.isfinite(value)):
-            raise KingpostError(f"{name}: found {value:g}, allowed: finite and greater than 0")
-    scale = _half_mean_difference(x) / np.log(2)
-    location = x.mean() - EULER * scale
-    shift = np.log(duration_s / record_s)
-    # Of (mean, beta), times n: the mean difference is a U-statistic (Hoeffding, Ann. Math. Stat. 19, 1948).
-    n = len(x)
-    of_both = np.array([[np.pi**2 / 6, np.log(2)], [np.log(2), (0.804623 * n - 0.185532) / (n - 1)]])
-    moved = np.array([[1.0, shift - EULER], [0.0, 1.0]])
-    return Extreme(
-        location=float(location + scale * shift),
-        scale=float(scale),
-        duration_s=float(duration_s),
-        records=len(x),
-        covariance=moved @ (of_both * scale**2 / n) @ moved.T,
-    )
-
-
 @overload
 def after(series: xarray.DataArray, after_s: float) -> xarray.DataArray: ...
 @overload
@@ -403,15 +297,3 @@ def _up_crossing_period(values: NDArray[np.float64], time_s: NDArray[np.float64]
         return np.nan
     crossings = time_s[at] - x[at] * (time_s[at + 1] - time_s[at]) / (x[at + 1] - x[at])
     return float((crossings[-1] - crossings[0]) / (len(at) - 1))
-
-
-def _reduced(probability: float) -> float:
-    if not 0 < probability < 1:
-        raise KingpostError(f"probability: found {probability:g}, allowed: between 0 and 1")
-    return float(-np.log(-np.log(probability)))
-
-
-def _half_mean_difference(x: NDArray[np.float64]) -> float:
-    """Half the mean of |x_i - x_j| over all pairs: the second L-moment."""
-    weights = 2 * np.arange(len(x)) / (len(x) - 1) - 1
-    return float((weights * np.sort(x)).mean())
