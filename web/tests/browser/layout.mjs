@@ -140,7 +140,7 @@ export default {
   },
 
   async "refits the ship when the window changes"(host) {
-    const { page, close } = await openApp(host);
+    const { page, close } = await openApp(host, { scale: 1 });
     await page.setViewportSize(PHONE);
     await settle(page);
     await page.waitForTimeout(1000);
