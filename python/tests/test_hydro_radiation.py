@@ -198,7 +198,7 @@ def test_least_distance_meets_the_conditions_of_kuhn_and_tucker() -> None:
         room = rows @ x - bounds
         assert (room > -1e-10).all()
         touching = rows[room < 1e-9]
-        weights, error, *_ = np.linalg.lstsq(touching.T, x, rcond=None)
+        weights, *_ = np.linalg.lstsq(touching.T, x, rcond=None)
         assert (weights > 0).all()
         assert np.allclose(touching.T @ weights, x, atol=1e-10)
 
