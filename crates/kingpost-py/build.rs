@@ -1,10 +1,18 @@
-//! The digest of the engine's sources: builds of the same sources give the same numbers, whatever they are built for.
+//! What the module needs from its build: arguments of the linker, and the digest of the engine's sources. Builds of the same
+//! sources give the same numbers, whatever they are built for.
 
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
+    // On macOS a module finds Python's symbols in the program that loads it: the linker has to know.
+    pyo3_build_config::add_extension_module_link_args();
+    println!("cargo::rustc-env=KINGPOST_SOURCE_DIGEST={}", digest_of_sources()?);
+    Ok(())
+}
+
+fn digest_of_sources() -> io::Result<String> {
     let engine = Path::new(&env::var("CARGO_MANIFEST_DIR").unwrap_or_default()).join("../kingpost");
     let mut files = Vec::new();
     sources(&engine.join("src"), &mut files)?;
@@ -18,9 +26,8 @@ fn main() -> io::Result<()> {
         digest.update(text.replace("\r\n", "\n"));
         digest.update([0]);
     }
-    println!("cargo::rustc-env=KINGPOST_SOURCE_DIGEST={:x}", digest.finalize());
     println!("cargo::rerun-if-changed={}", engine.join("src").display());
-    Ok(())
+    Ok(format!("{:x}", digest.finalize()))
 }
 
 fn sources(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {

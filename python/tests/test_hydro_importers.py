@@ -70,7 +70,6 @@ def test_a_capytaine_file_gives_the_database_back(tmp_path, version) -> None:
 
 
 def test_a_capytaine_file_of_the_classic_format_gives_the_database_back(tmp_path) -> None:
-    pytest.importorskip("scipy", reason="SciPy reads NetCDF of the classic format")
     base, path = writers.database(), tmp_path / "hull.nc"
     writers.capytaine_dataset(base, 2).to_netcdf(path, engine="scipy")
     same(importers.load(path, Options(**CAPYTAINE_2)), base)

@@ -76,13 +76,20 @@ def test_a_sine_gives_all_of_its_power_to_its_line() -> None:
     assert float(found.idxmax("omega")) == pytest.approx(2 * np.pi / 10)
 
 
-def test_the_spectrum_is_that_of_scipy() -> None:
-    signal = pytest.importorskip("scipy.signal")
+@pytest.mark.parametrize("length", [500, 501])
+def test_the_spectrum_is_welchs_average_of_periodograms(length: int) -> None:
+    """P. D. Welch, IEEE Trans. Audio Electroacoust. 15(2), 1967: segments that overlap by half, Hann windows over
+    a period, squares over the window's. To rounding of some thousand sums."""
     record = gaussian_process(np.random.default_rng(5), duration_s=1000.0)
-    found = statistics.spectrum(record, segment_s=125.0)
-    hertz, density = signal.welch(record.values - record.values.mean(), fs=4.0, nperseg=500, detrend=False)
-    assert np.allclose(found["omega"], 2 * np.pi * hertz)
-    assert np.allclose(found, density / (2 * np.pi), rtol=1e-12, atol=1e-14)
+    found = statistics.spectrum(record, segment_s=0.25 * length)
+    values = record.values - record.values.mean()
+    window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(length) / length)
+    starts = range(0, len(values) - length + 1, length // 2)
+    squares = [np.abs(np.fft.rfft(values[at : at + length] * window)) ** 2 for at in starts]
+    sides = np.where(np.arange(length // 2 + 1) * 2 % length, 2.0, 1.0)
+    expected = np.mean(squares, axis=0) * sides * 0.25 / (window**2).sum() / (2 * np.pi)
+    assert np.allclose(found["omega"], 2 * np.pi * np.fft.rfftfreq(length, 0.25), rtol=1e-14)
+    assert np.allclose(found, expected, rtol=1e-11, atol=1e-14 * expected.max())
 
 
 def test_the_largest_value_of_three_hours_is_that_of_rayleigh_peaks() -> None:

@@ -70,7 +70,9 @@ class Cycles:
         largest = self.ranges.max(initial=0.0)
         if largest == 0:
             return 0.0
-        return float(largest * (((self.ranges / largest) ** slope * self.counts).sum() / count) ** (1 / slope))
+        return float(
+            largest * (((self.ranges / largest) ** slope * self.counts).sum() / count) ** (1 / slope)
+        )
 
 
 def rainflow(values: ArrayLike) -> Cycles:

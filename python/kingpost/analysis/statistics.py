@@ -1,4 +1,4 @@
-"""Statistics of motions in a random sea: deviations, periods, spectra, extremes.
+"""Statistics of motions in a random sea: deviations, periods, extremes, and spectra (`spectra`).
 
 A sea and what answers it linearly are taken as stationary and Gaussian: `after_s` leaves out the start,
 in which waves grow and motions settle. Words:
@@ -17,20 +17,19 @@ import numpy as np
 
 from ..errors import KingpostError
 from ..results.columns import unit_coordinate
-from .extremes import EULER as EULER
-from .extremes import THREE_HOURS_S as THREE_HOURS_S
-from .extremes import Extreme as Extreme
-from .extremes import extreme as extreme
+from .extremes import EULER, THREE_HOURS_S, Extreme, extreme
+from .records import after, even
+from .spectra import moments, spectrum
 
 if TYPE_CHECKING:
     import xarray
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["EULER", "THREE_HOURS_S", "Extreme", "after", "even", "extreme", "moments", "spectrum", "summary"]
 
 STATISTICS = ("mean", "standard_deviation", "significant_amplitude", "significant_double_amplitude",
               "zero_up_crossing_period", "maximum", "minimum")  # fmt: skip
 
-# Records whose steps differ by more than this share are not evenly spaced.
-EVEN = 1e-6
 # Up-crossings that a mean period needs.
 FEWEST_CROSSINGS = 2
 
@@ -115,180 +114,6 @@ def _units(kept: xarray.DataArray, names: xarray.DataArray) -> xarray.DataArray:
     return xarray.where(period, "s", unit.drop_vars(name, errors="ignore"))
 
 
-def spectrum(
-    series: xarray.DataArray, after_s: float = 0.0, segment_s: float | None = None
-) -> xarray.DataArray:
-    """Spectral density by Welch's method, over the angular frequency ``omega``, rad/s.
-
-    The record, less its mean, is cut into segments that overlap by half; each is multiplied by a Hann
-    window and transformed, and the squares are averaged (Welch, *IEEE Trans. Audio Electroacoust.*
-    15(2), 1967). The density is one-sided and divided by the mean square of the window, so that its
-    integral is the variance but for sampling error.
-
-    Parameters
-    ----------
-    series
-        Evenly spaced over ``time``; other dimensions stay.
-    after_s
-        Records before this time, s, are left out.
-    segment_s
-        Length of a segment, s; an eighth of the record unless given. Lines are 2 pi / segment apart.
-
-    Returns
-    -------
-    xarray.DataArray
-        Along ``omega`` (rad/s), in the square of the unit times s/rad.
-
-    Raises
-    ------
-    KingpostError
-        When the record is uneven or too short for the segment.
-
-    >>> from kingpost import run
-    >>> roll = run("paper", {"simulation.duration_s": 0.5})["roll"].sel(body="ship")
-    >>> spectrum(roll, segment_s=0.25).dims
-    ('omega',)
-    """
-    import xarray
-
-    kept, step_s = even(after(series, after_s))
-    length = round((kept.sizes["time"] * step_s / 8 if segment_s is None else segment_s) / step_s)
-    if not 8 <= length <= kept.sizes["time"]:
-        allowed = f"from {8 * step_s:g} to {kept.sizes['time'] * step_s:g} s, the record's length"
-        raise KingpostError(f"segment_s: found {length * step_s:g} s, allowed: {allowed}")
-    axis = kept.get_axis_num("time")
-    density = _welch(np.moveaxis(kept.values, axis, -1), step_s, length)
-    omega = 2 * np.pi * np.fft.rfftfreq(length, step_s)
-    dims = [dim for dim in kept.dims if dim != "time"]
-    coordinates = {dim: kept[dim] for dim in dims if dim in kept.coords}
-    about = {"units": "rad/s", "long_name": "angular frequency"}
-    unit = kept.attrs.get("units", "")
-    return xarray.DataArray(
-        density,
-        {**coordinates, "omega": ("omega", omega, about)},
-        (*dims, "omega"),
-        kept.name,
-        {"units": f"({unit})^2 s/rad", "long_name": f"spectral density of {kept.name}"},
-    )
-
-
-def moments(density: xarray.DataArray, orders: tuple[int, ...] = (0, 1, 2, 4)) -> xarray.DataArray:
-    """Spectral moments ``m_n = Int w^n S(w) dw`` by the trapezoidal rule, along the dimension ``order``.
-
-    With them the standard deviation is sqrt(m0), the significant double amplitude 4 sqrt(m0) and the mean
-    zero up-crossing period 2 pi sqrt(m0 / m2).
-
-    Parameters
-    ----------
-    density
-        Of `spectrum`, along ``omega`` (rad/s).
-    orders
-        n of each.
-
-    Returns
-    -------
-    xarray.DataArray
-        Along ``order``.
-
-    >>> import xarray
-    >>> flat = xarray.DataArray([1.0, 1.0], {"omega": [0.0, 2.0]}, ("omega",))
-    >>> moments(flat, (0, 1)).values
-    array([2., 2.])
-    """
-    import xarray
-
-    omega = density["omega"]
-    parts = [(density * omega**n).integrate("omega") for n in orders]
-    return xarray.concat(parts, xarray.DataArray(np.array(orders), dims="order", name="order"))
-
-
-@overload
-def after(series: xarray.DataArray, after_s: float) -> xarray.DataArray: ...
-@overload
-def after(series: xarray.Dataset, after_s: float) -> xarray.Dataset: ...
-def after(series: xarray.Dataset | xarray.DataArray, after_s: float) -> xarray.Dataset | xarray.DataArray:
-    """The records from this time, s, on.
-
-    Parameters
-    ----------
-    series
-        With a dimension ``time``, s.
-    after_s
-        The first time that is kept, s.
-
-    Returns
-    -------
-    xarray.Dataset or xarray.DataArray
-        As given.
-
-    Raises
-    ------
-    KingpostError
-        When there is no time, or less than two records are left.
-
-    >>> from kingpost import run
-    >>> after(run("paper", {"simulation.duration_s": 0.1}), 0.05).sizes["time"]
-    6
-    """
-    if "time" not in series.dims:
-        raise KingpostError(
-            f"found the dimensions {', '.join(map(str, series.dims))}, allowed: time among them"
-        )
-    kept = series.isel(time=series["time"].values >= after_s)
-    if kept.sizes["time"] < 2:
-        last = series["time"].values[-1]
-        raise KingpostError(f"after_s: found {after_s:g} s, allowed: before the last records at {last:g} s")
-    return kept
-
-
-def even(series: xarray.DataArray) -> tuple[xarray.DataArray, float]:
-    """A record with its step, s; a last row that ends a run off the grid is left out.
-
-    Parameters
-    ----------
-    series
-        With a dimension ``time``, s.
-
-    Returns
-    -------
-    tuple of xarray.DataArray and float
-        The record and its step, s.
-
-    Raises
-    ------
-    KingpostError
-        When its steps differ.
-
-    >>> from kingpost import run
-    >>> even(run("paper", {"simulation.duration_s": 0.1})["kinetic_energy"])[1].__round__(9)
-    0.01
-    """
-    steps = np.diff(series["time"].values)
-    step_s = float(steps[0])
-    if len(steps) > 1 and abs(steps[-1] - step_s) > EVEN * step_s:
-        series, steps = series.isel(time=slice(None, -1)), steps[:-1]
-    if np.abs(steps - step_s).max() > EVEN * step_s:
-        raise KingpostError(
-            f"time: found steps from {steps.min():g} to {steps.max():g} s, allowed: even steps"
-        )
-    return series, step_s
-
-
-def _welch(values: NDArray[np.float64], step_s: float, length: int) -> NDArray[np.float64]:
-    """One-sided density over the angular frequency, along the last axis."""
-    window = np.hanning(length + 1)[:-1]
-    values = values - values.mean(axis=-1, keepdims=True)
-    starts = range(0, values.shape[-1] - length + 1, max(length // 2, 1))
-    power = sum(np.abs(np.fft.rfft(values[..., at : at + length] * window)) ** 2 for at in starts) / len(
-        starts
-    )
-    sides = np.full(length // 2 + 1, 2.0)
-    sides[0] = 1.0
-    if length % 2 == 0:
-        sides[-1] = 1.0
-    return power * sides * step_s / (window**2).sum() / (2 * np.pi)
-
-
 def _up_crossing_period(values: NDArray[np.float64], time_s: NDArray[np.float64]) -> float:
     """Mean time between crossings of the mean, each found on the line between two records."""
     x = values - values.mean()
@@ -297,3 +122,15 @@ def _up_crossing_period(values: NDArray[np.float64], time_s: NDArray[np.float64]
         return np.nan
     crossings = time_s[at] - x[at] * (time_s[at + 1] - time_s[at]) / (x[at + 1] - x[at])
     return float((crossings[-1] - crossings[0]) / (len(at) - 1))
+
+
+def _reduced(probability: float) -> float:
+    if not 0 < probability < 1:
+        raise KingpostError(f"probability: found {probability:g}, allowed: between 0 and 1")
+    return float(-np.log(-np.log(probability)))
+
+
+def _half_mean_difference(x: NDArray[np.float64]) -> float:
+    """Half the mean of |x_i - x_j| over all pairs: the second L-moment."""
+    weights = 2 * np.arange(len(x)) / (len(x) - 1) - 1
+    return float((weights * np.sort(x)).mean())

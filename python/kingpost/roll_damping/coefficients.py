@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import RollDampingError
-from ..hydro.least_squares import nonnegative
 
 if TYPE_CHECKING:
     from .sections import Array
@@ -54,9 +53,11 @@ def fitted(amplitudes_rad: Array, damping: Array, frequency_rad_s: float) -> Coe
     >>> round(again.linear), round(again.quadratic)
     (2000000, 30000000)
     """
+    from scipy.optimize import nnls
+
     columns = np.stack([np.ones_like(amplitudes_rad), QUADRATIC * frequency_rad_s * amplitudes_rad], axis=1)
     size = np.abs(columns / damping[:, None]).max(axis=0)
-    found = nonnegative(columns / damping[:, None] / size, np.ones_like(damping)) / size
+    found = nnls(columns / damping[:, None] / size, np.ones_like(damping))[0] / size
     return Coefficients(float(found[0]), float(found[1]))
 
 

@@ -317,7 +317,9 @@ class _Tail:
         for one, count in zip(every, had, strict=True):
             if len(one) < count and (len(one) == 0 or one.min() > u):
                 allowed = f"all peaks above the threshold {u:g}: keep more, or give a higher threshold"
-                raise KingpostError(f"runs: found the largest {len(one)} of {count} peaks, allowed: {allowed}")
+                raise KingpostError(
+                    f"runs: found the largest {len(one)} of {count} peaks, allowed: {allowed}"
+                )
         groups = min(len(every), MOST_GROUPS)
         of_run = np.arange(len(every)) * groups // len(every)
         group = np.repeat(of_run, [len(one) for one in every])

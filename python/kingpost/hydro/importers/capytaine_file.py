@@ -37,8 +37,6 @@ def read(path: str, options: Options) -> Foreign:
 
     with open(path, "rb") as file:
         classic = file.read(3) == CLASSIC
-    if classic:
-        _check_scipy(path)
     try:
         with xarray.open_dataset(path, engine="scipy" if classic else "h5netcdf") as dataset:
             return _read(dataset.load(), path)
@@ -46,14 +44,6 @@ def read(path: str, options: Options) -> Foreign:
         raise reading_error(f"a file that cannot be read ({error})", ALLOWED, path) from None
     except KeyError as error:
         raise reading_error(f"nothing named {error}", ALLOWED, path) from None
-
-
-def _check_scipy(path: str) -> None:
-    try:
-        import scipy  # noqa: F401
-    except ImportError:
-        allowed = "NetCDF 4; for the classic format SciPy is needed, which `pip install scipy` installs"
-        raise reading_error("NetCDF of the classic format", allowed, path) from None
 
 
 def _read(dataset: xarray.Dataset, path: str) -> Foreign:

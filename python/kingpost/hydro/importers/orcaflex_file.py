@@ -19,7 +19,6 @@ from .foreign import reading_error
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
-    from types import ModuleType
 
     from numpy.typing import NDArray
 
@@ -35,18 +34,15 @@ def load(path: str) -> tuple[Entry, str]:
     Raises
     ------
     HydrodynamicsError
-        When it cannot be read, is no YAML or no mapping, or the library that reads YAML is missing.
+        When it cannot be read, or is no YAML or no mapping.
     """
-    try:
-        import yaml
-    except ImportError:
-        needed = "PyYAML, which `pip install pyyaml` installs"
-        raise reading_error("YAML", needed, path) from None
+    import yaml
+
     try:
         text = Path(path).read_text(encoding="utf-8-sig")
         # Of texts, lists and mappings only: nothing in the file is run.
         loader = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
-        _check_depth(yaml, text, loader)
+        _check_depth(text, loader)
         found = yaml.load(text, Loader=loader)
     except (OSError, UnicodeDecodeError, RecursionError, yaml.YAMLError) as error:
         said = " ".join(str(error).split())
@@ -57,8 +53,10 @@ def load(path: str) -> tuple[Entry, str]:
     return Entry(found, "", path), program[1].strip() if program else "OrcaFlex"
 
 
-def _check_depth(yaml: ModuleType, text: str, loader: type) -> None:
+def _check_depth(text: str, loader: type) -> None:
     """Lists in lists without end would overflow the stack of the library, which builds them by recursion."""
+    import yaml
+
     depth = 0
     for event in yaml.parse(text, Loader=loader):
         depth += isinstance(event, yaml.CollectionStartEvent)
