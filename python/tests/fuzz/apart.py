@@ -22,7 +22,7 @@ LONGEST_WAIT_S = 300.0
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a case came to, the processor's time for it, and the most memory of the process so far."""
+    """What a case came to, the processor's time for it, and the most memory that the process had."""
 
     says: str
     processor_s: float = 0.0
@@ -92,6 +92,7 @@ def answer(ends: Connection) -> None:
 def _timed(case: Case, folder: Path) -> Verdict:
     # Its module and what that makes once are not the case's.
     use = importlib.import_module(f"fuzz.kinds.{case.kind}").use
+    _forget_peak()
     began = time.process_time()
     # Of the processor, whatever else the machine does; the signal ends a process in compiled code too.
     _alarm(LONGEST_CASE_S)
@@ -113,7 +114,16 @@ def _limit_memory() -> None:
         resource.setrlimit(resource.RLIMIT_DATA, (MEMORY_BYTES, MEMORY_BYTES))
 
 
+def _forget_peak() -> None:
+    """So that the peak of memory is the next case's own (proc(5), Linux)."""
+    with contextlib.suppress(OSError):
+        Path("/proc/self/clear_refs").write_text("5")
+
+
 def _peak_bytes() -> int:
+    with contextlib.suppress(OSError):
+        status = Path("/proc/self/status").read_text()
+        return 1024 * int(status.partition("VmHWM:")[2].split()[0])
     with contextlib.suppress(ImportError):
         import resource
 
