@@ -20,6 +20,8 @@ from .engine import engine
 from .errors import KingpostError, ScenarioError
 
 Overrides = Mapping[str, Any]
+DEEPEST = 64
+"""Levels of a value that is set, as of a file."""
 
 
 @dataclass
@@ -289,17 +291,19 @@ def _pairs(overrides: Overrides | None, parameters: Overrides) -> tuple[tuple[st
     if not isinstance(overrides, Mapping | NoneType):
         raise KingpostError(f"overrides: found {overrides!r}, allowed: a dictionary of names and values")
     given = (*(overrides or {}).items(), *parameters.items())
-    return tuple((str(name), _plain(value)) for name, value in given)
+    return tuple((str(name), _plain(value, str(name))) for name, value in given)
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: Any, name: str, level: int = 0) -> Any:
     """A value of an override as JSON knows it; the engine's reader judges it."""
+    if level > DEEPEST:
+        raise KingpostError(f"{name}: found fields that are too deep, allowed: at most {DEEPEST} levels")
     if isinstance(value, np.generic | np.ndarray):
         value = value.tolist()
     if isinstance(value, Mapping):
-        return {str(key): _plain(entry) for key, entry in value.items()}
+        return {str(key): _plain(entry, name, level + 1) for key, entry in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(entry) for entry in value]
+        return [_plain(entry, name, level + 1) for entry in value]
     # JSON has no number for these; the reader names the text in its error.
     if isinstance(value, float) and not math.isfinite(value):
         return str(value)

@@ -43,7 +43,9 @@ class StoppedError(Exception):
     """A run that takes longer than is waited for."""
 
 
-def outcome(text: str, file: str, *, thorough: bool = False) -> str:
+def outcome(
+    text: str, file: str, *, thorough: bool = False, longest_run_s: float = LONGEST_RUN_S
+) -> str:
     """``refused``, ``ran``, ``ended early`` or ``stopped``, with the words of the error.
 
     Raises
@@ -66,7 +68,7 @@ def outcome(text: str, file: str, *, thorough: bool = False) -> str:
         raise WrongError("reset leads elsewhere than to the start")
     if thorough:
         early = check_the_rest(simulation, text) or early
-    return check_run(simulation) or (f"ended early: {early}" if early else "ran")
+    return check_run(simulation, longest_run_s) or (f"ended early: {early}" if early else "ran")
 
 
 def check_refusal(error: kingpost.ScenarioError) -> None:
@@ -167,11 +169,11 @@ def check_the_rest(simulation: kingpost.Simulation, text: str) -> str:
     return says
 
 
-def check_run(simulation: kingpost.Simulation) -> str:
+def check_run(simulation: kingpost.Simulation, longest_run_s: float) -> str:
     began = time.monotonic()
 
     def progress(_: float) -> None:
-        if time.monotonic() - began > LONGEST_RUN_S:
+        if time.monotonic() - began > longest_run_s:
             raise StoppedError
 
     why = ""

@@ -181,7 +181,8 @@ def parse_sweep(text: str) -> dict[str, list[float]]:
     name, _, values = text.partition("=")
     try:
         start, stop, count = values.split(":")
-        spaced = np.linspace(float(start), float(stop), min(int(count), MOST_IN_SWEEP + 1)).tolist()
+        with np.errstate(all="ignore"):
+            spaced = np.linspace(float(start), float(stop), min(int(count), MOST_IN_SWEEP + 1)).tolist()
     except ValueError:
         spaced = []
     if not (name and 0 < len(spaced) <= MOST_IN_SWEEP and np.isfinite(spaced).all()):

@@ -20,10 +20,13 @@ from ..scenario import Scenario, load
 
 WORD = re.compile(
     r'"(?:[^"\\]|\\.)*"|'
-    r"(?:true|false|null|-?\d+(?:\.\d*)?(?:[eE][+-]?\d+)?)(?=\s*[,}\]])|"
-    r"([^\s{}\[\],:\"][^{}\[\],\"]*?)(?=\s*(?::\s|[,}\]]))"
+    r"(?:true|false|null)(?=\s*[,}\]])|"
+    r"(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(?=\s*[,}\]])|"
+    r"(?P<word>[^\s{}\[\],:\"][^{}\[\],\"]*?)(?=\s*(?::\s|[,}\]]))"
 )
-"""Texts in quotes, numbers and other words of JSON, and words that need quotes."""
+"""Texts in quotes, other words of JSON, numbers in any form, and words that need quotes."""
+LONGEST_QUOTE, LONGEST_WHOLE = 100, 21
+"""Characters of what is given that an error repeats; digits of a whole number that is kept as one."""
 WARNING, WARNING_OF_RUNS = "warning: ", "warning, in "
 """How lines of a report begin that one should not miss."""
 DONE, FAILED, WRONG_INPUT, INTERRUPTED = 0, 1, 2, 130
@@ -47,23 +50,31 @@ def _assignment(given: str) -> tuple[str, Any]:
     value = json.loads(value)
     if not (isinstance(value, str) and value.startswith("{")):
         return name, value
-    with suppress(json.JSONDecodeError):
+    with suppress(json.JSONDecodeError, RecursionError):
         return name, json.loads(value)
     try:
         return name, json.loads(_quoted(value))
-    except json.JSONDecodeError:
+    except (json.JSONDecodeError, RecursionError):
+        found = value if len(value) <= LONGEST_QUOTE else f"{value[:LONGEST_QUOTE]}..."
         raise KingpostError(
-            f"--set {name}: found {value!r}, allowed: fields as {{name: value, list: [1, 2]}}"
+            f"--set {name}: found {found!r}, allowed: fields as {{name: value, list: [1, 2]}}"
         ) from None
 
 
 def _quoted(fields: str) -> str:
     """Fields in braces as JSON, with quotes about words that have none.
 
-    >>> _quoted('{prescribed: {rate_rad_s: 0.1, on: true, "file": gallery:a/b.csv}}')
+    >>> _quoted('{prescribed: {rate_rad_s: .1, on: true, "file": gallery:a/b.csv}}')
     '{"prescribed": {"rate_rad_s": 0.1, "on": true, "file": "gallery:a/b.csv"}}'
     """
-    return WORD.sub(lambda found: found[0] if found[1] is None else json.dumps(found[1].strip()), fields)
+
+    def in_json(found: re.Match[str]) -> str:
+        if found["number"] is not None:
+            is_whole = found["number"].isdigit() and len(found["number"]) < LONGEST_WHOLE
+            return json.dumps(int(found["number"]) if is_whole else float(found["number"]))
+        return found[0] if found["word"] is None else json.dumps(found["word"].strip())
+
+    return WORD.sub(in_json, fields)
 
 
 def add_output(command: argparse.ArgumentParser) -> None:

@@ -20,6 +20,8 @@ from .surface import LARGEST_M, SMALLEST_M, Surface, check_closed, check_outward
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+FARTHEST_M = 1e9
+"""From the origin: in the frame of a map, at most."""
 LARGEST_HULL = 2000
 """Triangles of the largest hull that goes into a database."""
 METRIC_GRAVITY = (9.7, 9.9)
@@ -148,11 +150,20 @@ def _as_written(path: Path) -> Surface:
             "hull", "a face with a point that is not in the file",
             f"faces of the {len(surface.vertices)} points that it lists", str(path),
         )  # fmt: skip
-    if not (np.diff(np.sort(surface.triangles, axis=1), axis=1) > 0).all(axis=1).any():
+    _check_size(surface.vertices[np.unique(surface.triangles)], path)
+    joined = surface.welded()
+    if len(joined.triangles) == 0:
         raise HydrodynamicsError("hull", "faces without an area only", "a surface mesh", str(path))
-    if not np.isfinite(surface.vertices).all():
+    return joined
+
+
+def _check_size(points: NDArray[np.float64], path: Path) -> None:
+    """Refuse points that are not finite, or as far apart as those of no hull."""
+    if not np.isfinite(points).all():
         raise HydrodynamicsError("hull", "a point that is not finite", "finite coordinates", str(path))
-    return surface.welded()
+    if np.abs(points).max() > FARTHEST_M:
+        found = f"a point {np.abs(points).max():.3g} m from the origin"
+        raise HydrodynamicsError("hull", found, f"points within {FARTHEST_M:g} m", str(path))
 
 
 def _read_meshio(path: Path) -> Surface:
@@ -201,7 +212,7 @@ def _read_gdf(path: Path) -> Surface:
         count = int(words[2][0])
         numbers = np.array([float(word) for line in words[3:] for word in line][: 12 * count])
         quads = numbers.reshape(count, 4, 3)
-    except (ValueError, IndexError):
+    except (ValueError, IndexError, OverflowError):
         found = "a file of another format or cut short"
         raise HydrodynamicsError("hull", found, allowed, str(path)) from None
     if not METRIC_GRAVITY[0] <= gravity <= METRIC_GRAVITY[1]:
@@ -214,6 +225,7 @@ def _read_gdf(path: Path) -> Surface:
         if value not in (0, 1):
             found = f"{name} {value}" + (", a wall along that plane" if value == -1 else "")
             raise HydrodynamicsError("hull", found, f"{name} 0, or 1 for a plane of symmetry", str(path))
+    _check_size(quads.reshape(-1, 3), path)
     corners = np.arange(4 * count).reshape(count, 4)
     part = Surface(quads.reshape(-1, 3), _halved(corners))
     return whole(part.welded(), tuple(axis for axis in (0, 1) if symmetric[axis]))

@@ -72,7 +72,7 @@ class Surface:
 
     def welded(self) -> Surface:
         """Equal points made one; triangles that have no area left out, and points that no triangle has."""
-        size = np.ptp(self.vertices, axis=0).max() if len(self.vertices) else 1.0
+        size = (np.ptp(self.vertices, axis=0).max() if len(self.vertices) else 0.0) or 1.0
         grid = np.round(self.vertices / (SAME_POINT * size)).astype(np.int64)
         _, first, index = np.unique(grid, axis=0, return_index=True, return_inverse=True)
         triangles = index.reshape(-1)[self.triangles]

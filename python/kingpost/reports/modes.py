@@ -94,7 +94,8 @@ def _shape(mode: xarray.Dataset, all_states: bool) -> str:
     """The largest amplitudes of a mode; of one that is named after a place or an angle among those, since
     what a control keeps has numbers of its own size."""
     moves = mode["moves"]
-    if not all_states and moves.sel(coordinate=mode["named_after"].item()).item():
+    # What the water remembers has no place among them where it is left out.
+    if not all_states and mode["named_after"].item() in mode["coordinate"].values[moves.values]:
         mode = mode.isel(coordinate=moves.values)
     shape = mode["shape"].values + 1j * mode["shape_imaginary"].values
     shape = shape / max(1.0, np.abs(shape).max(initial=0.0))

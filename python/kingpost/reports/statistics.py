@@ -73,6 +73,9 @@ def frame(
     first = start_s(runs[0], after_s)
     exposure = exposure_s(runs[0], after_s)
     names = chosen(runs[0], patterns)
+    if not names:
+        file = pooling.file_of(runs[0])
+        raise KingpostError(f"{file}: found no main column, allowed: --channels with columns as ship.roll")
     pooled = _pooled(runs, list(names), first)
     record_s = float(runs[0]["time"].values[-1]) - first
     rows = []

@@ -17,6 +17,7 @@ import numpy as np
 from .. import output
 from ..errors import KingpostError
 from . import xarrays
+from .kept import are_of_a_run
 from .columns import columns, frame, places, unit_of
 from .events import events, warnings
 from .units import IN_ENGINEERING, NAMES, engineering
@@ -32,17 +33,6 @@ HDF5 = b"\x89HDF\r\n\x1a\n"
 """How a file of NetCDF begins."""
 TIME_LIMIT_S = 60.0
 """Time in which a file is read."""
-JSON_ATTRIBUTES = {
-    "scenario": dict,
-    "files": dict,
-    "versions": dict,
-    "events": list,
-    "warnings": list,
-    "limits": list,
-    "model_warnings": list,
-    "floating_bodies": list,
-}
-"""Attributes that are JSON, and what they hold."""
 
 
 def check_output(path: str | Path) -> Path:
@@ -285,16 +275,17 @@ def _told(path: str | Path) -> Iterator[None]:
         yield
     except KingpostError:
         raise
-    except PermissionError as error:
-        raise KingpostError(f"{path}: {error.strerror}, {ALLOWED}") from None
     except Exception as error:
         # Of a damaged file the libraries that read it raise whatever they stumble over.
         raise _unreadable(path) from error
 
 
 def _unreadable(path: str | Path) -> KingpostError:
-    with Path(path).open("rb") as file:
-        is_hdf5 = file.read(len(HDF5)) == HDF5
+    try:
+        with Path(path).open("rb") as file:
+            is_hdf5 = file.read(len(HDF5)) == HDF5
+    except (OSError, ValueError) as error:
+        return KingpostError(f"{path}: {getattr(error, 'strerror', None) or error}, {ALLOWED}")
     return KingpostError(f"{path}: {DAMAGED if is_hdf5 else 'found a file that is not NetCDF'}, {ALLOWED}")
 
 
@@ -305,9 +296,8 @@ def _checked(found: xarray.Dataset, path: str | Path) -> xarray.Dataset:
     time = found["time"].values
     if not (time.dtype.kind == "f" and time.size and np.isfinite(time).all()):
         raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
-    for name, kind in JSON_ATTRIBUTES.items():
-        if name in found.attrs and not isinstance(json.loads(found.attrs[name]), kind):
-            raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
+    if not are_of_a_run(found.attrs, found.sizes.get("run")):
+        raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
     for key, variable in found.variables.items():
         str(variable.attrs.get("column", key)).format_map(dict.fromkeys(map(str, variable.dims), ""))
     return found

@@ -13,6 +13,7 @@ from ..errors import RollDampingError
 if TYPE_CHECKING:
     from .sections import Array
 
+LEAST_IN_FULL, MOST_IN_FULL = 1e-9, 1e21
 QUADRATIC, CUBIC = 8 / (3 * math.pi), 3 / 4
 """Of b2 |v| v and b3 v^3 along a harmonic motion of speed amplitude v: what is as v in b v."""
 
@@ -104,5 +105,11 @@ def fragment(found: Coefficients, body: str, title: str) -> str:
 
 
 def _plain(value: float) -> str:
-    """Six significant digits without an exponent."""
+    """Six significant digits; without an exponent where the number is not very small or large.
+
+    >>> _plain(3.45e7), _plain(1e-61)
+    ('34500000', '1e-61')
+    """
+    if not LEAST_IN_FULL <= abs(value) < MOST_IN_FULL:
+        return f"{value:.6g}"
     return np.format_float_positional(float(f"{value:.6g}"), trim="-")

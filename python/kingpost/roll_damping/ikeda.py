@@ -158,6 +158,9 @@ def _amplitudes(given: Sequence[float] | Array | None) -> Array:
     if not len(found) or not inside.all():
         shown = ", ".join(f"{value:g}" for value in found[~inside]) or "none"
         raise RollDampingError("amplitudes_rad", shown, f"numbers greater than 0, up to {most:.4g}")
+    if (np.diff(found) == 0).any():
+        twice = found[np.flatnonzero(np.diff(found) == 0)[0]]
+        raise RollDampingError("amplitudes_rad", f"{twice:g} twice", "each amplitude once")
     return found
 
 

@@ -181,7 +181,8 @@ def _check(given: Mapping[str, Array], file: str | None) -> None:
         raise RollDampingError("bilge_radius_m", f"{given['bilge_radius_m'].min():g}", "0 or more", file)
     sigma = given.get("area_coefficient")
     if sigma is None:
-        sigma = given["area_m2"] / (given["beam_m"] * given["draught_m"])
+        with np.errstate(all="ignore"):
+            sigma = given["area_m2"] / (given["beam_m"] * given["draught_m"])
     if sigma.max() > FULLEST:
         allowed = "an area of at most beam times draught"
         raise RollDampingError("area_m2", f"{sigma.max():.4g} times beam times draught", allowed, file)

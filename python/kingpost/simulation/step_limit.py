@@ -29,7 +29,8 @@ def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None
     2.78529
     """
     growth = GROWTH.get(integrator)
-    if growth is None:
+    # Where the rates overflow, the run itself says so.
+    if growth is None or not np.isfinite(matrix).all():
         return None
     values = np.linalg.eigvals(matrix)
     values = values[-values.real > DAMPED * np.abs(values)]

@@ -95,7 +95,12 @@ pub(super) fn quoted(text: &str) -> String {
 
 /// A text cut where it is long.
 pub(super) fn shortened(text: &str) -> String {
-    match text.char_indices().nth(LONGEST_QUOTE) {
+    beginning(text, LONGEST_QUOTE)
+}
+
+/// A text of at most so many characters; of a longer one what it begins with.
+pub(super) fn beginning(text: &str, longest: usize) -> String {
+    match text.char_indices().nth(longest) {
         Some((end, _)) => format!("{}...", &text[..end]),
         None => text.to_owned(),
     }

@@ -6,7 +6,11 @@ are carried to the origin; phases become those of exp(-i w t).
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+
+import numpy as np
 
 from ..database import Database
 from . import aqwa, aqwa_listing, bemio, capytaine_file, nemoh, orcaflex, veres, wamit
@@ -15,6 +19,8 @@ from .foreign import ALLOWED, CHOICES, TEXTS, VECTORS, Options, reading_error
 
 __all__ = ["ALLOWED", "CHOICES", "KINDS", "TEXTS", "VECTORS", "Options", "load", "recognise"]
 
+LONGEST_REASON = 100
+"""Characters of a library's words in an error."""
 HDF5, CLASSIC = b"\x89HDF\r\n\x1a\n", b"CDF"
 READERS = {
     "bemio": bemio.read,
@@ -74,7 +80,20 @@ def load(
         raise reading_error("a file of another kind", KINDS, name)
     _check_signature(kind, name)
     options = options or Options()
-    return convert(READERS[kind](name, options), options, title or Path(path).stem, highest_rad_s)
+    with _told(kind, name):
+        return convert(READERS[kind](name, options), options, title or Path(path).stem, highest_rad_s)
+
+
+@contextmanager
+def _told(kind: str, name: str) -> Iterator[None]:
+    """Where a word that should be a number is none, or a number is beyond all, say so in one line."""
+    try:
+        # What overflows is found by the checks of what was read.
+        with np.errstate(all="ignore"):
+            yield
+    except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+        reason = " ".join(str(error).split())[:LONGEST_REASON]
+        raise reading_error(f"a file that is damaged ({reason})", f"a file of {kind}'s, whole", name) from error
 
 
 def _check_signature(kind: str, name: str) -> None:

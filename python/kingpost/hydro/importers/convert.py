@@ -13,7 +13,7 @@ from ..checks import HASKIND, haskind_difference
 from ..database import Database, Hull, Provenance, Water, Waterplane
 from ..infinite_mass import joint_added_mass_infinite
 from .directions import Circle
-from .foreign import ASKED
+from .foreign import ALLOWED, ASKED
 from .long_waves import check_long_waves
 from .repair import at_frequencies, positive, repaired, up_to
 
@@ -162,7 +162,7 @@ def _hull(foreign: Foreign, options: Options, water: Water, reference: NDArray[n
     volume = float(options.settled("volume_m3", foreign.volume_m3, file))
     buoyancy = np.array(options.settled("centre_of_buoyancy_m", foreign.centre_of_buoyancy_m, file), float)
     if foreign.restoring is None:
-        options.asked("restoring", file)
+        raise HydrodynamicsError("restoring", "nothing in the file", ALLOWED["restoring"], file)
     stiffness = foreign.restoring / (water.density_kg_m3 * water.gravity_m_s2)
     lever = buoyancy[2] - reference[2]
     if options.settled("restoring_includes_weight", foreign.restoring_includes_weight, file):
