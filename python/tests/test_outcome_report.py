@@ -137,7 +137,7 @@ OFF = [{"name": "energy", "text": "is off its balance by 12 kJ, 3 % of the energ
 
 def test_limits_of_a_run_whose_energy_is_off_its_balance_are_headed_as_not_to_be_trusted():
     heading, columns, *_ = outcome_report.limits([Outcome(1, [limit(1.0, True)], OFF)])
-    assert heading == "limits, NOT to be trusted: the energy is off its balance"
+    assert heading == "limits, NOT reliable: the energy does not balance"
     assert columns.startswith("limit ")
 
 

@@ -1,10 +1,11 @@
 """Statistics of motions in a random sea: deviations, periods, spectra, extremes.
 
-A sea and what answers it linearly are taken as stationary and Gaussian: `after_s` leaves out the start,
-in which waves grow and motions settle. Words:
+A sea and its linear responses are taken as stationary and Gaussian: `after_s` leaves out the start, in which
+waves grow and motions settle. Terms:
 
-- **significant amplitude** is two standard deviations: of a motion about its mean;
-- **significant double amplitude** is four, crest to trough: of the wave elevation it is Hs;
+- **significant amplitude** is two standard deviations of a motion about its mean;
+- **significant double amplitude** is four standard deviations, crest to trough: for the wave elevation it is
+Hs;
 - **zero up-crossing period** is the mean time between up-crossings of the mean;
 - **spectrum** is one-sided, over the angular frequency: its integral is the variance.
 """
@@ -32,7 +33,7 @@ STATISTICS = ("mean", "standard_deviation", "significant_amplitude", "significan
 
 # Records whose steps differ by more than this share are not evenly spaced.
 EVEN = 1e-6
-# Up-crossings that a mean period needs.
+# Number of up-crossings that a mean period needs.
 FEWEST_CROSSINGS = 2
 
 
@@ -49,15 +50,15 @@ def summary(
     Parameters
     ----------
     results
-        A data set of `run` or `Batch`, or one of its variables: anything with the dimension ``time``.
-        Variables without it stay as they are.
+        A data set of `run` or `Batch`, or one of its variables. Variables without the dimension ``time`` stay
+        as they are.
     after_s
-        Records before this time, s, are left out.
+        Leave out the records before this time, s.
 
     Notes
     -----
-    The coordinate ``<variable>_unit`` has the units, the variable's, but s for the period, which is not a
-    number where the mean is crossed upwards fewer than twice. A run that ended early, which `Batch` fills
+    The coordinate ``<variable>_unit`` holds the units: the variable's unit, and s for the period. The period
+    is NaN if there are fewer than two up-crossings of the mean. A run that ended early, which `Batch` fills
     up with NaN, has NaN for its statistics.
 
     Returns
@@ -68,7 +69,7 @@ def summary(
     Raises
     ------
     KingpostError
-        When less than two records are left.
+        If fewer than two records are left.
 
     >>> import xarray
     >>> time = np.arange(0.0, 100.0, 0.1)
@@ -100,14 +101,14 @@ def summary(
 
 
 def _with_own_unit(variable: xarray.DataArray) -> xarray.DataArray:
-    """A variable of a data set without the units of those beside it."""
+    """A variable of a data set without the unit coordinates of the other variables."""
     ending = unit_coordinate("")
     others = [c for c in variable.coords if str(c).endswith(ending) and c != unit_coordinate(variable.name)]
     return variable.drop_vars(others)
 
 
 def _units(kept: xarray.DataArray, names: xarray.DataArray) -> xarray.DataArray:
-    """The unit of each statistic, and of each component where those differ."""
+    """The unit of each statistic, and of each component if the units differ."""
     import xarray
 
     name = unit_coordinate(kept.name)
@@ -131,9 +132,9 @@ def spectrum(
     series
         Evenly spaced over ``time``; other dimensions stay.
     after_s
-        Records before this time, s, are left out.
+        Leave out the records before this time, s.
     segment_s
-        Length of a segment, s; an eighth of the record unless given. Lines are 2 pi / segment apart.
+        Length of a segment, s; default: an eighth of the record. The frequencies are 2 pi / segment apart.
 
     Returns
     -------
@@ -143,7 +144,7 @@ def spectrum(
     Raises
     ------
     KingpostError
-        When the record is uneven or too short for the segment.
+        If the record is uneven or too short for the segment.
 
     >>> from kingpost import run
     >>> roll = run("paper", {"simulation.duration_s": 0.5})["roll"].sel(body="ship")
@@ -182,9 +183,9 @@ def moments(density: xarray.DataArray, orders: tuple[int, ...] = (0, 1, 2, 4)) -
     Parameters
     ----------
     density
-        Of `spectrum`, along ``omega`` (rad/s).
+        Spectral density from `spectrum`, along ``omega`` (rad/s).
     orders
-        n of each.
+        The orders n.
 
     Returns
     -------
@@ -212,11 +213,11 @@ class Extreme:
     location, scale
         mu, the most probable largest value, and beta.
     duration_s
-        The time that the largest value is of, s.
+        The duration to which the largest value belongs, s.
     records
-        Maxima that it was fitted to.
+        Number of maxima in the fit.
     covariance
-        Of (mu, beta), for this number of records.
+        Covariance of (mu, beta), for this number of records.
     """
 
     location: float
@@ -232,15 +233,15 @@ class Extreme:
 
     @property
     def expected_error(self) -> float:
-        """Standard error of that."""
+        """Its standard error."""
         return self._error(EULER)
 
     def quantile(self, probability: float) -> float:
-        """What is exceeded with the probability 1 - `probability`."""
+        """The value that is exceeded with the probability 1 - `probability`."""
         return self.location + self.scale * _reduced(probability)
 
     def quantile_error(self, probability: float) -> float:
-        """Standard error of that."""
+        """Its standard error."""
         return self._error(_reduced(probability))
 
     def _error(self, reduced: float) -> float:
@@ -249,23 +250,25 @@ class Extreme:
 
 
 def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_S) -> Extreme:
-    """The largest value in three hours from the largest values of several runs, each another seed.
+    """Distribution of the largest value in three hours, from the largest values of several runs with
+    different seeds.
 
-    A Gumbel distribution is fitted by L-moments: beta is half the mean difference between two records over
-    ln 2, mu the mean less Euler's constant times beta. Both are free of bias for any number of records
+    A Gumbel distribution is fitted by L-moments: beta is half the mean difference between two records,
+    divided by ln 2; mu is the mean less Euler's constant times beta. Both are unbiased for any number of
+    records
     (Landwehr, Matalas & Wallis, *Water Resour. Res.* 15(5), 1979; Hosking, *J. R. Stat. Soc. B* 52, 1990),
-    where maximum likelihood takes beta of five records a seventh too small. Where a run's record is shorter
+    while maximum likelihood underestimates beta from five records by a seventh. If a run's record is shorter
     or longer than `duration_s`, mu is moved by beta ln(duration / record): the largest of independent
-    Gumbel values is a Gumbel value of the same scale. Ten runs or more give an error worth having.
+    Gumbel values is a Gumbel value of the same scale. Use ten runs or more for a useful standard error.
 
     Parameters
     ----------
     maxima
         The largest value of each run, five or more.
     record_s
-        How long each run is without its start, s.
+        Length of each run without its start, s.
     duration_s
-        Time to find the extreme of, s.
+        Duration for which to find the extreme, s.
 
     Returns
     -------
@@ -275,7 +278,7 @@ def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_
     Raises
     ------
     KingpostError
-        When there are too few maxima, or a time is not greater than 0.
+        If there are too few maxima, or a time is not greater than 0.
 
     Examples
     --------
@@ -295,7 +298,8 @@ def extreme(maxima: ArrayLike, record_s: float, duration_s: float = THREE_HOURS_
     scale = _half_mean_difference(x) / np.log(2)
     location = x.mean() - EULER * scale
     shift = np.log(duration_s / record_s)
-    # Of (mean, beta), times n: the mean difference is a U-statistic (Hoeffding, Ann. Math. Stat. 19, 1948).
+    # Covariance of (mean, beta), times n: the mean difference is a U-statistic (Hoeffding, Ann. Math. Stat.
+    # 19, 1948).
     n = len(x)
     of_both = np.array([[np.pi**2 / 6, np.log(2)], [np.log(2), (0.804623 * n - 0.185532) / (n - 1)]])
     moved = np.array([[1.0, shift - EULER], [0.0, 1.0]])
@@ -313,14 +317,14 @@ def after(series: xarray.DataArray, after_s: float) -> xarray.DataArray: ...
 @overload
 def after(series: xarray.Dataset, after_s: float) -> xarray.Dataset: ...
 def after(series: xarray.Dataset | xarray.DataArray, after_s: float) -> xarray.Dataset | xarray.DataArray:
-    """The records from this time, s, on.
+    """The records from this time on.
 
     Parameters
     ----------
     series
         With a dimension ``time``, s.
     after_s
-        The first time that is kept, s.
+        The first kept time, s.
 
     Returns
     -------
@@ -330,7 +334,7 @@ def after(series: xarray.Dataset | xarray.DataArray, after_s: float) -> xarray.D
     Raises
     ------
     KingpostError
-        When there is no time, or less than two records are left.
+        If there is no time, or fewer than two records are left.
 
     >>> from kingpost import run
     >>> after(run("paper", {"simulation.duration_s": 0.1}), 0.05).sizes["time"]
@@ -348,7 +352,7 @@ def after(series: xarray.Dataset | xarray.DataArray, after_s: float) -> xarray.D
 
 
 def even(series: xarray.DataArray) -> tuple[xarray.DataArray, float]:
-    """A record with its step, s; a last row that ends a run off the grid is left out.
+    """A record with its step, s; a last row that is not on the grid is left out.
 
     Parameters
     ----------
@@ -363,7 +367,7 @@ def even(series: xarray.DataArray) -> tuple[xarray.DataArray, float]:
     Raises
     ------
     KingpostError
-        When its steps differ.
+        If its steps differ.
 
     >>> from kingpost import run
     >>> even(run("paper", {"simulation.duration_s": 0.1})["kinetic_energy"])[1].__round__(9)
@@ -396,7 +400,7 @@ def _welch(values: NDArray[np.float64], step_s: float, length: int) -> NDArray[n
 
 
 def _up_crossing_period(values: NDArray[np.float64], time_s: NDArray[np.float64]) -> float:
-    """Mean time between crossings of the mean, each found on the line between two records."""
+    """Mean time between up-crossings of the mean, each interpolated linearly between two records."""
     x = values - values.mean()
     (at,) = np.nonzero((x[:-1] < 0) & (x[1:] >= 0))
     if len(at) < FEWEST_CROSSINGS:
