@@ -144,7 +144,7 @@ def test_limits_of_a_run_whose_energy_is_off_its_balance_are_headed_as_not_to_be
 def test_limits_of_several_runs_name_the_seeds_whose_energy_is_off_its_balance():
     runs = [Outcome(seed, [limit(1.0, True)], OFF if seed > 1 else []) for seed in (1, 2, 3)]
     heading, *_ = outcome_report.limits(runs)
-    assert heading.endswith("the energy of 2 of 3 runs, of the seeds 2, 3, is off its balance")
+    assert heading.endswith("the energy does not balance in 2 of 3 runs, seeds 2, 3")
     assert outcome_report.limits(runs[:1])[0].startswith("limit ")
 
 

@@ -1,7 +1,7 @@
 """Least squares under linear inequalities.
 
-C. L. Lawson and R. J. Hanson, "Solving Least Squares Problems", SIAM 1995, chapter 23: non-negative
-least squares (algorithm NNLS, 23.10) and, by it, least distance programming (algorithm LDP, 23.27).
+C. L. Lawson and R. J. Hanson, "Solving Least Squares Problems", SIAM 1995, chapter 23: non-negative least
+squares (algorithm NNLS, 23.10) and, with it, least distance programming (algorithm LDP, 23.27).
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ Array = NDArray[np.float64]
 
 
 def nonnegative(matrix: Array, right: Array) -> Array:
-    """The x >= 0 of least |matrix x - right|.
+    """The x >= 0 that minimises |matrix x - right|.
 
     >>> nonnegative(np.eye(2), np.array([1.0, -1.0])).round(12).tolist()
     [1.0, 0.0]
     """
     n = matrix.shape[1]
     x, free = np.zeros(n), np.zeros(n, bool)
-    # Columns that are nearly parallel are told apart no better than this.
+    # Nearly parallel columns cannot be distinguished better than this.
     square = matrix.T @ matrix + 1e-14 * np.eye(n) * (matrix**2).sum(axis=0).max(initial=0.0)
     projected = matrix.T @ right
     tolerance = 1e-13 * np.abs(matrix).sum(axis=0).max() * np.linalg.norm(right)
@@ -46,7 +46,7 @@ def nonnegative(matrix: Array, right: Array) -> Array:
 
 
 def least_distance(rows: Array, bounds: Array) -> Array | None:
-    """The shortest x with rows x >= bounds; `None` where no x is.
+    """The shortest x with rows x >= bounds; `None` if there is none.
 
     >>> least_distance(np.array([[1.0, 1.0]]), np.array([2.0])).round(12).tolist()
     [1.0, 1.0]

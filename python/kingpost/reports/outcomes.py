@@ -67,10 +67,8 @@ def limits(outcomes: Sequence[Outcome]) -> list[str]:
 def _distrust(outcomes: Sequence[Outcome]) -> list[str]:
     """A heading if the limits cannot be trusted, otherwise empty."""
     off = [str(outcome.seed) for outcome in outcomes if outcome.is_off_balance]
-    of = (
-        f" of {len(off)} of {len(outcomes)} runs, of the seeds {', '.join(off)}," if len(outcomes) > 1 else ""
-    )
-    return [f"limits, NOT reliable: the energy{of} does not balance"] if off else []
+    of = f" in {len(off)} of {len(outcomes)} runs, seeds {', '.join(off)}" if len(outcomes) > 1 else ""
+    return [f"limits, NOT reliable: the energy does not balance{of}"] if off else []
 
 
 def _in_runs(cells: Sequence[str], several: bool) -> tuple[str, ...]:
