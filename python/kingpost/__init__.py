@@ -25,7 +25,7 @@ from .simulation.records import Input, State
 from .simulation.simulate import Simulation, run
 from .study.study import Study, open_study
 
-# Its messages go where a program that uses it sends them, else nowhere.
+# A library does not print its log: the program that imports it decides where log messages go.
 logging.getLogger(__name__).addHandler(logging.NullHandler())
 
 __version__: str = engine.__version__

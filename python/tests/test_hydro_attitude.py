@@ -317,9 +317,9 @@ def test_the_summary_tells_both_the_upright_hull_and_how_it_stands():
         ([BARGE, "--heel-deg", "200"], "--heel-deg: found 200, allowed: an angle between -90 and 90 deg"),
         ([BARGE, "--trim-deg", "nan"], "--trim-deg: found nan, allowed: an angle between -90 and 90 deg"),
         ([BARGE, "--heel-deg", "inf"], "--heel-deg: found inf"),
-        ([BARGE, "--heel-deg", "5", "--attitude-of", "barge"], "--heel-deg: found --attitude-of beside it"),
+        ([BARGE, "--heel-deg", "5", "--attitude-of", "barge"], "--heel-deg: found --attitude-of, too"),
         ([BARGE, "--attitude-of", "none.yaml"], "none.yaml: no such file"),
-        (["x.hst", "--heel-deg", "5"], "--heel-deg: found x.hst, allowed: a hull, whose waves are computed"),
+        (["x.hst", "--heel-deg", "5"], "--heel-deg: found x.hst, allowed: a hull that is computed"),
     ],
 )
 def test_a_wrong_attitude_is_one_line_and_writes_nothing(tmp_path, capsys, monkeypatch, words, message):

@@ -160,11 +160,11 @@ def test_motions_that_wamit_found_are_compared_with_those_of_what_was_read(tmp_p
     (tmp_path / "hull.12d").write_text("0.1 0.1 0 0 1 1 1 1 1\n")
     assert importers.recognise("hull.12s") == "wamit"
     notes = importers.load(path.with_suffix(".4"), Options(**LISTED)).provenance.notes
-    assert any("motions of hull.4 are not taken" in note and said in note for note in notes), notes
+    assert any("motions of hull.4 are not imported" in note and said in note for note in notes), notes
     assert "forces of second order are left out: .12d" in notes
     (tmp_path / "hull.frc").unlink()
     notes = importers.load(path, Options(**LISTED)).provenance.notes
-    assert any("no .frc beside says which" in note for note in notes)
+    assert any("no .frc file gives it" in note for note in notes)
 
 
 @pytest.mark.parametrize(

@@ -317,5 +317,5 @@ def test_an_option_of_a_hull_is_refused_for_a_file(tmp_path, capsys, option) -> 
     assert main(["hydro", str(source), "-o", str(tmp_path / "a.hydro.json"), *option]) != 0
     name = option[0].removeprefix("--").removeprefix("no-")
     assert (
-        f"{flag(name)}: found {source}, allowed: a hull, whose waves are computed" in capsys.readouterr().err
+        f"{flag(name)}: found {source}, allowed: a hull that is computed" in capsys.readouterr().err
     )

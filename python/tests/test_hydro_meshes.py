@@ -173,7 +173,7 @@ def test_a_hull_without_a_mesh_in_its_database_is_told_of_loudly(tmp_path):
     assert small.hull is not None
     assert large.hull is None
     assert "warning" not in summary(small, Water())
-    words = f"warning: no hull mesh goes into the database, for the mesh has {len(fine.triangles)} triangles"
+    words = f"warning: the database gets no hull mesh, because the mesh has {len(fine.triangles)} triangles"
     assert words in summary(large, Water())
     assert "for the mesh ends at the water line" in summary(open_above, Water())
 

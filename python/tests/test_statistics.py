@@ -200,7 +200,7 @@ def test_the_command_prints_what_runs_show_after_the_ramp(tmp_path, capsys) -> N
     table = tmp_path / "table.csv"
     assert main(["statistics", *files, "-o", str(table)]) == 0
     shown, warned = capsys.readouterr()
-    assert "20 to 1799.75 s of 6 runs, 3 h in all: means over them" in shown, "the barge's ramp is 20 s"
+    assert "20 to 1799.75 s of 6 runs, 3 h in all: averages over" in shown, "the barge's ramp is 20 s"
     assert "warning: of 6 runs these are rough: 10 or more" in warned
     header = next(line for line in shown.splitlines() if line.startswith("channel"))
     assert header.split("  ")[-2:] == ["largest of all", "smallest of all"]

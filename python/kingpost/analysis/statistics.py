@@ -1,10 +1,11 @@
 """Statistics of motions in a random sea: deviations, periods, extremes, and spectra (`spectra`).
 
-A sea and what answers it linearly are taken as stationary and Gaussian: `after_s` leaves out the start,
-in which waves grow and motions settle. Words:
+A sea and its linear responses are taken as stationary and Gaussian: `after_s` leaves out the start, in which
+waves grow and motions settle. Terms:
 
-- **significant amplitude** is two standard deviations: of a motion about its mean;
-- **significant double amplitude** is four, crest to trough: of the wave elevation it is Hs;
+- **significant amplitude** is two standard deviations of a motion about its mean;
+- **significant double amplitude** is four standard deviations, crest to trough: for the wave elevation it is
+Hs;
 - **zero up-crossing period** is the mean time between up-crossings of the mean;
 - **spectrum** is one-sided, over the angular frequency: its integral is the variance.
 """
@@ -23,14 +24,14 @@ from .spectra import moments, spectrum
 
 if TYPE_CHECKING:
     import xarray
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import NDArray
 
 __all__ = ["EULER", "THREE_HOURS_S", "Extreme", "after", "even", "extreme", "moments", "spectrum", "summary"]
 
 STATISTICS = ("mean", "standard_deviation", "significant_amplitude", "significant_double_amplitude",
               "zero_up_crossing_period", "maximum", "minimum")  # fmt: skip
 
-# Up-crossings that a mean period needs.
+# Number of up-crossings that a mean period needs.
 FEWEST_CROSSINGS = 2
 
 
@@ -47,15 +48,15 @@ def summary(
     Parameters
     ----------
     results
-        A data set of `run` or `Batch`, or one of its variables: anything with the dimension ``time``.
-        Variables without it stay as they are.
+        A data set of `run` or `Batch`, or one of its variables. Variables without the dimension ``time`` stay
+        as they are.
     after_s
-        Records before this time, s, are left out.
+        Leave out the records before this time, s.
 
     Notes
     -----
-    The coordinate ``<variable>_unit`` has the units, the variable's, but s for the period, which is not a
-    number where the mean is crossed upwards fewer than twice. A run that ended early, which `Batch` fills
+    The coordinate ``<variable>_unit`` holds the units: the variable's unit, and s for the period. The period
+    is NaN if there are fewer than two up-crossings of the mean. A run that ended early, which `Batch` fills
     up with NaN, has NaN for its statistics.
 
     Returns
@@ -66,7 +67,7 @@ def summary(
     Raises
     ------
     KingpostError
-        When less than two records are left.
+        If fewer than two records are left.
 
     >>> import xarray
     >>> time = np.arange(0.0, 100.0, 0.1)
@@ -98,14 +99,14 @@ def summary(
 
 
 def _with_own_unit(variable: xarray.DataArray) -> xarray.DataArray:
-    """A variable of a data set without the units of those beside it."""
+    """A variable of a data set without the unit coordinates of the other variables."""
     ending = unit_coordinate("")
     others = [c for c in variable.coords if str(c).endswith(ending) and c != unit_coordinate(variable.name)]
     return variable.drop_vars(others)
 
 
 def _units(kept: xarray.DataArray, names: xarray.DataArray) -> xarray.DataArray:
-    """The unit of each statistic, and of each component where those differ."""
+    """The unit of each statistic, and of each component if the units differ."""
     import xarray
 
     name = unit_coordinate(kept.name)
@@ -115,7 +116,7 @@ def _units(kept: xarray.DataArray, names: xarray.DataArray) -> xarray.DataArray:
 
 
 def _up_crossing_period(values: NDArray[np.float64], time_s: NDArray[np.float64]) -> float:
-    """Mean time between crossings of the mean, each found on the line between two records."""
+    """Mean time between up-crossings of the mean, each interpolated linearly between two records."""
     x = values - values.mean()
     (at,) = np.nonzero((x[:-1] < 0) & (x[1:] >= 0))
     if len(at) < FEWEST_CROSSINGS:

@@ -1,4 +1,4 @@
-"""Hulls from mesh files: STL, OBJ and whatever else meshio reads, and WAMIT's GDF."""
+"""Hulls from mesh files: STL, OBJ, other formats of meshio, and WAMIT's GDF."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 FARTHEST_M = 1e9
 """From the origin: in the frame of a map, at most."""
 LARGEST_HULL = 2000
-"""Triangles of the largest hull that goes into a database."""
+"""The most triangles of a hull mesh in a database."""
 METRIC_GRAVITY = (9.7, 9.9)
-"""What GRAV of a file in metres may be, m/s2; in feet it is 32.2."""
+"""Range of GRAV in a file in metres, m/s2; in feet it is 32.2."""
 INSTALL = 'pip install "meshio>=5.3"'
 
 
@@ -38,9 +38,9 @@ class HullFile:
     path
         The file; metres, x forward, y to port, z up.
     draught_m
-        Depth of the lowest point under the water plane; `None` where z = 0 is the water plane.
+        Depth of the lowest point under the water plane; `None`: z = 0 is the water plane.
     flip_normals
-        Turn all normals round first.
+        Reverse all normals first.
     """
 
     path: Path
@@ -48,7 +48,8 @@ class HullFile:
     flip_normals: bool = False
 
     def meshes(self, panels: int) -> HullMeshes:
-        """Panels, particulars and the closed hull, checked; with about so many panels or more."""
+        """Checked panels, particulars and closed hull, with approximately the given number of panels or
+        more."""
         surface = self.placed()
         closed = self.check(surface)
         wetted = surface.below()
@@ -73,7 +74,7 @@ class HullFile:
         return Surface(lifted, surface.triangles)
 
     def check(self, surface: Surface) -> bool:
-        """Refuse what cannot be solved; whether the hull is closed, deck and all."""
+        """Refuse a surface that cannot be solved; return whether the hull is closed, deck included."""
         file = str(self.path)
         lowest, highest = surface.vertices[:, 2].min(), surface.vertices[:, 2].max()
         extent = float(np.ptp(surface.vertices, axis=0).max())
@@ -103,12 +104,12 @@ class HullFile:
 
 
 def file_panels(wetted: Surface, panels: int, axes: tuple[int, ...]) -> tuple[tuple[int, ...], Panels]:
-    """Those of the axes along which a wetted hull is symmetric, and panels of the part that they mirror."""
+    """The axes along which a wetted hull is symmetric, and the panels of the part to mirror."""
     reflections = tuple(axis for axis in axes if _symmetric(wetted, axis))
     part = wetted
     for axis in reflections:
         part = part.mirrored(axis).below(0.0, axis).mirrored(axis)
-    # Triangles of this side have about the area that was asked for.
+    # Triangles with this side have approximately the wanted area.
     return reflections, of_triangles(part.refined(2 * (wetted.area / panels) ** 0.5))
 
 
@@ -119,18 +120,18 @@ def _too_large(triangles: int) -> str:
 
 
 def read(path: Path) -> Surface:
-    """Triangles of a mesh file, equal points made one, panels that do not meet edge to edge joined.
+    """Triangles of a mesh file; equal points are merged, and panels that do not meet edge to edge are joined.
 
     Raises
     ------
     HydrodynamicsError
-        When the file cannot be read or holds no surface.
+        If the file cannot be read or holds no surface.
     """
     return stitched(_as_written(path))
 
 
 def _joined(path: Path, surface: Surface) -> tuple[str, ...]:
-    """What is said where panels were joined."""
+    """A note if panels were joined."""
     written = _as_written(path)
     joined = len(open_edges(written)) - len(open_edges(surface))
     if not joined:
@@ -172,7 +173,7 @@ def _read_meshio(path: Path) -> Surface:
     except ImportError:
         raise HydrodynamicsError("meshio", "no such package", f"`{INSTALL}`, which installs it") from None
     try:
-        # meshio reports some errors by printing and leaving.
+        # meshio reports some errors by printing them and exiting.
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
             found = meshio.read(path)
             cells = [found.get_cells_type(name) for name in ("triangle", "quad")]
@@ -199,9 +200,9 @@ def _halved(cells: NDArray[np.int64]) -> NDArray[np.int64]:
 def _read_gdf(path: Path) -> Surface:
     """WAMIT's low-order geometry: title, ULEN and GRAV, ISX and ISY, number of panels, corners of each.
 
-    Its panels run counter-clockwise as the water sees them (WAMIT User Manual, version 7, chapter 6); ISX
-    and ISY of 1 say that x = 0 and y = 0 are planes of symmetry, of -1 that a wall stands there. Corners have
-    the unit of length of GRAV, the acceleration of gravity, whatever ULEN.
+    Its panels are counter-clockwise seen from the water (WAMIT User Manual, version 7, chapter 6); ISX
+    and ISY of 1 mean that x = 0 and y = 0 are planes of symmetry, and -1 means a wall there. Corners are in
+    the length unit of GRAV, the acceleration of gravity, independent of ULEN.
     """
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()[1:]
     allowed = "WAMIT's GDF: a title, ULEN GRAV, ISX ISY, the number of panels, twelve coordinates each"

@@ -9,7 +9,7 @@ Array = NDArray[np.float64]
 
 
 def least_distance(rows: Array, bounds: Array) -> Array | None:
-    """The shortest x with rows x >= bounds; `None` where no x is.
+    """The shortest x with rows x >= bounds; `None` if there is none.
 
     Least distance programming by non-negative least squares (C. L. Lawson and R. J. Hanson, "Solving Least
     Squares Problems", SIAM 1995, chapter 23, algorithm LDP, 23.27).

@@ -1,4 +1,5 @@
-"""A simulation where it stands: matrices, accelerations, linearisation, rest, waves, hydrostatics."""
+"""Computations at the present state of a simulation: matrices, accelerations, linearisation, equilibrium,
+RAOs, hydrostatics."""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Equations:
-    """What `kingpost.Simulation` computes where it stands, without a step."""
+    """The methods of `kingpost.Simulation` that compute at the present state, without a step."""
 
     scenario: Scenario
     _engine: engine.Simulation
@@ -27,7 +28,7 @@ class Equations:
     def acceleration(self, tau: ArrayLike | None = None) -> NDArray[np.float64]:
         """Accelerations of the free coordinates now (m/s2 or rad/s2).
 
-        `tau` adds a generalized force per free coordinate (N or N m) to the loads that act.
+        `tau` adds a generalized force per free coordinate (N or N m) to the acting loads.
 
         Parameters
         ----------
@@ -42,7 +43,7 @@ class Equations:
         Raises
         ------
         KingpostError
-            When `tau` has another length.
+            If `tau` has another length.
 
         >>> from kingpost import Simulation, load
         >>> Simulation(load("paper")).acceleration().shape
@@ -97,9 +98,9 @@ class Equations:
 
         Frame connection matrices ``E_ship`` and ``E_tower/ship``, their rates ``Omega_..``,
         rotations ``R_..``, then ``B``, ``B_dot``, ``X_dot``, ``M``, ``D``, ``F``, ``q_dot``,
-        ``M_star``, ``N_star`` and ``F_star``, and where there are any ``q_ddot_given`` of prescribed
-        motions and ``J`` of closed loops, with labels and units by row and column; their LaTeX,
-        their formulas and their CSV files (`MovingFrame`).
+        ``M_star``, ``N_star`` and ``F_star``, ``q_ddot_given`` if motions are prescribed, and ``J`` if there
+        are closed loops. Each has labels and units by row and column. `MovingFrame` also gives their LaTeX,
+        their formulas and their CSV files.
 
         Returns
         -------
@@ -129,7 +130,7 @@ class Equations:
         return labelled(*self._engine.linearize())
 
     def settle(self) -> Equilibrium:
-        """Move to an equilibrium near here, all rates zero, and begin the ledger anew there.
+        """Move to an equilibrium near the present state, with all rates zero, and restart the ledger there.
 
         Returns
         -------
@@ -139,7 +140,7 @@ class Equations:
         Raises
         ------
         KingpostError
-            When there is none; the state stays as it was.
+            If there is none; the state is then unchanged.
 
         >>> from kingpost import Simulation, load
         >>> simulation = Simulation(load("chain"))
@@ -149,25 +150,26 @@ class Equations:
         return Equilibrium(*self._engine.settle())
 
     def wave_response(self, directions_rad: ArrayLike, frequencies_rad_s: ArrayLike) -> dict[str, Any]:
-        """What `kingpost.rao` labels: complex amplitudes of all motions by direction and frequency, with
-        the crane as it stands now; no frequencies ask for those of the hull's database, refined.
+        """Complex amplitudes of all motions by direction and frequency, with the crane as it stands now;
+        `kingpost.rao` puts labels on them.
 
         Parameters
         ----------
         directions_rad
-            That the waves go to, rad.
+            Directions that the waves travel towards, rad.
         frequencies_rad_s
-            Angular frequencies; none ask for those of the database.
+            Angular frequencies; if empty, those of the hull's database, refined.
 
         Returns
         -------
         dict
-            ``real`` and ``imaginary`` parts of all motions, flat, with the names of what moves.
+            ``real`` and ``imaginary`` parts of all motions, flat, and the names of the moving points and
+            joints.
 
         Raises
         ------
         KingpostError
-            When nothing comes to rest, or a database does not cover a frequency.
+            If there is no equilibrium, or a database does not cover a frequency.
 
         >>> from kingpost import Simulation, load
         >>> found = Simulation(load("barge")).wave_response([0.0], [1.0])
@@ -270,13 +272,13 @@ class Equations:
         return json.loads(self._engine.sea_spectra_json(json.dumps(given), frequencies, directions))
 
     def hydrostatics(self) -> dict[str, Any]:
-        """As the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed
-        coordinates stay, the rest comes to rest in still water. The simulation itself does not move.
+        """Like the attribute `Scenario.hydrostatics`, with the crane as it stands now: held and prescribed
+        coordinates stay, the others settle in still water. The simulation itself does not move.
 
         Returns
         -------
         dict
-            As `Scenario.hydrostatics`.
+            The same entries as `Scenario.hydrostatics`.
 
         Raises
         ------

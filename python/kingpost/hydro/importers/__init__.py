@@ -1,7 +1,7 @@
 """Databases from other programs' files: Capytaine, WAMIT, BEMIO, ShipX (VERES), AQWA, Nemoh and OrcaFlex.
 
-What a file does not say is asked for, never assumed; weight is taken out of the restoring matrix; moments
-are carried to the origin; phases become those of exp(-i w t).
+Values that a file lacks must be given; nothing is assumed. Weight is removed from the restoring matrix,
+moments are moved to the origin, and phases become those of exp(-i w t).
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ KINDS = (
 
 
 def recognise(path: str | Path) -> str | None:
-    """``bemio``, ``capytaine``, ``wamit`` and so on by the name's ending; `None` of any other file.
+    """``bemio``, ``capytaine``, ``wamit`` and so on, by the file's ending; `None` for any other file.
 
     >>> recognise("hull.stl") is None, recognise("out/buoy.hst"), recognise("hull.AH1")
     (True, 'wamit', 'aqwa')
@@ -72,8 +72,8 @@ def load(
     Raises
     ------
     HydrodynamicsError
-        When the file is of no known kind, cannot be read or is cut short; when something that is needed
-        is neither in it nor in the options; when the result cannot be a hull's.
+        If the file has no known format, cannot be read or is truncated; if a required value is neither in it
+        nor in the options; if the result is unphysical.
     """
     kind, name = recognise(path), str(path)
     if kind is None:

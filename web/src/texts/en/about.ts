@@ -14,7 +14,7 @@ export const about = {
   afloat:
     "Afloat: **heel** is roll, positive to starboard; **trim** is pitch, positive by the bow; the draught is that of the hull's origin " +
     "below still water. **Fluid GM** is the metacentric height for heel, at rest with the crane as it stood when the run began or was " +
-    "paused, with hanging loads where they hang from and less what slack tanks take off. The sea in the picture is the incident wave " +
+    "paused, with hanging loads at their suspension points and reduced by slack tanks. The sea in the picture is the incident wave " +
     "that the hull feels; the waves that the hull makes or turns back are not drawn, and far off the sea is drawn level.",
   picture:
     "The picture: a hull with a bow is drawn as a ship, a long and slim body on a column as its boom; each is as large as the model's " +

@@ -25,5 +25,5 @@ export const floating = {
   wave: "Wave",
   wave_help: "Elevation of the incident waves where the hull is on average",
   fluid_gm: "Fluid GM",
-  fluid_gm_help: "Across the ship, at rest in still water with the crane as it stands; hanging loads where they hang from",
+  fluid_gm_help: "Across the ship, at rest in still water with the crane as it stands; hanging loads at their suspension points",
 };
