@@ -1,0 +1,1 @@
+"""Studies: many runs of one scenario, reduced to what a decision needs."""
