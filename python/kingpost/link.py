@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import zlib
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .errors import KingpostError
 
@@ -49,11 +49,19 @@ def fragment(scenario: Scenario) -> str:
     """
     own = {name: text for name, text in scenario.files.items() if not name.startswith(GALLERY)}
     given = {"file": scenario.file.replace("\\", "/").rpartition("/")[2], "text": scenario.json, "opened": own}
-    run = {"scenario": given, "values": {}, "changes": [], "moment": None}
+    return packed({"scenario": given, "values": {}, "changes": [], "moment": None})
+
+
+def packed(run: dict[str, Any]) -> str:
+    """A run, as the app's `SharedRun` has it, in the form of a link.
+
+    >>> packed({"moment": None})[-8:]
+    '82665658'
+    """
     content = json.dumps(run, ensure_ascii=False, separators=(",", ":")).encode()
     deflate = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
-    packed = base64.urlsafe_b64encode(deflate.compress(content) + deflate.flush()).decode().rstrip("=")
-    found = f"#k{VERSION}={packed}.{digest(content)}"
+    text = base64.urlsafe_b64encode(deflate.compress(content) + deflate.flush()).decode().rstrip("=")
+    found = f"#k{VERSION}={text}.{digest(content)}"
     if len(found) > LONGEST or len(content) > LARGEST:
         raise KingpostError(
             f"link: found {len(found)} characters, allowed: {LONGEST}; the scenario's own files make it long"

@@ -9,6 +9,7 @@ from ...analysis.eigenmodes import OSCILLATION, UNSTABLE
 from ...analysis.vibration import modes
 from ...errors import KingpostError
 from ...reports import outline, sea
+from ...reports.modes import of_ship_and_crane
 from ...reports.tables import fixed, kilograms
 from ...simulation.simulate import Simulation
 from .blocks import Block, Command, Paragraph, Picture, Section, Table
@@ -89,7 +90,7 @@ def _righting_arms(hull: dict[str, Any]) -> Picture:
 def _periods(scenario: Scenario) -> list[Block]:
     """Natural periods about rest; a sentence that says why where there are none."""
     try:
-        found = modes(scenario)
+        found = of_ship_and_crane(modes(scenario))
     except KingpostError as error:
         return [Paragraph(f"No natural periods: {error}.")]
     rows = []
