@@ -25,8 +25,8 @@ FNV_OFFSET, FNV_PRIME = 0x811C9DC5, 0x01000193
 def fragment(scenario: Scenario) -> str:
     """What stands behind the address of the app for it to open a scenario as it is resolved, with its seed.
 
-    The form is that of the app's *Share*: JSON, deflated, in base64url, then a point and the FNV-1a digest of the
-    JSON (docs/decisions/links.md). Files of the gallery are named, others are in the link.
+    The form is that of the app's *Share*: JSON, deflated, in base64url, then a point and the FNV-1a digest of
+    the JSON (docs/decisions/links.md). Files of the gallery are named, others are in the link.
 
     Parameters
     ----------
@@ -48,7 +48,8 @@ def fragment(scenario: Scenario) -> str:
     '#k1='
     """
     own = {name: text for name, text in scenario.files.items() if not name.startswith(GALLERY)}
-    given = {"file": scenario.file.replace("\\", "/").rpartition("/")[2], "text": scenario.json, "opened": own}
+    file = scenario.file.replace("\\", "/").rpartition("/")[2]
+    given = {"file": file, "text": scenario.json, "opened": own}
     return packed({"scenario": given, "values": {}, "changes": [], "moment": None})
 
 

@@ -8,9 +8,8 @@ import zlib
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 import kingpost
+import pytest
 from kingpost import link
 
 GOLDEN = Path(__file__).resolve().parents[2] / "web" / "tests" / "golden" / "python_link.json"

@@ -1,4 +1,4 @@
-"""A model as it stands, from the side, from above and from ahead: the outlines of its solids, its hulls and its lines."""
+"""A model as it stands, from three sides: the outlines of its solids, its hulls and its lines."""
 
 from __future__ import annotations
 
@@ -58,8 +58,9 @@ def figure(simulation: Simulation) -> Figure:
             axes.plot(*points[:, across].T, color="black", lw=0.8)
         if Z in across and model["hulls"]:
             axes.axhline(0.0, color=WATER, lw=1.2)
-        axes.set(title=title, xlabel=f"{'xyz'[across[0]]}, m", ylabel=f"{'xyz'[across[1]]}, m", aspect="equal")
-        axes.title.set_fontsize(10)
+        right, up = ("xyz"[axis] for axis in across)
+        axes.set(xlabel=f"{right}, m", ylabel=f"{up}, m", aspect="equal")
+        axes.set_title(title, fontsize=10)
         axes.grid(alpha=0.25)
     return drawn
 

@@ -108,7 +108,7 @@ def _periods(scenario: Scenario) -> list[Block]:
 
 
 def sea_section(scenario: Scenario) -> Section:
-    """The water, the waves, the current and the wind of the scenario; the axes of the study come over them."""
+    """The water, the waves, the current and the wind of the scenario, before the study sets its axes."""
     printed = "\n".join(sea.lines(scenario))
     blocks: list[Block] = [
         Paragraph("As the scenario has it before the study sets its axes:"),
