@@ -15,8 +15,16 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stab
 VARIABLE = "CHROMIUM"
 """Environment variable that names another browser."""
 TIME_LIMIT_S = 120.0
-OPTIONS = ("--headless", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
-           "--disable-background-networking", "--disable-component-update", "--no-pdf-header-footer")  # fmt: skip
+OPTIONS = (
+    "--headless",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-pdf-header-footer",
+)
 
 
 def find_browser() -> str | None:
