@@ -26,11 +26,9 @@ def text(found: xarray.Dataset, all_modes: bool = False) -> str:
     lines = [found.attrs["title"], found.attrs["status"], ""]
     if not found.sizes["mode"]:
         return "\n".join([*lines, "no free coordinate, no modes"])
-    sweep = next((str(dim) for dim in found["kind"].dims if dim != "mode"), None)
-    waters = (found["memory_share"] > WATERS_SHARE) & (found["kind"] != UNSTABLE)
-    waters = waters.all(sweep) if sweep else waters
-    controls = _of_controls(found) & ~waters if not sweep else xarray.zeros_like(waters)
-    shown_ones = found if all_modes else found.isel(mode=~(waters | controls).values)
+    sweep = _sweep(found)
+    waters, controls = _of_water_and_controls(found)
+    shown_ones = found if all_modes else of_ship_and_crane(found)
     shown_ones = shown_ones if all_modes else shown_ones.isel(coordinate=~found["memory"].values)
     lines += _modes_along(shown_ones, sweep) if sweep else _modes(shown_ones, all_modes)
     counts = (
@@ -43,6 +41,30 @@ def text(found: xarray.Dataset, all_modes: bool = False) -> str:
     if "warning" in found.attrs:
         lines += ["", f"warning: {found.attrs['warning']}"]
     return "\n".join(line.rstrip() for line in lines)
+
+
+def of_ship_and_crane(found: xarray.Dataset) -> xarray.Dataset:
+    """The modes in which ship and crane move: without those of the water's memory of radiated waves and those
+    of what controls and drives keep.
+
+    >>> import kingpost
+    >>> of_ship_and_crane(kingpost.modes("chain")).sizes["mode"] > 0
+    True
+    """
+    waters, controls = _of_water_and_controls(found)
+    return found.isel(mode=~(waters | controls).values)
+
+
+def _of_water_and_controls(found: xarray.Dataset) -> tuple[xarray.DataArray, xarray.DataArray]:
+    sweep = _sweep(found)
+    waters = (found["memory_share"] > WATERS_SHARE) & (found["kind"] != UNSTABLE)
+    waters = waters.all(sweep) if sweep else waters
+    return waters, _of_controls(found) & ~waters if not sweep else xarray.zeros_like(waters)
+
+
+def _sweep(found: xarray.Dataset) -> str | None:
+    """The dimension of a sweep, where there is one."""
+    return next((str(dim) for dim in found["kind"].dims if dim != "mode"), None)
 
 
 def _modes(found: xarray.Dataset, all_states: bool) -> list[str]:
