@@ -1,6 +1,6 @@
 //! Exact derivatives of the right-hand side, by dual numbers.
 
-use super::{Extent, Observation, Plant};
+use super::{ObservedPart, Observation, Plant};
 use crate::elements::Situation;
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::model::Mode;
@@ -120,7 +120,7 @@ impl Tangent {
         self.lift(base, xi, at, along);
         let (q, v, s, d) = (&self.q, &self.v, &self.s, &self.d);
         let stage = Stage { time_s: at.time_s, interval: at.interval, q, v, s, d, m: at.m };
-        see(stage, self.plant.observe(stage, &Extent::Everything, &mut self.v_dot))
+        see(stage, self.plant.observe(stage, &ObservedPart::Everything, &mut self.v_dot))
     }
 
     /// The stage over dual numbers.

@@ -2,7 +2,7 @@
 
 use super::FieldError;
 use super::waves::{SystemField, of_spectrum, record, regular};
-use super::world::{gravity, water_of};
+use super::still_water::{gravity, water_of};
 use crate::scenario::ScenarioError;
 use crate::scenario::schema::{Name, Scenario, Waves};
 use crate::sea::waves::{Water, WaveComponent};
