@@ -37,9 +37,9 @@ use loads::SubmergedLoads;
 /// slamming                           -A' nu_r while A grows
 /// ```
 ///
-/// As the body comes out, the momentum A nu_r of the water that lets go stays with the water, and what is left has A nu_r:
-/// A falls without a force. (By d(A v)/dt it would push the body out and give it energy.) Both ways the water takes
-/// |A'| v^2 / 2 out of the motion.
+/// As the body comes out, the momentum of the water that detaches stays with that water, so A falls without a force. (A
+/// force d(A v)/dt would push the body out and add energy.) Going in and coming out, the motion loses the power
+/// `|A'| v^2 / 2` to the water.
 #[derive(Clone, Debug)]
 pub struct Submerged<S = f64> {
     /// Name in the results.
