@@ -105,7 +105,7 @@ fn check_free<S: Quantity>(parts: &JointDrive<'_, S>, mode: Mode) -> Result<(), 
     Err(FieldError::new(format!("{}.joint", parts.field), found, "a joint whose mode is free, for a drive that is on"))
 }
 
-/// Two drives that follow set-points would fight over one joint. The efforts of motors and brakes are simply added.
+/// Two drives that follow set-points would fight over one joint. The efforts of motors and brakes are added.
 fn check_alone<'a, S: Quantity>(
     parts: &JointDrive<'_, S>,
     name: &'a str,
