@@ -6,9 +6,9 @@ use crate::dynamics::Kinematics;
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 
-/// Shows z - zeta(x, y, t), m: the height z of a point over the elevation zeta of the incident waves at its place, over the
-/// still water where there are none; negative under water. (The air gap of DNV-OTG-13, without the waves that the ship
-/// itself makes or turns back, and with linear crests.)
+/// Outputs z - zeta(x, y, t), m: the height z of a point above the elevation zeta of the incident waves at that point,
+/// or above the still water where there are no waves; negative under water. (The air gap of DNV-OTG-13, without
+/// radiated and diffracted waves, and with linear crests.)
 #[derive(Clone, Debug)]
 pub struct AirGap<S = f64> {
     /// Name in the results.

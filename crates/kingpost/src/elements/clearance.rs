@@ -6,8 +6,8 @@ use super::{Context, Declaration, Element, Output};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 
-/// Shows how far a point is from a solid, m: d = |x - c|, c the nearest point of its surface; negative inside, where it is
-/// the way to the nearest face. The solid moves with its own axes; a sphere of radius 0 is a second point.
+/// Outputs the distance of a point x from a solid, m: d = |x - c|, with c the nearest point of its surface; negative
+/// inside, where it is the distance to the nearest face. A sphere of radius 0 stands for a second point.
 #[derive(Clone, Debug)]
 pub struct Clearance<S = f64> {
     /// Name in the results.
@@ -16,7 +16,7 @@ pub struct Clearance<S = f64> {
     pub point: Attachment<S>,
     /// The solid's centre and axes.
     pub place: Attachment<S>,
-    /// What the point is to stay clear of.
+    /// The solid that the point stays clear of.
     pub solid: ContactSolid<S>,
 }
 

@@ -4,9 +4,9 @@ use super::{Context, Element};
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 
-/// Coulomb's law, made smooth about rest: `tau = -T v / sqrt(v^2 + v_s^2)`. Far above the smoothing
-/// speed v_s it is T; far below, it is viscous with the coefficient T / v_s, so that what should
-/// stick creeps. An explicit scheme needs steps well below v_s / T times the inertia that it moves.
+/// Coulomb's law, made smooth about rest: `tau = -T v / sqrt(v^2 + v_s^2)`. Far above the smoothing speed v_s it is T;
+/// far below, it is viscous with the coefficient T / v_s, so a joint that should stick creeps. An explicit scheme needs
+/// steps well below the moved inertia times v_s / T.
 #[derive(Clone, Copy, Debug)]
 pub struct CoulombFriction<S = f64> {
     /// Index in v.

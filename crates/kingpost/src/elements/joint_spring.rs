@@ -13,7 +13,7 @@ pub struct JointSpring<S = f64> {
     pub coordinate: usize,
     /// k, N m/rad or N/m.
     pub stiffness: S,
-    /// Where it is slack, rad or m.
+    /// Coordinate at which it has no force, rad or m.
     pub rest: S,
 }
 

@@ -1,8 +1,8 @@
-//! What acts on the model or reads it: one contract, [`Element`], and one file for each kind.
+//! Everything that acts on the model or reads it: one contract, [`Element`], and one file for each kind.
 //!
-//! A new kind is one file here, its fields in `scenario/schema/` and one function in `scenario/build/`. What it keeps, takes
-//! and shows it [declares](Declaration); the [`Layout`] of all elements gives each its place in the state, in the
-//! results, in snapshots, in A and B. Nothing else names a kind.
+//! A new kind is one file here, its fields in `scenario/schema/` and one function in `scenario/build/`. It
+//! [declares](Declaration) its states, inputs and outputs; the [`Layout`] of all elements gives each its place in the
+//! state, in the results, in snapshots, in A and B. No other code names a kind.
 
 mod air_gap;
 mod anemometer;

@@ -1,30 +1,30 @@
-//! A motion reference unit: what a body's sensor says of its motion, at its own ticks.
+//! A motion reference unit: a sensor of a body's motion, with its own sampling period.
 
 use super::hull::HullFrame;
 use super::{Components, Context, Declaration, Delay, Element, Output, Own, VectorFrame};
 use crate::scalar::Scalar;
 use crate::spatial::roll_pitch_yaw;
 
-/// Measures the motion of a point of a body every `period_s`, and shows it some ticks later.
+/// Measures the motion of a point of a body every `period_s`, and outputs it some samples later.
 ///
-/// Heave is the height of the point over where it was when the run began. What it shows is held between two ticks; before
-/// the first delayed value has come it shows what it measured where the run began.
+/// Heave is the height of the point relative to the start of the run. The outputs are constant between two samples;
+/// until the first delayed value arrives they are those measured at the start.
 #[derive(Clone, Debug)]
 pub struct MotionReferenceUnit<S = f64> {
     /// Name in the results.
     pub name: String,
     /// The body, and the point.
     pub place: HullFrame<S>,
-    /// Time between two ticks, s.
+    /// Sampling period, s.
     pub period_s: f64,
-    /// By how many ticks what it shows is late.
+    /// Delay of its outputs, in samples.
     pub delay_samples: usize,
 }
 
 /// Roll, pitch, heave, heave rate, angular velocity.
 const COUNT: usize = 7;
 
-/// What it shows, then the height that heave is counted from, then a ring for each number.
+/// Its outputs, then the reference height of heave, then a ring buffer for each number.
 const ZERO_HEIGHT: usize = COUNT;
 const RINGS: usize = COUNT + 1;
 

@@ -6,14 +6,14 @@ use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
-/// `F = -c |v| v` and `M = -c |omega| omega`, component by component in body axes, at a point whose
-/// velocity v is relative to the water or to the earth. A coefficient of drag C_d on the area A is c = rho C_d A / 2
-/// (Faltinsen, *Sea Loads*, 1990, ch. 6).
+/// `F = -c |v| v` and `M = -c |omega| omega`, component by component in body axes, at a point whose velocity v is
+/// relative to the water or to the earth. A drag coefficient C_d on the area A gives c = rho C_d A / 2 (Faltinsen, *Sea
+/// Loads*, 1990, ch. 6).
 #[derive(Clone, Copy, Debug)]
 pub struct QuadraticDamping<S = f64> {
     /// The body, and the point that the force acts at.
     pub place: HullFrame<S>,
-    /// What its velocity is relative to.
+    /// What the velocity is measured against.
     pub relative_to: DampedAgainst,
     /// c along x, y, z, N s^2/m^2.
     pub linear: Vector3<S>,

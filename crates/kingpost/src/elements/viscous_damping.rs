@@ -1,4 +1,4 @@
-//! Damping in proportion to a body's rates: of a hull in the water, or the paper's in its place.
+//! Damping proportional to a body's rates: of a hull in the water, or as in the paper.
 
 use super::hull::HullFrame;
 use super::{Context, DampedAgainst, Element};
@@ -6,13 +6,13 @@ use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3, Wrench};
 
-/// `F = -c v` and `M = -zeta omega`, component by component in body axes at a point, v relative to the
-/// water or to the earth; and what a full 6x6 matrix adds, `(F, M) = -B (v, omega)`.
+/// `F = -c v` and `M = -zeta omega`, component by component in body axes at a point, with v relative to the water or to
+/// the earth; and the loads of a full 6x6 matrix, `(F, M) = -B (v, omega)`.
 #[derive(Clone, Debug)]
 pub struct ViscousDamping<S = f64> {
-    /// The damped body, and the point that the force acts at and whose velocity counts.
+    /// The damped body, and the point where the force acts and whose velocity is used.
     pub place: HullFrame<S>,
-    /// What that velocity is relative to.
+    /// What the velocity is measured against.
     pub relative_to: DampedAgainst,
     /// c along x, y, z, N s/m.
     pub linear: Vector3<S>,

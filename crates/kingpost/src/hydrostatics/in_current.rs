@@ -1,16 +1,17 @@
-//! What a current does to the waves about a hull that its loads leave out.
+//! Warnings of effects of a current on the waves that the loads on a hull neglect.
 
 use super::floating::LoadedHull;
 use crate::elements::hull::{HullVelocity, SlowFrame, WaveExcitation, WaveForces};
 use crate::sea::waves::{WaveComponent, WaveField, group_velocity_m_s};
 
-/// A change of the waves' lengths, or of the mean drift, that a current would make is warned of beyond this share.
+/// A warning is given if a current would change the wave lengths or the mean drift by more than this share.
 const LARGEST_CHANGE: f64 = 0.05;
-/// Least tanh(k h) of the waves, on average, that a formula for deep water is for.
+/// Smallest mean tanh(k h) of the waves for which a deep-water formula holds.
 const LEAST_DEEP: f64 = 0.98;
 
 impl LoadedHull<'_> {
-    /// Of the waves' lengths in a current, of drift without a current's part, and of drift damping over a near bottom.
+    /// Warnings of the wave lengths in a current, of drift without the effect of the current, and of drift damping in
+    /// shallow water.
     pub(super) fn current_warnings(&self) -> Vec<String> {
         let (Some(waves), Some(excitation)) = (&self.world.waves, &self.hull.excitation) else { return Vec::new() };
         let body = &self.model.bodies[self.hull.frame.body].name;
@@ -27,8 +28,8 @@ impl LoadedHull<'_> {
         [x, y]
     }
 
-    /// Of (w - k.U)^2 = g k tanh(k h) at the frequency w at a fixed point, to first order in U: the length grows by U.e over
-    /// the group velocity.
+    /// From (w - k.U)^2 = g k tanh(k h) with the frequency w at a fixed point, to first order in U: the relative growth
+    /// of the length is U.e over the group velocity.
     fn length_warning(&self, waves: &WaveField) -> Option<String> {
         let [x, y] = self.current();
         let longer = |wave: &WaveComponent| {
@@ -49,7 +50,7 @@ impl LoadedHull<'_> {
         (mean.abs() > LARGEST_CHANGE).then(words)
     }
 
-    /// By what Aranha's formula gives for a hull at rest in the current.
+    /// From Aranha's formula for a hull at rest in the current.
     fn drift_warning(&self, waves: &WaveField) -> Option<String> {
         let [x, y] = self.current();
         let slow = SlowFrame::of(&self.frame());
@@ -91,7 +92,7 @@ fn depth_warning(waves: &WaveField) -> Option<String> {
     (mean < LEAST_DEEP).then(words)
 }
 
-/// The mean over the waves, each by its energy.
+/// The mean over the waves, weighted by energy.
 fn of_energy(waves: &WaveField, number: impl Fn(&WaveComponent) -> f64) -> f64 {
     let energy = |wave: &WaveComponent| wave.amplitude_m * wave.amplitude_m;
     let all: f64 = waves.components().map(energy).sum();

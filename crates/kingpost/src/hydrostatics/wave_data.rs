@@ -1,16 +1,16 @@
-//! Where the waves' loads stand on data of another loading, or of too few directions.
+//! Warnings of wave data for another loading, or with too few directions.
 
 use super::floating::LoadedHull;
 use crate::spatial::{Frame, SpatialInertia};
 
-/// A loading that differs from that of the data's mean drift by more than this share is warned of.
+/// A warning is given if the loading differs from that of the data's mean drift by more than this share.
 const LARGEST_CHANGE: f64 = 0.05;
-/// Share of the waves' energy that may be too short for the data's directions.
+/// Share of the waves' energy that may be in waves too short for the data's directions.
 const MOST_UNRESOLVED: f64 = 0.1;
 
 impl LoadedHull<'_> {
-    /// Of a hull that drifts: mass, KG and radii of gyration of the ship with what it carries, as it stands, against those
-    /// that the mean drift was computed for.
+    /// Warnings of a drifting hull: mass, KG and radii of gyration of the ship with its cargo in its present position,
+    /// compared with those of the mean drift.
     pub(super) fn drift_warnings(&self, keel_to_gravity_m: f64) -> Vec<String> {
         let Some(of_data) = &self.database.mean_drift_loading else { return Vec::new() };
         let ([roll, pitch, yaw], data) = (self.radii_of_gyration(), of_data.radii_of_gyration_m);
@@ -34,7 +34,7 @@ impl LoadedHull<'_> {
         apart.map(warning).collect()
     }
 
-    /// About the centre of gravity of all, along the hull's axes, m.
+    /// Radii of gyration about the total centre of gravity, along the hull's axes, m.
     fn radii_of_gyration(&self) -> [f64; 3] {
         let weight = self.carried_weight();
         let centre = Frame { rotation: self.frame().rotation, position: weight.centre }.inverse();
@@ -48,7 +48,7 @@ impl LoadedHull<'_> {
             let of_body = moments(body, &self.model.tree.nodes[body].inertia);
             sums = core::array::from_fn(|k| sums[k] + of_body[k]);
         }
-        // The share of the water is no part of the loading.
+        // Added mass is not part of the loading.
         for (body, added) in self.model.added_inertias.iter().filter(|(body, _)| bodies.contains(body)) {
             let of_water = moments(*body, added);
             sums = core::array::from_fn(|k| sums[k] - of_water[k]);
@@ -56,8 +56,8 @@ impl LoadedHull<'_> {
         sums.map(|moment| libm::sqrt(moment / weight.mass))
     }
 
-    /// Between N directions of the circle a load is a sum of N / 2 harmonics; about a ship of half length R a wave of number k
-    /// has about k R of them.
+    /// With N directions on the circle a load has N / 2 harmonics; for a ship of half length R and a wave number k it
+    /// needs about k R of them.
     pub(super) fn direction_warnings(&self) -> Vec<String> {
         let Some(waves) = self.world.waves.as_ref().filter(|_| self.hull.excitation.is_some()) else {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! A stage as each element sees it.
+//! The contexts of all elements at a stage.
 
 use crate::dynamics::{Clock, LinkKinematics};
 use crate::elements::{Context, Layout, Share, Situation};
@@ -6,18 +6,18 @@ use crate::integrate::Stage;
 use crate::model::Model;
 use crate::world::World;
 
-/// A stage whose kinematics stands, from which each element is shown its own.
+/// A stage with its kinematics, which gives each element its own context.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a, S> {
     /// Where everything stands.
     pub layout: &'a Layout,
-    /// What every element sees.
+    /// The part that all elements share.
     pub shared: Context<'a, S>,
     /// s behind the ledger.
     states: &'a [S],
     discrete: &'a [S],
     modes: &'a [i64],
-    /// The same with the entries of the element that was shown last, of those that have any.
+    /// The same with the entries of the last element that has any.
     own: Option<Context<'a, S>>,
 }
 
@@ -39,7 +39,7 @@ impl<'a, S: Copy> Scene<'a, S> {
         Self { layout, shared, states, discrete: at.d, modes: at.m, own: None }
     }
 
-    /// What one element sees.
+    /// The context of one element.
     #[inline]
     pub fn of(&mut self, element: usize) -> &Context<'a, S> {
         let Share { states, inputs, numbers, modes, has_own, .. } = &self.layout.shares[element];

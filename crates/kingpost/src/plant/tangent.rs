@@ -1,6 +1,6 @@
 //! Exact derivatives of the right-hand side, by dual numbers.
 
-use super::{ObservedPart, Observation, Plant};
+use super::{Observation, ObservedPart, Plant};
 use crate::elements::Situation;
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::model::Mode;
@@ -12,7 +12,7 @@ pub const DIRECTIONS: usize = 4;
 /// The dual number of this module.
 pub type Number = Dual<DIRECTIONS>;
 
-/// Something that the right-hand side depends on.
+/// A variable of the right-hand side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
     /// The local coordinate of a coordinate of v.
@@ -145,8 +145,8 @@ impl Tangent {
         self.plant.retract(&self.base, &self.xi, &mut self.q);
     }
 
-    /// Writes the derivatives of the rates at `q = retract(base, xi)`; see [`System::jacobian`].
-    /// Returns how many plain evaluations it is worth: one, and one a direction, each time.
+    /// Writes the derivatives of the rates at `q = retract(base, xi)`; see [`System::jacobian`]. Returns how many plain
+    /// evaluations it costs: one plus one per direction, each time.
     pub(super) fn jacobian(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, out: &mut Jacobian) -> u64 {
         let n = xi.len();
         let (rows, first) = (out.rows, out.passive);

@@ -1,6 +1,6 @@
 //! The registry of result channels: names, units, frames and dimensions.
 //!
-//! Those of the model and of the ledger stand in one table; those of the elements are what their [`Layout`] says.
+//! Channels of the model and of the ledger are in one table; those of the elements follow from their [`Layout`].
 
 mod channels;
 mod loops;
@@ -38,7 +38,7 @@ struct Entry<S> {
     unit: Unit,
     frame: VectorFrame,
     dims: &'static [Dimension],
-    /// Whether positions and velocities are all that it is computed from.
+    /// Whether it depends on positions and velocities only.
     of_motion: bool,
     write: fn(&Sample<'_, S>, &mut Vec<S>),
 }
@@ -52,7 +52,7 @@ enum Dimension {
     Axis,
     /// w, x, y, z.
     Quaternion,
-    /// Coordinates of all joints but floating ones.
+    /// Coordinates of all joints except floating ones.
     Coordinate,
     /// Joints by name.
     Joint,
@@ -68,11 +68,11 @@ enum Dimension {
 
 enum Unit {
     Plain(&'static str),
-    /// Of a force and a moment, by component.
+    /// The units of a force and a moment, by component.
     Wrench,
-    /// Where a coordinate turns, and where it slides.
+    /// The unit of a coordinate that turns, and of one that slides.
     Coordinate([&'static str; 2]),
-    /// Of a constraint of an angle, and of a length.
+    /// The unit of a constraint on an angle, and on a length.
     Constraint([&'static str; 2]),
 }
 
@@ -116,7 +116,7 @@ impl<S: Scalar> Table<S> {
             write: |x, out| each_point(x, out, |frame, twist, p| frame.rotation * (twist.linear + twist.angular.cross(p))) },
     ];
 
-    /// Energy and momentum, and what they should be.
+    /// Energy and momentum, and their expected values.
     const OF_LEDGER: &[Entry<S>] = &[
         Entry { variable: "kinetic_energy", description: "kinetic energy, the water's part included", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.observed.totals.kinetic_energy) },
         Entry { variable: "potential_energy", description: "potential energy", unit: Plain("J"), frame: Number, dims: &[], of_motion: false, write: |x, out| out.push(x.observed.totals.potential_energy) },
@@ -165,7 +165,7 @@ impl<S: Scalar> Entry<S> {
         self.dims.first().is_some_and(|dimension| dimension.names_things())
     }
 
-    /// What names a thing stands before the variable, what names a component behind it.
+    /// Labels of bodies and elements stand before the variable, labels of components after it.
     fn columns(&self, labels: &[Vec<String>]) -> Vec<String> {
         let leads = self.thing_leads();
         let mut columns = vec![if leads { String::new() } else { self.variable.to_owned() }];
@@ -224,7 +224,7 @@ impl Dimension {
 }
 
 impl Unit {
-    /// Of each of so many columns.
+    /// The unit of each column.
     fn of_columns<S: Scalar>(&self, model: &Model<S>, columns: usize) -> Vec<&'static str> {
         match self {
             Plain(unit) => vec![unit; columns],

@@ -1,4 +1,4 @@
-//! Some columns of the results by themselves, without the rest of a row.
+//! Some columns of the results, without the rest of a row.
 
 use super::channels::Channels;
 use super::{Sample, Table};
@@ -6,7 +6,7 @@ use crate::elements::Layout;
 use crate::plant::ObservedPart;
 use crate::scalar::Scalar;
 
-/// Columns that are read at every step, and what an observation must hold for them: a height asks for no accelerations.
+/// Columns that are read at every step, and the observation that they need: a height needs no accelerations.
 #[derive(Clone, Debug, Default)]
 pub struct Readings<S> {
     sources: Vec<Source>,
@@ -14,7 +14,7 @@ pub struct Readings<S> {
     row: Vec<S>,
 }
 
-/// Where a column comes from.
+/// The source of a column.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     /// An entry of the table of the model's channels, and which of its numbers.
@@ -26,7 +26,7 @@ enum Source {
 }
 
 impl<S: Scalar> Readings<S> {
-    /// Of these columns; one that is not there is left out.
+    /// For these columns; columns that do not exist are left out.
     pub fn new(columns: &[String], channels: &Channels, layout: &Layout) -> Self {
         let places: Vec<usize> = columns.iter().filter_map(|column| channels.place(column)).collect();
         Self::of_motion(&places, channels, layout).unwrap_or_else(|| Self {
@@ -36,7 +36,7 @@ impl<S: Scalar> Readings<S> {
         })
     }
 
-    /// `None` where one of the columns asks for more than the motion and what elements show.
+    /// `None` if a column needs more than the motion and the outputs of elements.
     fn of_motion(places: &[usize], channels: &Channels, layout: &Layout) -> Option<Self> {
         let mut elements: Vec<usize> =
             places.iter().filter_map(|&place| Some(layout.writer(channels.output_at(place)?)?.0)).collect();
@@ -62,7 +62,7 @@ impl<S: Scalar> Readings<S> {
         self.sources.is_empty()
     }
 
-    /// What an observation must hold.
+    /// The part that an observation must contain.
     pub fn extent(&self) -> &ObservedPart {
         &self.extent
     }

@@ -1,4 +1,4 @@
-//! Lanes: several runs of one structure side by side in SIMD registers.
+//! Lanes: several runs of one structure in SIMD registers.
 
 use super::turns::{cosine, sine};
 use super::{Scalar, radians};
@@ -8,8 +8,8 @@ use wide::f64x4;
 /// Number of runs that [`Lanes`] holds.
 pub const LANES: usize = 4;
 
-/// Independent numbers. Every operation is that of `f64` lane by lane, without fused
-/// multiplication, so each lane has the bits that it would have alone.
+/// Independent numbers. Every operation is that of `f64` lane by lane, without fused multiplication, so each lane has
+/// the same bits as a run alone.
 ///
 /// ```
 /// use kingpost::scalar::{Lanes, Scalar};

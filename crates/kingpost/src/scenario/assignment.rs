@@ -1,4 +1,4 @@
-//! `name=value` as the command line takes it.
+//! `name=value` on the command line.
 
 use serde_json::{Number, Value};
 
@@ -32,7 +32,7 @@ pub fn parse_assignment(text: &str) -> Result<(String, Value), ScenarioError> {
     Ok((name.to_owned(), value))
 }
 
-/// The number that a text is, null where it is not finite.
+/// The number in a text; null if it is not finite.
 fn number(text: &str) -> Option<Value> {
     let whole = text.parse::<i64>().map(Value::from).or_else(|_| text.parse::<u64>().map(Value::from));
     let number = || text.parse::<f64>().map(|number| Number::from_f64(number).map_or(Value::Null, Value::Number));

@@ -11,7 +11,7 @@ use super::{part_names, wording};
 const LONGEST_NAME: usize = 200;
 const LONGEST_FOUND: usize = 500;
 
-/// What is wrong with a field, where its place in the file is not known.
+/// An error in a field whose place in the file is not known.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{field}: found {found}, allowed: {allowed}")]
 pub struct FieldError {
@@ -24,8 +24,7 @@ pub struct FieldError {
 }
 
 impl FieldError {
-    /// An error of this field. A text of nothing but blanks is shown in quotes, a number of many zeros by its power of ten, and
-    /// of what is very long the beginning.
+    /// An error of this field. A blank text is shown in quotes, a number with many zeros by its power of ten.
     pub fn new(field: impl Into<String>, found: impl ToString, allowed: impl Into<String>) -> Self {
         let found = found.to_string();
         let found = if found.trim().is_empty() { wording::quoted(&found) } else { wording::with_powers(&found) };
@@ -34,17 +33,17 @@ impl FieldError {
     }
 }
 
-/// What is wrong with a scenario, and where. Shown as
-/// `paper.yaml:12:14: bodies.ship.mass_kg: found -5, allowed: a number greater than 0`.
+/// An error in a scenario, with its place. Shown as `paper.yaml:12:14: bodies.ship.mass_kg: found -5, allowed: a number
+/// greater than 0`.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub struct ScenarioError {
-    /// The file's name, or `--set name` for a value set from outside; empty where there is neither.
+    /// The file's name, or `--set name` for a value set from outside; empty if there is neither.
     pub file: String,
     /// Line in the file, from 1.
     pub line: Option<usize>,
     /// Column in the file, from 1, in characters.
     pub column: Option<usize>,
-    /// Dotted path of the field, list entries by index from 0; empty where the whole file is meant.
+    /// Dotted path of the field, list entries by index from 0; empty if it concerns the whole file.
     pub field: String,
     /// What was found there.
     pub found: String,
@@ -95,7 +94,7 @@ pub(super) enum SourcePlace {
     Part {
         /// The file's name from the main file's folder, or in the gallery.
         file: Arc<str>,
-        /// What the names of the part begin with in the whole.
+        /// The prefix of the part's names in the whole.
         prefix: Arc<str>,
         /// From 1.
         line: usize,

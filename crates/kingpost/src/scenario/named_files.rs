@@ -1,4 +1,4 @@
-//! What is in the files that a scenario names.
+//! The contents of the files that a scenario names.
 
 use crate::sea::database::Database;
 use crate::sea::raos::RaoTable;
@@ -6,13 +6,13 @@ use crate::sea::waves::ElevationTable;
 use indexmap::IndexMap;
 use std::sync::Arc;
 
-/// What is in the files that a scenario names, by their names.
+/// The contents of the files that a scenario names, by their names.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NamedFiles {
     pub(super) databases: IndexMap<String, Arc<Database>>,
     pub(super) records: IndexMap<String, Arc<ElevationTable>>,
     pub(super) raos: IndexMap<String, Arc<RaoTable>>,
-    /// Of the text of each.
+    /// Digest of the text of each file.
     pub(super) digests: IndexMap<String, u64>,
 }
 

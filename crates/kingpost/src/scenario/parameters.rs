@@ -175,14 +175,14 @@ struct NoSuchField {
 }
 
 impl OverrideTarget<'_> {
-    /// The value that stands at a path in the file, in the unit of the path.
+    /// The value at a path in the file, in the unit of the path.
     fn number_at(&self, path: &str) -> Option<ParameterValue> {
         let (si, factor) = units::si_path(&segments(path));
         in_unit(&self.tree.at(&si)?.to_value(), factor)
     }
 
-    /// Whether a value can be written at this path: everything above it exists, and a field that does not yet exist is
-    /// left for the typed read to judge.
+    /// Whether a value can be written at this path: everything above it exists; the typed read checks fields that do
+    /// not yet exist.
     fn check(&self, path: &[String]) -> Result<(), NoSuchField> {
         let mut node = Some(&*self.tree);
         let mut whole = Some(self.whole);
@@ -270,7 +270,7 @@ fn put(tree: &mut ScenarioNode, whole: &Value, path: &FieldPath<'_>, node: Scena
     }
 }
 
-/// A parameter's value out of any value, or what is allowed instead. Booleans may be written on and off.
+/// A parameter's value from any value, or what is allowed instead. Booleans may be written as on and off.
 fn typed_value(parameter: &Parameter, kind: ParameterKind, value: &Value) -> Result<ParameterValue, String> {
     match kind {
         ParameterKind::Boolean => match value {
@@ -319,7 +319,7 @@ impl Scenario {
         &self.parameters
     }
 
-    /// Each parameter's value in this scenario: what stands at the first field that it writes, in that path's unit.
+    /// Each parameter's value in this scenario: the value of the first field that it writes, in that path's unit.
     /// `None` for a field that holds no single value.
     pub fn parameter_values(&self) -> Vec<(&Parameter, Option<ParameterValue>)> {
         let whole = serde_json::to_value(self).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Text -> tree, by serde-saphyr. Its budgets against hostile files (depth, aliases, number of values) stay on.
+//! From text to tree, by serde-saphyr. Its budgets against hostile files (depth, aliases, number of values) stay on.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use super::error::{Fault, SourcePlace};
 use super::tree::{Content, Field, ScenarioNode};
 use super::wording;
 
-/// What the YAML parser hands over.
+/// The values from the YAML parser.
 enum Raw {
     Null,
     Boolean(bool),
@@ -75,7 +75,7 @@ impl<'de> Deserialize<'de> for Raw {
     }
 }
 
-/// The tree of a text whose top is named fields.
+/// The tree of a text with named fields at the top.
 pub(super) fn parse(text: &str) -> Result<ScenarioNode, Fault> {
     parse_as(text, wording::SCENARIO)
 }
@@ -166,7 +166,7 @@ fn fault(text: &str, error: &serde_saphyr::Error) -> Fault {
     Fault::new(&here, "", found, allowed)
 }
 
-/// The path of the name that stands at this place, in a file where names stand twice.
+/// The path of the name at this place, in a file where a name occurs twice.
 fn path_of_second(text: &str, here: &SourcePlace) -> Option<String> {
     fn search(raw: &Raw, here: &SourcePlace, path: &mut Vec<String>) -> bool {
         match raw {

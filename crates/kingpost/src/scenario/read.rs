@@ -1,4 +1,4 @@
-//! Text -> scenario: parse, rename units, apply parameters and overrides, type, build once to validate.
+//! From text to scenario: parse, rename units, apply parameters and overrides, type, build once to validate.
 
 use serde_json::Value;
 
@@ -19,17 +19,15 @@ use super::{parse, parts, wording};
 /// `file` is the name that errors carry. `overrides` are names of parameters or dotted paths of fields, each with its
 /// value; they are applied in their order, after the defaults of the parameters.
 ///
-/// # Errors
-/// The first thing that is wrong, with its place: syntax, an unknown field, a wrong type, a value out of range, or
-/// bodies, joints and drives that do not fit together.
+/// # Errors The first error, with its place: syntax, an unknown field, a wrong type, a value out of range, or bodies,
+/// joints and drives that do not fit together.
 pub fn read(text: &str, file: &str, overrides: &[(String, Value)]) -> Result<Scenario, ScenarioError> {
     read_with(text, file, overrides, &Files::default())
 }
 
 /// The same for a scenario that names files; see [`file_names`].
 ///
-/// # Errors
-/// As [`read`], and a file that is not there or holds something else.
+/// # Errors As [`read`], and a file that is missing or has the wrong contents.
 pub fn read_with(
     text: &str,
     file: &str,
@@ -39,7 +37,7 @@ pub fn read_with(
     read_and_build(text, file, overrides, files).map(|(scenario, _)| scenario)
 }
 
-/// The same, with what a simulation of it is made of.
+/// The same, with the setup of a simulation.
 pub(crate) fn read_and_build(
     text: &str,
     file: &str,
@@ -54,8 +52,8 @@ pub(crate) fn read_and_build(
     }
 }
 
-/// Names of the files that a scenario stands on, as far as the `files` that are there already tell: those of its parts,
-/// and what its forces, joints and seas name. Parts name files too, so a host asks until no new name comes.
+/// Names of the files that a scenario needs, as far as the given `files` show: its parts, and the files named by its
+/// forces, joints and sea. Parts name files too, so a host repeats the call until no new name appears.
 ///
 /// ```
 /// use kingpost::scenario::{Files, file_names};
@@ -65,8 +63,7 @@ pub(crate) fn read_and_build(
 /// # Ok::<(), kingpost::scenario::ScenarioError>(())
 /// ```
 ///
-/// # Errors
-/// As [`read`], but for bodies, joints and drives that do not fit together, and files that are not there.
+/// # Errors As [`read`], except for bodies, joints and drives that do not fit together, and for missing files.
 pub fn file_names(
     text: &str,
     file: &str,
@@ -110,7 +107,7 @@ fn read_tree(
     Ok((scenario, tree))
 }
 
-/// A text's tree, and what is set over it.
+/// The tree of a text, and the overrides.
 fn parsed<'a>(text: &str, overrides: &'a [(String, Value)]) -> Result<(ScenarioNode, Vec<Override<'a>>), Fault> {
     let tree = parse::parse(text)?;
     check_version(&tree)?;
@@ -139,7 +136,7 @@ impl Scenario {
         serde_json::to_string_pretty(self).unwrap_or_default()
     }
 
-    /// What a simulation is made of.
+    /// The setup of a simulation.
     ///
     /// # Errors
     /// Bodies, joints, forces, drives or settings that do not fit together; the error has a field but no place.
@@ -147,7 +144,7 @@ impl Scenario {
         Ok(super::build::build(self)?)
     }
 
-    /// A simulation at time 0; where the scheme is implicit, with exact derivatives.
+    /// A simulation at time 0; for an implicit scheme with exact derivatives.
     ///
     /// ```
     /// let text = include_str!("../../../../scenarios/paper.yaml");
@@ -175,8 +172,8 @@ impl Scenario {
         Ok(simulation)
     }
 
-    /// In the browser implicit schemes take differences: the engine over dual numbers would double
-    /// what a phone has to load. Newton's iteration ends within its tolerance either way.
+    /// In the browser implicit schemes use finite differences: the engine over dual numbers would double the download.
+    /// Newton's iteration ends within its tolerance either way.
     #[cfg(not(target_family = "wasm"))]
     fn exact_derivatives(&self, setup: &Setup) -> Result<Option<Setup<Number>>, ScenarioError> {
         let wanted = setup.settings.scheme.is_implicit() && setup.settings.form == Form::Recursive;

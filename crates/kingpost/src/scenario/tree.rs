@@ -5,12 +5,12 @@ use serde_json::Value;
 
 use super::error::SourcePlace;
 
-/// A value, where it comes from, and how it was written.
+/// A value, its place, and how it was written.
 #[derive(Clone, Debug)]
 pub(super) struct ScenarioNode {
     pub(super) place: SourcePlace,
     pub(super) content: Content,
-    /// The number as written, where a unit alias has changed it.
+    /// The number as written, if a unit alias has changed it.
     pub(super) written: Option<Value>,
 }
 
@@ -29,7 +29,7 @@ pub(super) enum Content {
 #[derive(Clone, Debug)]
 pub(super) struct Field {
     pub(super) name_place: SourcePlace,
-    /// The name as written, where a unit alias has changed it.
+    /// The name as written, if a unit alias has changed it.
     pub(super) written: Option<String>,
     pub(super) node: ScenarioNode,
 }

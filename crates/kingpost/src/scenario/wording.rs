@@ -42,7 +42,7 @@ const LONGEST_QUOTE: usize = 40;
 /// Digits and points of a number that is shown in full, at most.
 const LONGEST_NUMBER: usize = 24;
 
-/// A value as an error shows it.
+/// A value in the words of an error.
 pub(super) fn found(value: &Value) -> String {
     match value {
         Value::Null => NOTHING.to_owned(),
@@ -69,7 +69,7 @@ fn number(number: &serde_json::Number) -> String {
     text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
 }
 
-/// A text whose numbers of very many digits are shown by their powers of ten: 1e300, not 1 with 300 zeros.
+/// A text with very long numbers shown by powers of ten: 1e300, not 1 with 300 zeros.
 pub(super) fn with_powers(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut rest = text;
@@ -88,12 +88,12 @@ pub(super) fn with_powers(text: &str) -> String {
     shown
 }
 
-/// A text in quotes on one line, shortened where it is long.
+/// A text in quotes on one line, shortened if it is long.
 pub(super) fn quoted(text: &str) -> String {
     format!("{:?}", shortened(text))
 }
 
-/// A text cut where it is long.
+/// A text, cut if it is long.
 pub(super) fn shortened(text: &str) -> String {
     beginning(text, LONGEST_QUOTE)
 }
@@ -124,7 +124,7 @@ pub(super) fn one_of_with_hint(names: &[&str], written: &str) -> String {
     }
 }
 
-/// What serde expected, in the field's words: `expected` is the part of its message behind "expected".
+/// What serde expected, in our words: `expected` is the part of its message after "expected".
 pub(super) fn allowed(expected: &str) -> String {
     let array = expected.strip_prefix("an array of length ");
     match expected {
@@ -148,7 +148,7 @@ pub(super) fn names_in_backquotes(message: &str) -> Vec<&str> {
     message.split('`').skip(1).step_by(2).collect()
 }
 
-/// The name nearest to `written`, with its unit or an alias of it, if one is near enough to be meant.
+/// The name most similar to `written`, also with other unit aliases, if one is similar enough.
 pub(super) fn nearest(names: &[&str], written: &str) -> Option<String> {
     let limit = written.chars().count() / 3;
     let aliases = names.iter().flat_map(|name| units::aliases_of(name));
@@ -251,7 +251,7 @@ pub(super) const ON_THE_WORLD: &str = "world, for a part that floats, is moored 
 pub(super) const LEVEL: &str = "roll and pitch 0";
 pub(super) const REQUIRED: &str = "a value: this field is required";
 
-/// What an override's name may be.
+/// The allowed names of an override.
 pub(super) fn parameter_or_path(parameters: &[&str], written: &str) -> String {
     match parameters {
         [] => "a dotted path of a field: the scenario has no parameters".to_owned(),
@@ -259,12 +259,12 @@ pub(super) fn parameter_or_path(parameters: &[&str], written: &str) -> String {
     }
 }
 
-/// A parameter needs a default where the field that it writes is not in the file.
+/// The words for a parameter that needs a default because the field that it writes is not in the file.
 pub(super) fn default_for(path: &str) -> String {
     format!("a default, or one value at {path}")
 }
 
-/// A path that leads nowhere.
+/// The words for a path to a field that does not exist.
 pub(super) fn no_field(name: &str, parent: &str) -> String {
     let kind = if name.parse::<usize>().is_ok() { "entry" } else { "field" };
     match parent {
@@ -283,7 +283,7 @@ pub(super) fn without_fields(kind: &str) -> String {
     format!("{kind} alone")
 }
 
-/// What a path may go on with, inside of a value with these names.
+/// The allowed continuations of a path, within a value with these names.
 pub(super) fn inside(value: Option<&Value>, names: &[&str], written: &str) -> String {
     match value {
         Some(Value::Array(entries)) => match entries.len() {

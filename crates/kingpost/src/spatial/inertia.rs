@@ -67,7 +67,7 @@ impl<S: Scalar> SpatialInertia<S> {
         Self { angular: Symmetric3::from_upper(&angular), coupling, linear }
     }
 
-    /// `self - u u^T k`: what remains of an articulated inertia once a joint direction is free.
+    /// `self - u u^T k`: an articulated inertia with one joint direction free.
     #[inline]
     pub fn minus_outer(&self, u: &Wrench<S>, k: S) -> Self {
         Self {

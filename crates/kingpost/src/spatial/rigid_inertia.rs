@@ -4,8 +4,8 @@ use super::{Frame, Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench, 
 use crate::scalar::Scalar;
 use core::ops::Add;
 
-/// Mass, first moment and moments of inertia about a frame's origin: what a [`SpatialInertia`] of a
-/// rigid body comes down to, and a third of the work.
+/// Mass, first moment and moments of inertia about a frame's origin: the reduced form of a rigid body's
+/// [`SpatialInertia`], for a third of the cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RigidInertia<S = f64> {
     /// Mass, kg.
@@ -31,7 +31,7 @@ impl<S: Scalar> SpatialInertia<S> {
 }
 
 impl<S: Scalar> RigidInertia<S> {
-    /// The ten numbers of a 6x6 inertia, or `None` where that is not a rigid body's.
+    /// The ten numbers of a 6x6 inertia, or `None` if it is not that of a rigid body.
     pub fn from_spatial(inertia: &SpatialInertia<S>) -> Option<Self> {
         let (mass, c) = (inertia.linear.xx, &inertia.coupling.0);
         let first_moment = Vector3::new(c[2][1], c[0][2], c[1][0]);

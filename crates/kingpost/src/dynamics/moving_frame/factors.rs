@@ -1,6 +1,6 @@
-//! What the products in formulas are made of: rotations, skew matrices, vectors by their symbols.
+//! The factors of the products in formulas: rotations, skew matrices, vectors by their symbols.
 
-/// A vector by its symbol; bodies and a joint's axes are meant by their indices.
+/// A vector by its symbol; bodies and a joint's axes are given by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Symbol {
     /// s_J: from the parent's centre of mass to this body's joint, parent axes.
@@ -9,13 +9,13 @@ pub enum Symbol {
     ToCentre(usize),
     /// s_C(a/p) (eq. 16): from the parent's centre of mass to this body's, parent axes.
     CentreToCentre(usize),
-    /// q e: what the body has slid along an axis of its joint, in the frame after that axis.
+    /// q e: the displacement of the body along an axis of its joint, in the frame after that axis.
     Extension(usize, usize),
     /// Its rate.
     ExtensionRate(usize, usize),
-    /// omega of the first body against the second, or the world, in axes of the first.
+    /// omega of the first body relative to the second, or the world, in axes of the first.
     Omega(usize, Option<usize>),
-    /// omega of the body against the frame after an axis of its joint, body axes.
+    /// omega of the body relative to the frame after an axis of its joint, body axes.
     OmegaAfter(usize, usize),
     /// e: an axis of the body's joint, in the frame after it.
     Axis(usize, usize),

@@ -8,8 +8,8 @@ use serde::Serialize;
 
 /// A labelled matrix; `data` by rows.
 ///
-/// A matrix takes a list in the units of its columns to one in the units of its rows, so that each
-/// entry is in its row's unit over its column's: M* (row N m, column rad/s^2) has kg m^2.
+/// A matrix maps a list in the units of its columns to one in the units of its rows, so each entry has its row's unit
+/// over its column's: M* (row N m, column rad/s^2) has kg m^2.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NamedMatrix {
@@ -17,11 +17,11 @@ pub struct NamedMatrix {
     pub name: String,
     /// One label a row.
     pub row_labels: Vec<String>,
-    /// One label a column; a list has the single label of what it is.
+    /// One label per column; a list has a single label.
     pub column_labels: Vec<String>,
-    /// One SI unit a row.
+    /// One SI unit per row.
     pub row_units: Vec<&'static str>,
-    /// One SI unit a column; `1` for a list.
+    /// One SI unit per column; `1` for a list.
     pub column_units: Vec<&'static str>,
     /// Entries by rows.
     pub data: Vec<f64>,
@@ -29,13 +29,13 @@ pub struct NamedMatrix {
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// What the rows or columns of a matrix stand for: a label and a unit each.
+/// The labels and units of the rows or columns of a matrix.
 struct MatrixSide {
     labels: Vec<String>,
     units: Vec<&'static str>,
 }
 
-/// Units of what moves along and of what turns: rates, loads, ...
+/// Units of translations and of rotations: rates, loads, ...
 type Units = [&'static str; 2];
 
 const DISPLACEMENTS: Units = ["m", "rad"];
@@ -76,7 +76,7 @@ impl MovingFrame {
         all
     }
 
-    /// `hook.x`, ...: what the constraints of the closed loops change by, and behind them the paths of ropes.
+    /// `hook.x`, ...: the rates of the closed loops' constraints, followed by the paths of ropes.
     fn constraint_rates(&self, model: &Model) -> MatrixSide {
         let constraints = || model.loops.iter().flat_map(|tie| tie.constraints.iter().map(move |each| (tie, each)));
         let unit = |turns: bool| RATES[usize::from(turns)];

@@ -10,7 +10,7 @@ use crate::model::{Attachment, Constraint, Model};
 use crate::spatial::{Frame, Twist, Vector3};
 use nalgebra::{DMatrix, DVector, RowDVector};
 
-/// What the rows are made of.
+/// The data of the rows.
 pub(super) struct BodiesMotion<'a> {
     pub model: &'a Model,
     pub frames: &'a [Frame],
@@ -20,7 +20,7 @@ pub(super) struct BodiesMotion<'a> {
     pub x_drift: &'a DVector<f64>,
 }
 
-/// J over all coordinates, and J' q': of the loops, then of the restraints that act.
+/// J over all coordinates, and J' q': of the loops, then of the active restraints.
 pub(super) fn rows(motion: &BodiesMotion<'_>, restraints: &[Restraint]) -> (DMatrix<f64>, DVector<f64>) {
     let constraints = motion.model.loops.iter().flat_map(|closed| {
         let (first, second) = (motion.point(&closed.first), motion.point(&closed.second));
@@ -62,7 +62,7 @@ impl BodiesMotion<'_> {
             restraint.times(|body| in_body(&column, body), &rates)
         });
         let row = RowDVector::from_iterator(self.b.ncols(), row);
-        // The acceleration of a point less omega x its velocity is that of the twist.
+        // The acceleration of a point, less omega x its velocity, is the linear part of the twist's rate.
         let spatial = |body: usize| {
             let (own, rate) = (in_body(self.x_dot, body), in_body(self.x_drift, body));
             Twist { linear: rate.linear - own.angular.cross(own.linear), ..rate }
@@ -145,12 +145,12 @@ impl MovingAttachment {
         self.frame.rotation.column(axis)
     }
 
-    /// First derivative of a direction that turns with it.
+    /// First derivative of a direction fixed in it.
     fn rate_of(&self, a: Vector3) -> Vector3 {
         self.omega.cross(a)
     }
 
-    /// Second derivative of it, q'' apart.
+    /// Its second derivative, without q''.
     fn second_rate_of(&self, a: Vector3) -> Vector3 {
         self.alpha.cross(a) + self.omega.cross(self.omega.cross(a))
     }

@@ -1,5 +1,5 @@
-//! The method's matrices as formulas, generated from the tree: what stands in each block of B, and
-//! of the others, for any mechanism.
+//! The method's matrices as formulas, generated from the tree: each block of B and of the other matrices, for any
+//! mechanism.
 
 use super::factors::{Factor, Symbol};
 use super::formula::{Formula, Instant};
@@ -18,9 +18,9 @@ pub struct SymbolicMatrix {
     pub symbol: String,
     /// The paper's equation.
     pub equation: &'static str,
-    /// What each block row stands for, in LaTeX.
+    /// The meaning of each block row, in LaTeX.
     pub rows: Vec<String>,
-    /// What each block column stands for, in LaTeX.
+    /// The meaning of each block column, in LaTeX.
     pub columns: Vec<String>,
     /// Blocks by row, in LaTeX.
     pub blocks: Vec<Vec<String>>,
@@ -51,7 +51,7 @@ impl BlockMatrix {
     }
 }
 
-/// A block column of B: coordinates of a joint that stand together.
+/// A block column of B: coordinates of a joint that form one block.
 #[derive(Clone, Copy)]
 enum BlockColumn {
     /// x' of a floating body.
@@ -96,7 +96,7 @@ impl Symbols<'_> {
         }
     }
 
-    /// What a column of c's joint gives to x' and to omega of body a.
+    /// The contribution of a column of c's joint to x' and to omega of body a.
     fn rates_of(&self, a: usize, c: usize, column: BlockColumn) -> [Formula; 2] {
         let rotation = Some(c);
         let to_a = if a == c { Vec::new() } else { vec![Factor::RotationTransposed(a, c)] };
@@ -120,7 +120,7 @@ impl Symbols<'_> {
         }
     }
 
-    /// What the columns of c's joint stand for, in LaTeX (eq. 44b).
+    /// The meaning of the columns of c's joint, in LaTeX (eq. 44b).
     fn column_labels(&self, c: usize) -> Vec<String> {
         let label = |column| match column {
             BlockColumn::Translation => self.x_dot(c),
@@ -180,8 +180,8 @@ impl Symbols<'_> {
         all
     }
 
-    /// E of a body against its parent: translate, turn and slide by each axis, translate (before eq.
-    /// 36); of a floating body, as a whole.
+    /// E of a body relative to its parent: translate, rotate and slide by each axis, translate (before eq. 36); for a
+    /// floating body, as a whole.
     fn frame(&self, a: usize) -> SymbolicMatrix {
         let step = |rotation: &str, position: &str| {
             format!(r"\begin{{bmatrix}} {rotation} & {position} \\ 0^T & 1 \end{{bmatrix}}")
@@ -212,9 +212,9 @@ impl Symbols<'_> {
         one(&name, &symbol, equation, &steps.join(" "))
     }
 
-    /// Force (world) and moment (body axes) on a body (eq. 59): from outside, from the drive in its
-    /// joint, and back from the drives in the joints that it carries. For joints of several axes
-    /// F_J^(a/p) and M_J^(a/p) are what the drives in them do to a, from p.
+    /// Force (world) and moment (body axes) on a body (eq. 59): from outside, from the drive in its joint, and back
+    /// from the drives in the joints that it carries. For joints of several axes F_J^(a/p) and M_J^(a/p) are the loads
+    /// of their drives on a, from p.
     fn loads_on(&self, a: usize) -> [String; 2] {
         let mut loads = [format!("F^{{({})}}", self.body(a)), format!("M^{{({})}}", self.body(a))];
         let mut add = |linear: String, angular: String| {

@@ -25,20 +25,20 @@ use law::condition;
 use solid::length;
 use watch::Depth;
 
-/// Contact between two sides, a load and a surface: spots of each against the solid of the other.
+/// Contact between two sides, a load and a surface: the spots of each side meet the solid of the other.
 ///
-/// A spot at the depth d is pressed out along the normal with `N = k d (1 + a d')`, never less than 0, which is heat but for
-/// `k d^2 / 2` ([`hunt_crossley`](crate::elements::hunt_crossley); a from a restitution by [`dissipation`]). Along the surface a bristle z holds it with
-/// `sigma (z + a d v)` up to mu N; from there it slides with mu N against its motion, until that turns ([`Friction`]). Both forces act in
-/// one point on both bodies, so that momenta close; N is the gradient of its energy, so that lifting and setting down give
-/// nothing back that was not put in.
+/// A spot at the depth d is pushed out along the normal with `N = k d (1 + a d')`, never less than 0. The energy `k d^2
+/// / 2` is stored, the rest becomes heat ([`hunt_crossley`](crate::elements::hunt_crossley); [`dissipation`] gives a
+/// from a restitution). Along the surface a bristle z holds it with `sigma (z + a d v)` up to mu N; beyond that it
+/// slides with mu N against the motion until the motion reverses ([`Friction`]). Both forces act at one point on both
+/// bodies, so momentum is conserved. N is the gradient of its energy, so lifting and setting down creates no energy.
 #[derive(Clone, Debug)]
 pub struct Contact<S = f64> {
     /// Name in the results.
     pub name: String,
     /// The load's shape and the surface, each on a body or in the world.
     pub sides: [Attachment<S>; 2],
-    /// What of the load meets the surface's solid, and what of the surface the load's.
+    /// The spots of the load that meet the surface's solid, and those of the surface that meet the load's.
     pub spots: Vec<(Facing, Spot<S>)>,
     /// The solids of load and surface.
     pub solids: [Option<ContactSolid<S>>; 2],
@@ -46,17 +46,17 @@ pub struct Contact<S = f64> {
     pub stiffness: S,
     /// a, s/m.
     pub dissipation: S,
-    /// Without it, the surface is smooth.
+    /// Friction; without it, the surface is smooth.
     pub friction: Option<Friction<S>>,
-    /// Depth beyond which a run warns, m.
+    /// Penetration beyond which a run warns, m.
     pub tolerance: S,
-    /// Where the spots stood, in the solids' axes, when their bristles were straight, m.
+    /// Positions of the spots in the solids' axes when their bristles were straight, m.
     pub anchors: Vec<Vector3<S>>,
     /// Whether an equilibrium is being sought.
     pub settles: bool,
 }
 
-/// Whose spot it is; it meets the other's solid.
+/// Which side a spot belongs to; it meets the solid of the other side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Facing {
     /// The load's.
@@ -65,8 +65,8 @@ pub enum Facing {
     Surface,
 }
 
-/// The mode of a spot, which events change, so that no step mixes two laws. Runs side by side that begin differently go by
-/// the depth until the first event of one.
+/// The mode of a spot. Only events change it, so no step mixes two laws. Runs in lanes that begin differently use the
+/// depth instead until the first event in one of them.
 const BY_DEPTH: i64 = 0;
 const HOLDS: i64 = 1;
 const SLIDES: i64 = 2;
@@ -83,13 +83,13 @@ const TOUCHES: usize = 0;
 const LEAVES: usize = 1;
 const BEGINS_TO_SLIDE: usize = 2;
 
-/// How far a spot is off before it leaves, m: rounding.
+/// Distance at which a spot leaves, m: rounding.
 const ROUNDING_M: f64 = 1e-10;
-/// Length of a bristle that only has a direction, m.
+/// Length of a bristle that carries only a direction, m.
 const DIRECTION_M: f64 = 1e-12;
-/// Of its limit, the least friction that slides.
+/// Smallest friction, as a share of its limit, that slides.
 const JUST_HOLDS: f64 = 1.0 - 1e-9;
-/// A bristle that would need more than this times what friction can give belongs to another place.
+/// A bristle that would need more than this times the friction limit belongs to another position.
 const PLAUSIBLE: f64 = 1.5;
 
 impl<S: Scalar> Element<S> for Contact<S> {

@@ -1,4 +1,4 @@
-//! The two sides of a contact: where they are, how they move, what acts between them.
+//! The two sides of a contact: their positions, their motion and the forces between them.
 
 use super::Facing;
 use super::solid::ContactSolid;
@@ -14,19 +14,19 @@ use crate::spatial::{Frame, Matrix3, Vector3, Wrench};
 struct ContactSide<S> {
     /// Of its shape.
     frame: Frame<S>,
-    /// Of its body; of what is fixed to the world, none.
+    /// Frame of its body; the identity if it is fixed to the world.
     body: Frame<S>,
-    /// Of the origin of its body, m/s.
+    /// Velocity of the origin of its body, m/s.
     velocity: Vector3<S>,
     /// rad/s.
     angular_velocity: Vector3<S>,
 }
 
-/// Both: the load, the surface.
+/// Both sides: the load, the surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sides<S> {
     sides: [ContactSide<S>; 2],
-    /// The shape of each as the other sees it.
+    /// The frame of each shape in the axes of the other.
     seen: [Frame<S>; 2],
 }
 
@@ -36,15 +36,15 @@ pub(super) struct Met<S> {
     facing: Facing,
     /// Of the solid.
     rotation: Matrix3<S>,
-    /// Where both act on each other, world, m.
+    /// Point where both act on each other, world, m.
     point: Vector3<S>,
-    /// Of the spot over the solid there, in the solid's axes, m/s.
+    /// Velocity of the spot relative to the solid at that point, in the solid's axes, m/s.
     velocity: Vector3<S>,
     /// Out of the solid, in its axes.
     pub(super) normal: Vector3<S>,
     /// m.
     pub(super) depth: S,
-    /// Of the spot, in the solid's axes, m.
+    /// The middle of the spot, in the solid's axes, m.
     pub(super) middle: Vector3<S>,
 }
 
@@ -83,7 +83,7 @@ impl<S: Scalar> Sides<S> {
         Sum { origins, force: Vector3::zero(), moments: [Vector3::zero(); 2] }
     }
 
-    /// Acts on both bodies.
+    /// Applies the force to both bodies.
     pub(super) fn hand_over(&self, sum: &Sum<S>, sides: &[Attachment<S>; 2], loads: &mut Loads<S>) {
         for (k, force) in [sum.force, -sum.force].into_iter().enumerate() {
             let Some(body) = sides[k].body else { continue };
@@ -121,7 +121,7 @@ impl<S: Scalar> Met<S> {
         self.rotation * vector
     }
 
-    /// A force on the spot as one on the load.
+    /// The force on the load that belongs to a force on the spot.
     pub(super) fn on_load(&self, force: Vector3<S>) -> Vector3<S> {
         if self.facing == Facing::Load { force } else { -force }
     }

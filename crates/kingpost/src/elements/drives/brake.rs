@@ -1,16 +1,16 @@
-//! A brake: dry friction of a capacity that a lever sets.
+//! A brake: dry friction whose share of its capacity a lever sets.
 
 use crate::dynamics::Loads;
 use crate::elements::{Context, CoulombFriction, Declaration, Element, Input};
 use crate::scalar::Scalar;
 
-/// `tau = -u T v / sqrt(v^2 + v_s^2)` with the capacity T and the application u, from 0 (released)
-/// to 1 (set). Like all friction it makes heat, and does no work on anything.
+/// `tau = -u T v / sqrt(v^2 + v_s^2)` with the capacity T and the application u, from 0 (released) to 1 (set). Its
+/// power is all heat.
 #[derive(Clone, Debug)]
 pub struct Brake<S = f64> {
     /// Its friction when set.
     pub friction: CoulombFriction<S>,
-    /// Name of the input that sets it, where a lever does; a brake without one is set.
+    /// Name of the input that sets it; without one the brake is set.
     pub lever: Option<String>,
 }
 

@@ -14,11 +14,12 @@ use crate::scalar::Scalar;
 /// tau_free = h + k (x_r - q) + c (v_r - v),   tau within +-tau_max, and where it drives within P_max / |v|
 /// ```
 ///
-/// The speed wanted is the set-point, within +-v_max; of a position x it is `v_t = a T' (sqrt(1 + 2 |e| / (a T'^2)) - 1)` towards it,
-/// with e = x - x_r, T' = 4 T and a = a_max / 2: half of the acceleration then suffices to stop at x. With a limit of jerk T is not
-/// shorter than the acceleration takes to come. h is what holds the joint at rest where the run begins. Where the effort is at its limit the reference gives way with
-/// the load, so that the drive does not catch up afterwards (back-calculation: Astrom & Hagglund, *Advanced PID
-/// Control*, 2006, sec. 3.5).
+/// For a speed set-point the target speed is the set-point within +-v_max. For a position set-point x it is `v_t = a T'
+/// (sqrt(1 + 2 |e| / (a T'^2)) - 1)` towards it, with e = x - x_r, T' = 4 T and a = a_max / 2: half of the acceleration
+/// then suffices to stop at x. With a jerk limit T is at least the time in which the acceleration builds up. h is the
+/// effort that holds the joint at rest at the start. While the effort is at its limit the reference moves with the
+/// load, so that the drive does not catch up afterwards (back-calculation: Astrom & Hagglund, *Advanced PID Control*,
+/// 2006, sec. 3.5).
 #[derive(Clone, Debug)]
 pub struct ControlledDrive<S = f64> {
     /// Name in the results.
@@ -33,7 +34,7 @@ pub struct ControlledDrive<S = f64> {
     pub set_point: SetPoint,
     /// The set-point, to which the input is added: N m or N, rad/s or m/s, rad or m.
     pub value: S,
-    /// What it may do.
+    /// Its limits.
     pub limits: DriveLimits<S>,
     /// k, N m/rad or N/m.
     pub stiffness: S,
@@ -41,9 +42,9 @@ pub struct ControlledDrive<S = f64> {
     pub damping: S,
     /// T, s.
     pub response_time: S,
-    /// The coordinate where the scenario puts it: there the drive holds it while an equilibrium is sought.
+    /// The coordinate at the start: the drive holds it there while an equilibrium is sought.
     pub start: S,
-    /// The effort that holds it there: a run begins with it.
+    /// The effort that holds it there; the run begins with it.
     pub hold: [S; 1],
 }
 
@@ -78,11 +79,11 @@ const POSITION: usize = 0;
 const SPEED: usize = 1;
 const ACCELERATION: usize = 2;
 
-/// The effort of a drive, and what it would be without limits.
+/// The effort of a drive, with and without limits.
 struct Effort<S> {
     free: S,
     given: S,
-    /// The limit that holds here.
+    /// The limit that applies.
     limit: S,
 }
 
@@ -108,7 +109,7 @@ impl<S: Scalar> Element<S> for ControlledDrive<S> {
         Declaration { states: states.collect(), inputs: vec![input], outputs: self.shown(), ..Declaration::default() }
     }
 
-    /// The reference begins where the coordinate stands, at the rate that it has.
+    /// The reference begins at the coordinate's position and rate.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         if let [position, speed, ..] = own.states {
             (*position, *speed) = (at.q[self.position], at.v[self.coordinate]);
@@ -218,7 +219,7 @@ impl<S: Scalar> ControlledDrive<S> {
         ]
     }
 
-    /// The set-point with what a hand or a controller adds to it.
+    /// The set-point plus the input of a user or a controller.
     fn target(&self, at: &Context<'_, S>) -> S {
         at.inputs.first().map_or(self.value, |offset| self.value + *offset)
     }
@@ -234,7 +235,7 @@ impl<S: Scalar> ControlledDrive<S> {
         };
         let limit = self.limits.effort;
         let drives = free * v;
-        // Beyond P / tau_max the speed bounds the effort that drives; what brakes is bounded by tau_max alone.
+        // Above the speed P / tau_max the power limits a driving effort; a braking effort is limited by tau_max only.
         let limit = self.limits.power.map_or(limit, |power| {
             let speed = v.select_below(0.0, || -v, || v);
             let knee = power / limit;
@@ -253,7 +254,7 @@ impl<S: Scalar> ControlledDrive<S> {
         Effort { free: effort, given: effort, limit: self.limits.effort }
     }
 
-    /// T; with a limit of jerk not shorter than the reference needs to come to a new speed without overshoot.
+    /// T; with a jerk limit at least the time that the reference needs to reach a new speed without overshoot.
     fn reaction(&self) -> S {
         let time = self.response_time;
         self.limits.jerk.map_or(time, |jerk| {
@@ -275,8 +276,8 @@ impl<S: Scalar> ControlledDrive<S> {
         ((wanted - speed) * (S::ONE / time)).clipped(-limits.acceleration, limits.acceleration)
     }
 
-    /// The speed towards a position that is so far away: in proportion to a short way, and such that half of the
-    /// acceleration stops in time on a long one.
+    /// The speed towards a position at this distance: proportional to a short distance; for a long one, the speed from
+    /// which half of the acceleration stops in time.
     fn approach(&self, way: S, time: S) -> S {
         let slow = S::constant(4.0) * time;
         let braking = self.limits.acceleration * S::constant(0.5);

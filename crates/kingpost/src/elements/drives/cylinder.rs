@@ -8,16 +8,16 @@ use crate::elements::{
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
 
-/// A force along the line between two pins, positive where it pushes them apart: with the length L
-/// and the length wanted,
+/// A force along the line between two pins, positive where it pushes them apart: with the length L and the target
+/// length L_wanted,
 ///
 /// ```text
 /// F = k (L_wanted - L) - c L',   clipped to what the pressures allow, -F_pull <= F <= F_push
 /// ```
 ///
-/// L_wanted moves at the limited speed at most, and stays within the stroke. At both ends of the
-/// stroke stands a stop, [`hunt_crossley`]'s. The force's work is the drive's; the stops store and
-/// heat. The masses of barrel and rod are those of the bodies, if they are to count.
+/// L_wanted changes no faster than the speed limit and stays within the stroke. There is a stop at both ends of the
+/// stroke ([`hunt_crossley`]). The work of the force is the drive's; the stops store energy and make heat. Barrel and
+/// rod have no mass of their own: add it to the bodies if it matters.
 #[derive(Clone, Debug)]
 pub struct Cylinder<S = f64> {
     /// Name in the results.
@@ -40,24 +40,24 @@ pub struct Cylinder<S = f64> {
     pub stop_stiffness: S,
     /// Dissipation of the stops, s/m.
     pub stop_dissipation: S,
-    /// Largest speed of the length wanted, m/s.
+    /// Largest rate of the target length, m/s.
     pub speed_limit: S,
-    /// What it is after.
+    /// Its target.
     pub aim: Aim<S>,
     /// Length at the start, m.
     pub start: S,
-    /// When the length wanted arrives, s: the law changes its form there.
+    /// Time at which the target length stops moving, s: a step ends there.
     pub arrival_s: Option<f64>,
 }
 
-/// What a cylinder is after.
+/// The target of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Aim<S = f64> {
-    /// The length that it has at the start.
+    /// Keeps the length that it has at the start.
     Hold,
-    /// This length, from the start on, m.
+    /// Goes to this length, m, from the start on.
     Length(S),
-    /// What a lever leads to: the input, from -1 to 1, is the share of the speed; the length wanted is a state.
+    /// A lever: its input, from -1 to 1, times the speed limit is the rate of the target length, which is a state.
     Lever,
 }
 
@@ -96,7 +96,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         }
     }
 
-    /// The length wanted is first the length here, m.
+    /// The target length begins at the present length, m.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         own.states.fill(self.length(at.model, at.links));
     }
@@ -111,7 +111,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         }
     }
 
-    /// Rate of the length wanted: within the stroke the lever's share of the speed, and no further.
+    /// Rate of the target length: the lever's share of the speed limit, 0 at the ends of the stroke.
     fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let (Some(rate), [lever], [wanted]) = (rates.first_mut(), at.inputs, at.states) else { return };
         let speed = self.speed_limit * *lever;
@@ -127,7 +127,7 @@ impl<S: Scalar> Element<S> for Cylinder<S> {
         out.extend([line.residual, line.rate, drive + stops, used]);
     }
 
-    /// Its barrel from the first pin, its rod from within the barrel to the second, and both pins.
+    /// The barrel from the first pin, the rod from within the barrel to the second pin, and both pins.
     fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let place = |pin: &Attachment<S>| {
             let point = pin.in_body.position;
@@ -177,8 +177,8 @@ impl<S: Scalar> Cylinder<S> {
         vec![line(LineStyle::Barrel, 1.0, 2), line(LineStyle::Rod, ROD_RADIUS, 2), pin(), pin()]
     }
 
-    /// Takes the length here as that of the start. Where the length wanted arrives at one time in
-    /// all lanes, steps end there.
+    /// Takes the present length as the length at the start. If the target length arrives at the same time in all lanes,
+    /// a step ends there.
     pub fn start_at(&mut self, model: &Model<S>, links: &LinkKinematics<S>) {
         self.start = self.length(model, links);
         if let Aim::Length(length) = self.aim {

@@ -14,7 +14,7 @@ pub struct Motor<S = f64> {
     pub effort: S,
     /// Its share of the full effort over time.
     pub profile: Profile<S>,
-    /// Name of the input that scales it, where a lever drives it.
+    /// Name of the input that scales it, if a lever drives it.
     pub lever: Option<String>,
 }
 

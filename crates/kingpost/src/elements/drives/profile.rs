@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 pub struct Pulse {
     /// When it begins, s.
     pub start_s: f64,
-    /// Time of a ramp between zero and full, s; the way from full to full reverse takes two.
+    /// Time of a ramp between zero and full, s; from full to full reverse takes twice this.
     pub rise_s: f64,
     /// Time at full, s.
     pub hold_s: f64,
@@ -34,7 +34,7 @@ pub struct Profile<S = f64> {
 }
 
 impl<S: Scalar> Profile<S> {
-    /// One, always: the motor as the paper switches it on.
+    /// One at all times: the motor is switched on as in the paper.
     pub fn constant() -> Self {
         let mut profile = Self::resting_until(0.0);
         profile.push(0.0, S::ONE, S::ZERO);
@@ -86,7 +86,7 @@ impl<S: Scalar> Profile<S> {
         profile
     }
 
-    /// Zero up to a time, s; what follows is to be added.
+    /// Zero up to a time, s; the caller adds what follows.
     fn resting_until(start_s: f64) -> Self {
         let mut profile = Self { pieces: Vec::new(), edges: Vec::new() };
         if start_s > 0.0 {

@@ -1,4 +1,4 @@
-//! A position servo: holds a crane up against gravity, as far as its limit goes.
+//! A position servo: it holds a joint, a crane's boom for example, up to its limit.
 
 use crate::dynamics::Loads;
 use crate::elements::{Context, Declaration, Element, Input};
@@ -11,7 +11,7 @@ pub struct Servo<S = f64> {
     pub position: usize,
     /// Index in v.
     pub coordinate: usize,
-    /// Wanted position, rad or m.
+    /// Target position, rad or m.
     pub target: S,
     /// k, N m/rad or N/m.
     pub stiffness: S,
@@ -19,7 +19,7 @@ pub struct Servo<S = f64> {
     pub damping: S,
     /// Largest torque or force, N m or N.
     pub limit: S,
-    /// The input that gives the offset, where there is one.
+    /// The input that gives the offset, if there is one.
     pub offset: Option<Input>,
 }
 

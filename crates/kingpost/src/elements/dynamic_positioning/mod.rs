@@ -1,4 +1,4 @@
-//! Dynamic positioning: a controller and thrusters that keep a ship in its place.
+//! Dynamic positioning: a controller and thrusters that hold a ship in position.
 
 mod allocation;
 mod control;
@@ -29,18 +29,18 @@ use crate::spatial::{Vector3, Wrench};
 /// ```
 ///
 /// (PID for positioning with the integral in world axes: Fossen, *Handbook of Marine Craft Hydrodynamics and Motion
-/// Control*, 2011, sec. 12.2). tau_c is what of tau the thrusters can give, by [`Allocation`], in the hull's x-y plane;
-/// while that is less than tau the second term of b' keeps the integrals from winding up (back-calculation: Åström &
-/// Hägglund, *PID Controllers*, 2nd ed., 1995, sec. 3.5). Each [`Thruster`] follows its command in its own time and acts
-/// where it is.
+/// Control*, 2011, sec. 12.2). tau_c is the part of tau that the thrusters can give, by [`Allocation`], in the hull's
+/// x-y plane; while it is less than tau the second term of b' keeps the integrals from winding up (back-calculation:
+/// Åström & Hägglund, *PID Controllers*, 2nd ed., 1995, sec. 3.5). Each [`Thruster`] follows its command with its own
+/// time constant and acts at its own position.
 ///
-/// The extra states are b, those of the [`WaveFilter`] and the thrusts. A run begins with the thrusters at what is asked
-/// for there.
+/// The extra states are b, those of the [`WaveFilter`] and the thrusts. A run begins with the thrusters at the thrust
+/// that is demanded then.
 #[derive(Clone, Debug)]
 pub struct DynamicPositioning<S = f64> {
     /// Name of the force in the scenario.
     pub name: String,
-    /// The body, and the point that is kept.
+    /// The body, and the point that is held.
     pub place: HullFrame<S>,
     /// Where.
     pub target: Target<S>,
@@ -50,14 +50,14 @@ pub struct DynamicPositioning<S = f64> {
     pub filter: WaveFilter<S>,
     /// The thrusters.
     pub allocation: Allocation<S>,
-    /// b where a run begins: force along x and y of the world, N, and moment, N m.
+    /// b at the start of a run: force along x and y of the world, N, and moment, N m.
     pub bias: [S; 3],
 }
 
-/// While an equilibrium is sought, what has an integral is held by this many times K_p.
+/// While an equilibrium is sought, motions with an integral are held by this many times K_p.
 const SETTLING_STIFFNESS: f64 = 100.0;
 
-/// What is asked for at one moment, and what of it can be given.
+/// The demand at one moment, and the part of it that can be given.
 struct Demand<S> {
     at: Deviation<S>,
     /// K_p e - K_d nu.
@@ -75,7 +75,7 @@ impl<S: Scalar> Element<S> for DynamicPositioning<S> {
         Declaration { states: self.declared_states(), outputs: self.declared_outputs(), ..Declaration::default() }
     }
 
-    /// Nothing of the filter and the thrusts is on its way.
+    /// Filter and thrusts begin in their steady state.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut Own<'_, S>) {
         let at = self.target.deviation(&self.place, at.model, at.links);
         let (proportional, integral) = (self.gains.proportional(&at), at.from_world(self.bias));
@@ -169,8 +169,8 @@ impl<S: Scalar> Settling<S> for DynamicPositioning<S> {
         self.bias.copy_from_slice(trim);
     }
 
-    /// Hands what holds the ship over to the integrals, and says by how much the ship is still off where integrals should
-    /// take it, m or rad.
+    /// Transfers the holding force to the integrals; returns how far the ship still is from its target in the motions
+    /// that have integrals, m or rad.
     fn take_over(&mut self, at: &Context<'_, S>) -> S {
         let (model, links) = (at.model, at.links);
         let at = self.target.deviation(&self.place, model, links);
@@ -234,7 +234,8 @@ impl<S: Scalar> DynamicPositioning<S> {
         ]
     }
 
-    /// What holds the ship while an equilibrium is sought, limits left out: they would hide the way there.
+    /// The force that holds the ship while an equilibrium is sought, without limits: with them the search would not
+    /// converge.
     fn settling_command(&self, model: &Model<S>, links: &LinkKinematics<S>) -> Planar<S> {
         let at = self.target.deviation(&self.place, model, links);
         let carried = at.from_world(self.bias);
@@ -253,8 +254,8 @@ impl<S: Scalar> DynamicPositioning<S> {
         Demand { at: deviation, proportional, demand, command: self.allocation.limited(demand) }
     }
 
-    /// Force and moment of all thrusts about the point that is kept, body axes; `thrust` gives that of a thruster by its
-    /// number and that of its first state.
+    /// Force and moment of all thrusts about the held point, body axes; `thrust` gives the thrust of a thruster from
+    /// its number and the index of its first state.
     fn wrench(&self, thrust: impl Fn(usize, usize) -> Thrust<S>) -> Wrench<S> {
         let (mut sum, mut first) = (Wrench::zero(), 0);
         for (i, thruster) in self.allocation.thrusters().iter().enumerate() {
@@ -279,7 +280,7 @@ impl<S: Scalar> DynamicPositioning<S> {
 /// Units of a force in a plane and the moment about its normal.
 const PLANAR: [&str; 3] = ["N", "N", "N m"];
 
-/// Two numbers from a list; 0 behind its end.
+/// Two numbers from a list; 0 beyond its end.
 fn thrust_at<S: Scalar>(thrusts: &[S], first: usize) -> Thrust<S> {
     core::array::from_fn(|k| thrusts.get(first + k).copied().unwrap_or(S::ZERO))
 }

@@ -8,9 +8,9 @@ use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A [`Catenary`] from a fairlead on a body to an anchor in the world: at every moment in the shape that it would have
-/// at rest, without inertia and drag of its own. It pulls with H towards the anchor and with V downwards, and the
-/// energy of its weight and stretch is potential energy.
+/// A [`Catenary`] from a fairlead on a body to an anchor in the world: quasi-static, in its shape at rest at every
+/// moment, without inertia and drag. It pulls with H towards the anchor and with V downwards, and the energy of its
+/// weight and stretch is potential energy.
 #[derive(Clone, Debug)]
 pub struct CatenaryLine<S = f64> {
     /// Name in the results.
@@ -19,11 +19,12 @@ pub struct CatenaryLine<S = f64> {
     pub fairlead: Attachment<S>,
     /// Its lower end in the world, m.
     pub anchor: Vector3<S>,
-    /// What hangs between them.
+    /// The catenary between them.
     pub line: Catenary<S>,
 }
 
-/// Where the fairlead stands above the anchor, nearer than this of the length, H grows with the distance.
+/// If the horizontal distance between fairlead and anchor is below this share of the length, H grows in proportion to
+/// it.
 const NEAREST: f64 = 1e-6;
 
 impl<S: Scalar> Element<S> for CatenaryLine<S> {

@@ -1,4 +1,4 @@
-//! A rope without weight between two points: a mooring hawser, a towline, a tugger line.
+//! A weightless line between two points: a mooring hawser, a towline, a tugger line.
 
 use super::{declaration, place, pull_at, shares, velocity};
 use crate::dynamics::Loads;
@@ -7,21 +7,21 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A spring that pulls only. At the stretch s = L - L0 beyond the unstretched length L0,
+/// A spring that only pulls. At the stretch s = L - L0 beyond the unstretched length L0,
 ///
 /// ```text
 /// T = EA / L0 s max(1 + a L', 0),   and 0 where s <= 0
 /// ```
 ///
-/// so that the damping begins with the tension, which does not jump as the line comes taut, and never
-/// pushes (the law of [`hunt_crossley`]). Of its energy EA / L0 s^2 / 2 is stored, the rest is heat.
+/// so the tension does not jump when the line comes taut, and the line never pushes (the law of [`hunt_crossley`]). The
+/// energy EA / L0 s^2 / 2 is stored, the rest becomes heat.
 #[derive(Clone, Debug)]
 pub struct SpringLine<S = f64> {
     /// Name in the results.
     pub name: String,
-    /// Its end on one body.
+    /// Its first end, on a body.
     pub first: Attachment<S>,
-    /// Its end on the other, or in the world.
+    /// Its second end, on another body or in the world.
     pub second: Attachment<S>,
     /// L0, m.
     pub unstretched_length: S,
@@ -58,8 +58,8 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
         out.extend([tension, tension, S::ZERO]);
     }
 
-    /// Straight where it pulls; where it is slack with a sag: of a flat parabola that is longer than its chord d by e
-    /// the sag is sqrt(3/8 d e).
+    /// Straight if it pulls; with a sag if it is slack: a flat parabola that is longer than its chord d by e has the
+    /// sag sqrt(3/8 d e).
     fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         let first = place(&self.first, at.model, at.links);
         let way = place(&self.second, at.model, at.links) - first;
@@ -111,7 +111,7 @@ impl<S: Scalar> SpringLine<S> {
     }
 }
 
-/// Of a way; without length it has no direction, and a line is slack.
+/// Length and direction of a vector. At length 0 it has no direction, and a line is slack.
 fn length_and_direction<S: Scalar>(way: Vector3<S>) -> (S, Vector3<S>) {
     let square = way.norm_squared();
     let there = |value: S| square.select_below(f64::MIN_POSITIVE, || S::ZERO, || value);

@@ -1,4 +1,4 @@
-//! What a rope runs over: points, sheaves, a drum.
+//! The stations of a rope: points, sheaves, a drum.
 
 use crate::elements::Context;
 use crate::elements::lines::{place, velocity};
@@ -11,7 +11,7 @@ use crate::spatial::{Vector3, Wrench};
 pub struct Station<S = f64> {
     /// A point, or the centre of a sheave or a drum: on a body or in the world.
     pub centre: Attachment<S>,
-    /// What is round there; `None` for a point that the rope ends at or runs through.
+    /// The sheave or drum; `None` for a point where the rope ends or runs through.
     pub round: Option<Round<S>>,
     /// Parallel falls of the leg that ends here.
     pub falls: S,
@@ -22,9 +22,9 @@ pub struct Station<S = f64> {
 pub struct Round<S = f64> {
     /// Unit vector about which the rope turns on its way from its first end, body axes.
     pub axis: Vector3<S>,
-    /// To the middle of the rope, m.
+    /// Radius to the middle of the rope, m.
     pub radius: S,
-    /// What friction in the bearing and bending of the rope leave.
+    /// Its efficiency, with bearing friction and bending of the rope.
     pub efficiency: Efficiency<S>,
 }
 
@@ -38,8 +38,8 @@ pub struct Efficiency<S = f64> {
 }
 
 impl<S: Scalar> Efficiency<S> {
-    /// Tension before a sheave over that behind it; `speed` is that of the rope towards its last end, m/s. Smooth, 1 at rest,
-    /// and never on the side that would give energy.
+    /// Tension before a sheave over that after it; `speed` is the rope's towards its last end, m/s. It is smooth, 1 at
+    /// rest, and never adds energy.
     pub fn ratio(&self, speed: S, smoothing_m_s: f64) -> S {
         let smoothing = S::constant(smoothing_m_s);
         let way = speed / (speed * speed + smoothing * smoothing).sqrt();
@@ -49,19 +49,19 @@ impl<S: Scalar> Efficiency<S> {
     }
 }
 
-/// How a station moves: all in world axes.
+/// The motion of a station, in world axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StationMotion<S> {
     /// m.
     pub centre: Vector3<S>,
     /// m/s.
     pub velocity: Vector3<S>,
-    /// Of its body, rad/s.
+    /// Angular velocity of its body, rad/s.
     pub angular_velocity: Vector3<S>,
 }
 
 impl<S: Scalar> Station<S> {
-    /// Where the station is and how it moves.
+    /// The position and motion of the station.
     pub(super) fn motion(&self, at: &Context<'_, S>) -> StationMotion<S> {
         let angular_velocity = self.centre.body.map_or(Vector3::zero(), |body| {
             at.links.body_frame(at.model, body).rotation * at.links.body_twist(at.model, body).angular

@@ -1,17 +1,17 @@
-//! A line whose winch keeps its tension: tugger lines and tag lines.
+//! A line with a constant-tension winch: tugger lines and tag lines.
 
 use super::RopePath;
 use crate::dynamics::Loads;
 use crate::elements::{Context, Crossing, Declaration, DrawnLine, Element, Event, LineStyle, Output};
 use crate::scalar::Scalar;
 
-/// A line over a [`RopePath`] whose winch, at its first end, pays out and hauls in so that the tension T at its last end stays the same,
-/// however fast the load moves: V = T l, with the length l of the path. At the sheaves friction takes its share.
+/// A line over a [`RopePath`] whose winch, at its first end, pays out and hauls in so that the tension T at its last
+/// end is constant, however fast the load moves: V = T l, with the length l of the path. Friction acts at the sheaves.
 #[derive(Clone, Debug)]
 pub struct TuggerLine<S = f64> {
     /// Name in the results.
     pub name: String,
-    /// What it runs over; without a drum.
+    /// Its path, without a drum.
     pub path: RopePath<S>,
     /// T, N.
     pub tension: S,
@@ -46,7 +46,7 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
         let [at_winch, power] = self.path.pull(self.tension, S::ZERO, |station, wrench| {
             loads.wrenches.extend(station.on_body(at, wrench));
         });
-        // V has the work of T; what friction takes besides is the winch's to give.
+        // V contains the work of T; the winch also supplies the energy lost to friction.
         let given = (self.tension - at_winch) * rate;
         loads.power.drives += given;
         loads.power.dissipated += given - (power + self.tension * rate);

@@ -1,4 +1,4 @@
-//! How added mass grows with the share that is under water.
+//! How added mass grows with the share of the volume under water.
 
 use crate::scalar::Scalar;
 
@@ -10,12 +10,12 @@ pub struct AddedMassGrowth<S = f64> {
     points: Vec<[S; 3]>,
 }
 
-/// What keeps points from being a curve.
+/// Why points make no curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthError {
     /// `shares` or `factors`.
     pub column: &'static str,
-    /// Which, if it is one.
+    /// Which row, if the error is in one.
     pub row: Option<usize>,
     /// What it is.
     pub found: String,
@@ -31,8 +31,7 @@ impl<S: Scalar> AddedMassGrowth<S> {
 
     /// Through points whose shares go from 0 to 1.
     ///
-    /// # Errors
-    /// [`GrowthError`], of the first thing that is wrong.
+    /// # Errors [`GrowthError`], for the first point that is wrong.
     pub fn new(shares: &[f64], factors: &[S]) -> Result<Self, GrowthError> {
         let error = |column, row, found: String, allowed: &str| {
             Err(GrowthError { column, row, found, allowed: allowed.to_owned() })
@@ -60,7 +59,7 @@ impl<S: Scalar> AddedMassGrowth<S> {
         Ok(Self { points: with_slopes(shares, factors) })
     }
 
-    /// phi and its rate where s has this rate.
+    /// phi and its rate, for this s and its rate.
     pub fn at(&self, share: S, rate: S) -> [S; 2] {
         let Some([_, last, _]) = self.points.last() else { return [share, rate] };
         let mut found = [*last, S::ZERO];
@@ -81,7 +80,7 @@ impl<S: Scalar> AddedMassGrowth<S> {
     }
 }
 
-/// Harmonic means of the neighbouring chords' slopes where both go one way, else 0; at the ends the chord's.
+/// Harmonic means of the neighbouring chords' slopes if both have the same sign, else 0; at the ends the chord's slope.
 fn with_slopes<S: Scalar>(shares: &[f64], factors: &[S]) -> Vec<[S; 3]> {
     let width = |k: usize| shares[k + 1] - shares[k];
     let chord = |k: usize| (factors[k + 1] - factors[k]) / S::constant(width(k));

@@ -23,12 +23,13 @@ use entrained::Levels;
 use immersion::{Immersion, Phase};
 use loads::SubmergedLoads;
 
-/// A plain solid on a body that is lowered through the surface of the sea, small beside the waves.
+/// A simple solid on a body that is lowered through the surface of the sea and is small compared with the waves.
 ///
-/// The sea's surface is a plane at the solid's centre, at its elevation and slope there. With V below it, the share
-/// s = V / V_0, the centre b of V, the water's velocity u and acceleration a at its depth, and the added mass A = phi(s) A_0
-/// about the solid's centre (DNV-RP-N103, *Modelling and analysis of marine operations*; Newman, *Marine Hydrodynamics*,
-/// 1977, sec. 4.14 on the last two; Faltinsen, *Sea Loads*, 1990, sec. 9.2 on slamming as dA/dt v)
+/// The sea's surface is taken as a plane with the elevation and slope at the solid's centre. With the volume V below
+/// it, the share s = V / V_0, the centre b of V, the water's velocity u and acceleration a at its depth, and the added
+/// mass A = phi(s) A_0 about the solid's centre (DNV-RP-N103, *Modelling and analysis of marine operations*; Newman,
+/// *Marine Hydrodynamics*, 1977, sec. 4.14 on the last two; Faltinsen, *Sea Loads*, 1990, sec. 9.2 on slamming as dA/dt
+/// v)
 ///
 /// ```text
 /// buoyancy and Froude-Krylov force   rho V (g + a), at b
@@ -37,20 +38,20 @@ use loads::SubmergedLoads;
 /// slamming                           -A' nu_r while A grows
 /// ```
 ///
-/// As the body comes out, the momentum A nu_r of the water that lets go stays with the water, and what is left has A nu_r:
-/// A falls without a force. (By d(A v)/dt it would push the body out and give it energy.) Both ways the water takes
-/// |A'| v^2 / 2 out of the motion.
+/// As the body comes out, the momentum of the water that detaches stays with that water, so A falls without a force. (A
+/// force d(A v)/dt would push the body out and add energy.) Going in and coming out, the motion loses the power
+/// `|A'| v^2 / 2` to the water.
 #[derive(Clone, Debug)]
 pub struct Submerged<S = f64> {
     /// Name in the results.
     pub name: String,
     /// The body, and the solid's centre; its axes are the body's.
     pub place: HullFrame<S>,
-    /// What cuts the surface.
+    /// The solid that the surface cuts.
     pub solid: Solid<S>,
-    /// Volume of the water that it displaces, of the solid's.
+    /// Displaced volume over the solid's volume.
     pub displaced: S,
-    /// A_0 of rho 1, and phi.
+    /// A_0 for rho = 1, and phi.
     pub added_mass: AddedMassOf<S>,
     /// Drag of the wet share.
     pub drag: Drag<S>,
@@ -73,7 +74,7 @@ const MEETS: usize = 0;
 const IS_UNDER: usize = 1;
 const COMES_UP: usize = 2;
 const LEAVES: usize = 3;
-/// How far a solid may be out of the phase that it is in, m: rounding.
+/// Distance by which a solid may be outside its phase, m: rounding.
 const ROUNDING_M: f64 = 1e-9;
 
 impl<S: Scalar> Element<S> for Submerged<S> {
@@ -110,7 +111,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         rates[0] = water.rate(at.world.gravity, &Levels { inside: at.states[0], outside });
     }
 
-    /// Adds the loads, the added mass, and who does the work.
+    /// Adds the loads, the added mass and the power.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let now = self.immersion(at);
         let parts = self.parts(at, &now);
@@ -130,7 +131,7 @@ impl<S: Scalar> Element<S> for Submerged<S> {
         }
     }
 
-    /// What it took to push it into still water, J.
+    /// The work of pushing it into still water, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let frame = self.place.frame(at.model, at.links);
         let (vertical, level) = (frame.rotation.row(2), -frame.position[2]);
@@ -221,7 +222,7 @@ impl<S: Scalar> Submerged<S> {
         }
     }
 
-    /// The water inside, where there may be some. At rest it stands as high as the sea.
+    /// The water inside, if it can hold any. At rest it has the level of the sea.
     fn inside(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Option<(EntrainedWater<S>, Levels<S>)> {
         let water = self.entrained?;
         let outside = water.outside(now.depth(water.floor()));
@@ -236,7 +237,7 @@ impl<S: Scalar> Submerged<S> {
         Wrench { moment: now.below.first_moment.cross(field), force: field * now.below.volume }
     }
 
-    /// That in still water, which has a potential.
+    /// The buoyancy in still water, which has a potential.
     fn still_buoyancy(&self, at: &Context<'_, S>, now: &Immersion<S>) -> Wrench<S> {
         let vertical = now.frame.rotation.row(2);
         let below = if now.in_waves { self.solid.below(vertical, -now.frame.position[2]) } else { now.below };
@@ -245,7 +246,7 @@ impl<S: Scalar> Submerged<S> {
     }
 }
 
-/// What it shows, in the order of [`Submerged::outputs`](Element::outputs).
+/// Its outputs, in the order of [`Submerged::outputs`](Element::outputs).
 fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
     let number = |variable, description, unit| Output::number(variable, description, "submerged", name, unit);
     let vector = |variable, description, frame, unit| Output {
@@ -282,7 +283,7 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
     all
 }
 
-/// At rest there are no phases: a solid goes by its level.
+/// At rest there are no phases: the level decides.
 fn has_phases(situation: Situation) -> bool {
     situation == Situation::Running
 }

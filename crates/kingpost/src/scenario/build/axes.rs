@@ -1,4 +1,4 @@
-//! Axes of joints without the difference between turning and sliding, and what acts in them.
+//! Axes of joints, rotating and sliding alike, and the forces in them.
 
 use super::super::schema::{self, AngleAxis, History, HistoryList, LengthAxis, PrismaticMode, RatePulse, RevoluteMode};
 use super::FieldError;
@@ -8,13 +8,13 @@ use crate::scenario::leaf::Quantity;
 
 /// An axis of a joint, in rad and N m or in m and N.
 pub struct JointAxis<S> {
-    /// Its name within the joint; empty where that has one axis.
+    /// Its name within the joint; empty if the joint has one axis.
     pub label: &'static str,
     pub motion: AxisMotion,
     pub initial: S,
     pub initial_rate: S,
     pub mode: Mode,
-    /// Its motion, where that is given.
+    /// Its prescribed motion, if any.
     pub given: Option<GivenMotion<S>>,
     pub damping: S,
     /// Friction and smoothing.
@@ -22,15 +22,15 @@ pub struct JointAxis<S> {
     /// Stiffness and rest.
     pub spring: Option<[S; 2]>,
     pub limits: Option<AxisStops<S>>,
-    /// Of the rotor, times the gear ratio squared.
+    /// Inertia of the rotor times the gear ratio squared.
     pub rotor_inertia: S,
 }
 
-/// A motion that a scenario gives.
+/// A prescribed motion.
 pub enum GivenMotion<S> {
     /// A rate over time.
     Rate { full: S, history: History, pulse: Option<RatePulse>, list: Option<HistoryList<S>> },
-    /// A way from rest to rest, and its times, s.
+    /// A distance from rest to rest, and its times, s.
     Travel { way: S, start_s: f64, duration_s: f64, ramp_s: f64 },
 }
 
@@ -42,7 +42,7 @@ pub struct AxisStops<S> {
     pub contact: [S; 2],
 }
 
-/// The axes of a joint, from the parent to the child; none of floating, spherical and fixed joints.
+/// The axes of a joint, from the parent to the child; empty for floating, spherical and fixed joints.
 pub fn axes<S: Quantity>(joint: &schema::Joint<S>) -> Vec<JointAxis<S>> {
     match joint {
         schema::Joint::Revolute(joint) => vec![angle("", &joint.only_axis())],
@@ -148,7 +148,7 @@ impl<S: Quantity> JointAxis<S> {
         if self.motion == AxisMotion::Rotation { turning } else { sliding }
     }
 
-    /// An error unless the limits leave a travel; `joint` is the path of the joint.
+    /// An error unless the lower limit is below the upper; `joint` is the path of the joint.
     fn check_limits(&self, joint: &str) -> Result<(), FieldError> {
         let Some(limits) = &self.limits else { return Ok(()) };
         let (lower, upper) = (self.either("lower_rad", "lower_m"), self.either("upper_rad", "upper_m"));
@@ -164,8 +164,8 @@ impl<S: Quantity> JointAxis<S> {
     }
 }
 
-/// What acts in an axis of a joint, whose coordinate is at these places of q and v; `path` is the
-/// joint's. Refuses limits that cross.
+/// The forces in an axis of a joint, whose coordinate has these indices in q and v; `path` is the joint's. Refuses
+/// limits that cross.
 pub fn forces_in_axis<S: Quantity>(
     path: &str,
     axis: &JointAxis<S>,

@@ -11,12 +11,12 @@ use crate::scenario::leaf::Quantity;
 use crate::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, rotation_from_roll_pitch_yaw};
 use std::collections::HashSet;
 
-/// The model and where it begins.
+/// The model and its initial state.
 pub struct Bodies<S> {
     pub model: Model<S>,
     pub q: Vec<S>,
     pub v: Vec<S>,
-    /// What acts in the joints.
+    /// The forces in the joints.
     pub forces: Vec<AnyElement<S>>,
 }
 
@@ -28,7 +28,7 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<Bodies<S>, FieldErro
     Ok(growth.finish())
 }
 
-/// The tree while it grows, parents first.
+/// The tree while it is built, parents first.
 #[derive(Default)]
 struct TreeBuilder<S> {
     descriptions: Vec<BodyDefinition<S>>,
@@ -63,7 +63,7 @@ impl<S: Quantity> TreeBuilder<S> {
         }
     }
 
-    /// The body that a body hangs on, and its centre of mass in the drawing frame.
+    /// The parent of a body, and the parent's centre of mass in the drawing frame.
     fn parent(
         &self,
         scenario: &Scenario<S>,
@@ -111,7 +111,7 @@ impl<S: Quantity> TreeBuilder<S> {
     }
 }
 
-/// Names of the bodies that are there, parents first, otherwise in the order of the file.
+/// Names of the bodies that exist, parents first, otherwise in the order of the file.
 fn order<S: Quantity>(scenario: &Scenario<S>) -> Result<Vec<&str>, FieldError> {
     check_names(scenario)?;
     let (mut order, mut placed) = (Vec::new(), HashSet::new());
@@ -127,8 +127,8 @@ fn order<S: Quantity>(scenario: &Scenario<S>) -> Result<Vec<&str>, FieldError> {
     Ok(order)
 }
 
-/// Parents exist; joints have names of their own, those of bodies that are not enabled too, so that
-/// a drive never changes its joint with a switch.
+/// Checks that parents exist and that joint names are unique, including joints of disabled bodies, so that enabling a
+/// body never moves a drive to another joint.
 fn check_names<S: Quantity>(scenario: &Scenario<S>) -> Result<(), FieldError> {
     let mut joints = HashSet::new();
     for (name, body) in &scenario.bodies {
@@ -148,7 +148,7 @@ fn check_names<S: Quantity>(scenario: &Scenario<S>) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// A joint without a name has that of its body.
+/// The name of a joint: its own, else its body's.
 pub fn joint_name<'a, S: Quantity>(body_name: &'a str, body: &'a schema::Body<S>) -> &'a str {
     body.joint.name().map_or(body_name, |name| name.as_str())
 }
@@ -222,7 +222,7 @@ fn joint<S: Quantity>(
     Ok(Joint { name: joint_name(name, body).to_owned(), kind, mode })
 }
 
-/// How far two directions may be from a right angle, rad: what six written digits leave.
+/// How far two directions may be from a right angle, rad: the rounding of six written digits.
 const NEARLY_PERPENDICULAR: f64 = 1e-5;
 
 /// An error unless the two directions of a joint that has two are perpendicular.
@@ -236,7 +236,7 @@ fn check_perpendicular<S: Quantity>(name: &str, joint: &schema::Joint<S>) -> Res
     Err(FieldError::new(field, found, format!("one perpendicular to {first}")))
 }
 
-/// What acts in the joint of a body whose coordinates come next in q and v.
+/// The forces in the joint of a body whose coordinates come next in q and v.
 fn forces_in_joint<S: Quantity>(
     name: &str,
     body: &schema::Body<S>,

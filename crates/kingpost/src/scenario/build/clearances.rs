@@ -1,4 +1,4 @@
-//! Clearances and air gaps: the points, and what they are to stay clear of.
+//! Clearances and air gaps: the points, and the solids that they stay clear of.
 
 use super::super::schema::{self, ClearanceShape, Name, Pin, Scenario, WORLD};
 use super::bodies::axis;
@@ -12,7 +12,7 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::wording::one_of_with_hint;
 use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
 
-/// One clearance, where it is on and both bodies are there.
+/// One clearance, if it is enabled and both bodies exist.
 pub fn clearance<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -42,7 +42,7 @@ pub fn clearance<S: Quantity>(
     Ok(Some(Box::new(Clearance { name: name.to_owned(), point, place, solid })))
 }
 
-/// One air gap, where it is on and its body there.
+/// One air gap, if it is enabled and its body exists.
 pub fn air_gap<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -78,7 +78,7 @@ fn pin<S: Quantity>(
     Ok(Pin { body: body.clone(), position_m })
 }
 
-/// Where that is in the model; `None` on a body that is not there.
+/// Its place in the model; `None` if the body does not exist.
 fn place<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -95,7 +95,7 @@ fn is_own<S>(given: &schema::ClearanceFrom<S>) -> bool {
     matches!(given.shape, Some(ClearanceShape::Own))
 }
 
-/// What the point is to stay clear of; another point is a sphere of radius 0.
+/// The solid that the point stays clear of; a point is a sphere of radius 0.
 fn solid<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,

@@ -1,14 +1,14 @@
-//! Revolute joints that are named: that of a drum, or of a crane that slews.
+//! Revolute joints that a scenario names: of a drum or a slewing crane.
 
 use super::super::schema::{self, Scenario};
 use super::{FieldError, known};
 use crate::model::{JointKind, Model, Node, joint::Revolute};
 use crate::scenario::leaf::Quantity;
 
-/// A body's node and the revolute joint that it turns by.
+/// A body's node and its revolute joint.
 type Hinged<'a, S> = (&'a Node<S>, &'a Revolute<S>);
 
-/// The joint of a drum or of a crane that slews: a revolute one of this name; `None` where it is not there.
+/// The revolute joint with this name, of a drum or a slewing crane; `None` if it does not exist.
 pub(super) fn hinge<'a, S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,

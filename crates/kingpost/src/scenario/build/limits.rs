@@ -1,4 +1,4 @@
-//! The limits that a run is held against.
+//! The limits that a run is checked against.
 
 use super::super::schema::{self, Scenario};
 use super::FieldError;

@@ -13,7 +13,7 @@ use crate::scenario::leaf::Quantity;
 use crate::spatial::Vector3;
 use core::f64::consts::{PI, TAU};
 
-/// Dynamic positioning, where it is on and its body there. Its states are placed later: see [`place_states`].
+/// Dynamic positioning, if it is enabled and its body exists. Its states are placed later: see [`place_states`].
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -50,7 +50,7 @@ pub fn build<S: Quantity>(
     })))
 }
 
-/// Numbers that may be anything finite.
+/// Checks the numbers that may have any finite value.
 fn check_finite<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) -> Result<(), FieldError> {
     let target = [("x_m", given.target.x_m), ("y_m", given.target.y_m), ("heading_rad", given.target.heading_rad)];
     let of_target = target.map(|(name, number)| (format!("target.{name}"), number));
@@ -95,7 +95,7 @@ fn numbers<S: Quantity>(gains: &PositioningGains<S>) -> [Planar<S>; 3] {
     }
 }
 
-/// How one of surge, sway and yaw is to answer.
+/// The desired response in surge, sway or yaw.
 #[derive(Clone, Copy)]
 struct Tuning<S> {
     inertia: S,
@@ -146,8 +146,8 @@ fn check_gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) 
     Ok(())
 }
 
-/// The delays of filter and thrusters must leave a free ship of each dynamic positioning's stated mass stable: of one that
-/// acts or not.
+/// Checks that a free ship with the stated mass is stable in spite of the delays of filter and thrusters, for every
+/// dynamic positioning, enabled or not.
 pub fn check_stability(scenario: &Scenario) -> Result<(), FieldError> {
     scenario.forces.iter().try_for_each(|(name, force)| match force {
         ForceSchema::DynamicPositioning(given) => check_loops(given, &format!("forces.{name}.dynamic_positioning")),
@@ -155,7 +155,7 @@ pub fn check_stability(scenario: &Scenario) -> Result<(), FieldError> {
     })
 }
 
-/// Periods of waves, s: a filter of waves has no use for others.
+/// Periods of waves, s: a wave filter needs no others.
 const WAVE_PERIODS_S: core::ops::RangeInclusive<f64> = 0.1..=1e3;
 
 fn check_filter(given: &schema::DynamicPositioning, field: &str) -> Result<(), FieldError> {
@@ -220,7 +220,7 @@ fn gains<S: Quantity>(given: &schema::DynamicPositioning<S>, field: &str) -> Res
     Ok(Gains { stiffness, damping, integral, integrates, tracking_time })
 }
 
-/// Whether a gain is greater than 0; with one that is 0 there is nothing that could grow along a direction.
+/// Whether a gain is greater than 0; without a gain nothing can become unstable in that direction.
 fn is_there<S: Quantity>(gain: S, field: &str) -> Result<bool, FieldError> {
     let there = gain.decides(field, |gain| gain > 0.0)?;
     if !there {
@@ -241,7 +241,7 @@ fn filter<S: Quantity>(given: &schema::DynamicPositioning<S>) -> WaveFilter<S> {
     filter
 }
 
-/// The thrusters that run, seen from the point that is kept.
+/// The thrusters that are enabled, relative to the held point.
 fn thrusters<S: Quantity>(given: &schema::DynamicPositioning<S>, point: Vector3<S>) -> Vec<Thruster<S>> {
     let running = given.thrusters.iter().filter(|(_, thruster)| thruster.enabled());
     let build = |(name, given): (&schema::Name, &schema::Thruster<S>)| {

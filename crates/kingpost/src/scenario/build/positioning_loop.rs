@@ -1,20 +1,20 @@
-//! Whether a controller with its filter and thrusters holds the ship that its gains are made for.
+//! Stability of a controller with its filter and thrusters, for the ship that its gains are made for.
 
 use super::super::schema;
 use core::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix};
 
-/// What a controlled ship does when it is left alone.
+/// The stability of a controlled ship without disturbance.
 pub(super) enum RootGrowth {
     /// It comes to rest.
     None,
     /// This root grows.
     Of(Complex<f64>),
-    /// Rates of such different sizes that no roots are found.
+    /// Rates of such different magnitudes that no roots are found.
     Unknown,
 }
 
-/// Of the search for roots; it takes a few for each root where their sizes compare.
+/// Iterations of the search for roots; it needs a few per root if their magnitudes are comparable.
 const MOST_ITERATIONS: usize = 1000;
 
 /// One of surge, sway and yaw.
@@ -23,7 +23,7 @@ pub(super) struct ControlLoop<'a> {
     pub(super) inertia: f64,
     pub(super) gains: [f64; 3],
     pub(super) filter: Option<&'a schema::WaveFilter>,
-    /// Of the slowest thruster, s.
+    /// Time constant of the slowest thruster, s.
     pub(super) time_constant_s: f64,
 }
 
@@ -40,14 +40,15 @@ impl ControlLoop<'_> {
         }
     }
 
-    /// The matrix of the rates of x, v, thrust, integral (both over m), and the filter's states, all without units but s.
+    /// The matrix of the rates of x, v, thrust and integral (both over m) and the filter's states; the only unit left
+    /// is s.
     fn rates(&self) -> DMatrix<f64> {
         let sections = self.filter.map(sections).unwrap_or_default();
         let n = 4 + 2 * sections.len();
         let [stiffness, damping, integral] = self.gains.map(|gain| gain / self.inertia);
         let mut a = DMatrix::zeros(n, n);
         (a[(0, 1)], a[(1, 2)], a[(3, 0)]) = (1.0, 1.0, -integral);
-        // What enters the next section, by the states.
+        // The input of the next section as a combination of the states.
         let mut signal = DMatrix::zeros(1, n);
         (signal[(0, 0)], signal[(0, 1)]) = (-stiffness, -damping);
         for (k, section) in sections.iter().enumerate() {
@@ -72,10 +73,11 @@ impl ControlLoop<'_> {
     }
 }
 
-/// A root that grows by less than this share of the fastest rate is rounding: a controller without integral has one at 0.
+/// A root with a growth rate below this share of the fastest rate is rounding: a controller without integral has a root
+/// at 0.
 const ROUNDING: f64 = 1e-6;
 
-/// A section as [`WaveFilter`](crate::elements::dynamic_positioning::WaveFilter) has it.
+/// A section of [`WaveFilter`](crate::elements::dynamic_positioning::WaveFilter) in plain numbers.
 struct PlainSection {
     frequency: f64,
     damping_ratio: f64,

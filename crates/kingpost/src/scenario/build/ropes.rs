@@ -1,4 +1,4 @@
-//! Ropes and tugger lines: what they run over.
+//! Ropes and tugger lines: their paths.
 
 use super::super::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use super::cylinders::attachment;
@@ -13,7 +13,7 @@ use crate::spatial::{Frame, Vector3};
 /// Falls of one leg, at most.
 const MOST_FALLS: u32 = 100;
 
-/// One rope, where it is on and all that it runs over is there.
+/// One rope, if it is enabled and every body on its path exists.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -54,8 +54,8 @@ pub fn build<S: Quantity>(
     })))
 }
 
-/// What needs a rope that stretches: a damper, a breaking load, for what breaks a rope is its snap, and friction at sheaves and
-/// drum, which goes by the tension.
+/// Refuses options that need a rope that stretches: a damper, a breaking load, since a snap load breaks a rope, and
+/// friction at sheaves and drum, which depends on the tension.
 fn check_inextensible<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<(), FieldError> {
     let allowed = |what| {
         format!("{what} for a rope without axial_stiffness_N and series_stiffness_N_per_m, which does not stretch")
@@ -83,7 +83,7 @@ fn check_inextensible<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<
     Ok(())
 }
 
-/// What it weighs; a rope that displaces water and has no mass would float up.
+/// The weight of a rope; one that displaces water without mass would float up.
 fn weight<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<Option<RopeWeight<S>>, FieldError> {
     let diameter = given.diameter_m.as_ref().map(|diameter| diameter.get());
     match (&given.mass_kg_per_m, diameter) {
@@ -96,7 +96,7 @@ fn weight<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<Option<RopeW
     }
 }
 
-/// The mass whose weight is the rope's tension at rest in air; `None` where none of what it carries is there.
+/// The mass whose weight is the rope's tension at rest in air; `None` if no body that it carries exists.
 fn carried_mass<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
@@ -109,7 +109,7 @@ fn carried_mass<S: Quantity>(
     for (i, carried) in given.carries.iter().enumerate() {
         known(&format!("{field}.carries.{i}.body"), &carried.body, scenario.bodies.keys().map(|body| body.as_str()))?;
         let share = carried.share.map_or(S::constant(1.0 / f64::from(falls)), |share| share.get());
-        // A flexible body is several of the model's.
+        // A flexible body is several bodies of the model.
         for body in model.bodies.iter().filter(|body| flexible::owner(&body.name).0 == &*carried.body) {
             sum = Some(sum.unwrap_or(S::ZERO) + body.mass * share);
         }
@@ -117,7 +117,7 @@ fn carried_mass<S: Quantity>(
     Ok(sum)
 }
 
-/// One tugger line, where it is on and all that it runs over is there.
+/// One tugger line, if it is enabled and every body on its path exists.
 pub fn tugger<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -135,9 +135,9 @@ pub fn tugger<S: Quantity>(
     Ok(Some(Box::new(TuggerLine { name, path, tension })))
 }
 
-/// A path as it is laid.
+/// A path with its stations.
 struct Laid<S> {
-    /// `None` where a body is not there.
+    /// `None` if a body does not exist.
     stations: Option<Vec<Station<S>>>,
     drum: Option<Drum<S>>,
 }
@@ -169,7 +169,7 @@ fn lay<S: Quantity>(
     Ok(Laid { stations: stations.into_iter().collect(), drum })
 }
 
-/// A rope begins at a point or a drum and ends at a point, with no drum between.
+/// Checks that a rope begins at a point or a drum and ends at a point, with no drum between.
 fn check_order<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
     if path.len() < 2 {
         return Err(FieldError::new(field("path".to_owned()), format!("{} places", path.len()), "at least two"));
@@ -187,7 +187,7 @@ fn check_order<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
     Ok(())
 }
 
-/// Several falls run between points: rope on a sheave is led one fall at a time.
+/// Checks that several falls run between points only: a sheave leads a single fall.
 fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
     if let Some(RopeStation::Point(RopePoint { falls, .. })) = path.first()
         && *falls != 1
@@ -209,7 +209,7 @@ fn check_falls<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> 
     Ok(())
 }
 
-/// A rope whose places are all on one body holds and moves nothing; one on a drum is wound up there.
+/// A rope whose stations are all on one body would hold and move nothing.
 fn check_bodies<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) -> String) -> Result<(), FieldError> {
     let Some(first) = path.first().and_then(|station| station.on().1) else { return Ok(()) };
     if path.iter().any(|station| station.on().1 != Some(first)) {
@@ -219,10 +219,10 @@ fn check_bodies<S: Quantity>(path: &[RopeStation<S>], field: &impl Fn(String) ->
     Err(FieldError::new(field("path".to_owned()), format!("places that are all on {first}"), allowed))
 }
 
-/// The station of a drum and the drum, where its joint is there.
+/// The station of a drum and the drum, if its joint exists.
 type OnDrum<S> = Option<(Station<S>, Drum<S>)>;
 
-/// Where a station is read, and its field.
+/// The context in which a station is read, and its field.
 struct Placing<'a, S> {
     scenario: &'a Scenario<S>,
     model: &'a Model<S>,
@@ -230,7 +230,7 @@ struct Placing<'a, S> {
 }
 
 impl<S: Quantity> Placing<'_, S> {
-    /// A point of a body, or of the world; `None` on a body that is not there.
+    /// A point on a body or in the world; `None` if the body does not exist.
     fn centre(&self, body: &schema::Name, position_m: [S; 3]) -> Result<Option<Attachment<S>>, FieldError> {
         let bodies = self.scenario.bodies.keys().map(|body| body.as_str());
         known(&format!("{}.body", self.field), body, bodies.chain([schema::WORLD]))?;

@@ -1,4 +1,4 @@
-//! Ropes where a run begins: how they lie, how long they are, what they carry.
+//! Ropes at the start of a run: their geometry, length and load.
 
 use super::FieldError;
 use crate::dynamics::LinkKinematics;
@@ -9,26 +9,26 @@ use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::world::World;
 
-/// Strain at the start beyond which a length is a mistake: steel has parted long before.
+/// Strain at the start beyond which a length is an error: steel parts long before.
 const LARGEST_STRAIN: f64 = 0.05;
 
-/// By how much an inextensible rope may be short of its path, m: a length from a file has so many digits.
+/// By how much an inextensible rope may be shorter than its path, m: rounding of a length in a file.
 const SHORT_BY_ROUNDING_M: f64 = 1e-9;
 
-/// The largest angle about a sheave at the start, degrees: beyond, the axis is the wrong way round. Under way the rope may
-/// turn farther.
+/// The largest wrap angle of a sheave at the start, degrees: beyond it the axis points the wrong way. During the run
+/// the angle may be larger.
 const LARGEST_WRAP_DEG: f64 = 200.0;
 
-/// The least length of a path, m: the arithmetic's own is not quite 0 where all places are one.
+/// The smallest length of a path, m: it is not exactly 0 when all stations coincide.
 const LEAST_LENGTH_M: f64 = 1e-6;
 
-/// A rope that runs straight past a sheave, degrees.
+/// Wrap angle below which a rope runs straight past a sheave, degrees.
 const ROUNDING_DEG: f64 = 1.0;
 
-/// Takes the lengths where the run begins, its loops closed.
+/// Takes the lengths at the start of the run, with loops closed.
 ///
-/// # Errors
-/// Sheaves that overlap, or that the rope does not lie against; a rope that is shorter than its path by more than it can stretch.
+/// # Errors Sheaves that overlap or that the rope does not touch; a rope that is shorter than its path by more than it
+/// can stretch.
 pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, world, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
@@ -66,7 +66,7 @@ fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Context<'_, S>) -> Result<(),
     Ok(())
 }
 
-/// An inextensible rope is as long as its path or longer.
+/// Checks that an inextensible rope is as long as its path or longer.
 fn check_inextensible<S: Quantity>(rope: &Rope<S>, length: S, of: &str) -> Result<(), FieldError> {
     if (length - rope.unstretched_length).all(|short| short <= SHORT_BY_ROUNDING_M) {
         return Ok(());
@@ -77,7 +77,7 @@ fn check_inextensible<S: Quantity>(rope: &Rope<S>, length: S, of: &str) -> Resul
     Err(FieldError::new(field, found, allowed))
 }
 
-/// No two places of the path meet, and a drum stands across the rope.
+/// Checks that no two stations of the path overlap, and that a drum's axis is across the rope.
 fn check_apart<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &str) -> Result<(), FieldError> {
     if let Some((leg, [distance, radii])) = path.overlap(at) {
         let found = format!("a place {distance:.4} m from the one before it");
@@ -100,7 +100,7 @@ fn check_length<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &s
     Err(FieldError::new(format!("{of}.path"), format!("a path of {length:.4} m"), allowed))
 }
 
-/// The rope lies against every sheave, on the side that the axis says.
+/// Checks that the rope touches every sheave, on the side given by its axis.
 fn check_sides<S: Quantity>(path: &mut RopePath<S>, of: &str) -> Result<(), FieldError> {
     for (i, wrap) in path.wraps() {
         let degrees = wrap * S::constant(180.0 / core::f64::consts::PI);
@@ -114,7 +114,7 @@ fn check_sides<S: Quantity>(path: &mut RopePath<S>, of: &str) -> Result<(), Fiel
     Ok(())
 }
 
-/// Where a run begins, ropes carry what they can.
+/// Checks that at the start no rope carries more than its breaking load.
 pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
     let Setup { model, world, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
@@ -131,7 +131,7 @@ pub fn check_loads(setup: &Setup) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// What an element without entries of its own sees of a model at rest.
+/// The context of an element without entries of its own, for a model at rest.
 pub(super) fn at_rest<S: Quantity, R>(
     world: &World<S>,
     model: &Model<S>,

@@ -1,8 +1,8 @@
 //! The energy of a scenario's sea over frequency and direction, whatever a seed draws of it.
 
 use super::FieldError;
-use super::waves::{SystemField, of_spectrum, record, regular};
 use super::still_water::{gravity, water_of};
+use super::waves::{SystemField, of_spectrum, record, regular};
 use crate::scenario::ScenarioError;
 use crate::scenario::schema::{Name, Scenario, Waves};
 use crate::sea::waves::{Water, WaveComponent};

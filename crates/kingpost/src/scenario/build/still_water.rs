@@ -5,7 +5,7 @@ use super::{FieldError, gravity_of};
 use crate::scenario::leaf::Quantity;
 use crate::sea::waves::Water;
 
-/// The sea's water, whose waves are the scenario's.
+/// The water of the sea and its waves.
 pub(super) fn water_of<S: Quantity>(
     sea: &schema::Sea<S>,
     density_kg_m3: f64,
@@ -16,7 +16,7 @@ pub(super) fn water_of<S: Quantity>(
     water.map_err(|error| FieldError::new(format!("sea.{}", error.field), error.found, error.allowed))
 }
 
-/// Gravity's acceleration, by which a sea is level, and the field of the first that acts.
+/// Acceleration of gravity, without which no sea is level, and the field of the first `gravity` that is enabled.
 pub(super) fn gravity<S: Quantity>(scenario: &Scenario<S>) -> Result<(S, String), FieldError> {
     let acting = scenario.forces.iter().filter_map(|(name, force)| {
         let gravity = gravity_of(force).filter(|gravity| gravity.enabled)?;

@@ -11,12 +11,12 @@ use crate::sea::hull::Solid;
 use crate::spatial::Vector3;
 use crate::world::{CurrentProfile, World};
 
-/// The largest share of open area that the reduction of added mass was fitted to.
+/// The largest share of open area for which the reduction of added mass was fitted.
 const LARGEST_PERFORATION: f64 = 0.5;
-/// A volume that is the solid's, but for rounding.
+/// Relative rounding within which a volume equals the solid's.
 const ROUNDING: f64 = 1e-9;
 
-/// One object, where it is on and its body there.
+/// One object, if it is enabled and its body exists.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -84,7 +84,7 @@ fn displaced<S: Quantity>(field: &str, given: &schema::Submerged<S>, solid: &Sol
     Ok(share)
 }
 
-/// The space inside, which fits into the solid beside what is displaced.
+/// The inner space; with the displaced volume it must fit into the solid.
 fn entrained<S: Quantity>(
     field: &str,
     given: &schema::Submerged<S>,
@@ -138,8 +138,8 @@ fn added_mass<S: Quantity>(
     })
 }
 
-/// What open area of p percent leaves of the added mass: 1 up to 5, 0.7 + 0.3 cos(pi (p - 5) / 34) to 34, exp((10 - p) / 28)
-/// from there to 50 (DNV-RP-N103, sec. 4.6, on the effect of perforation).
+/// Factor on the added mass for an open area of p percent: 1 up to 5, 0.7 + 0.3 cos(pi (p - 5) / 34) to 34, exp((10 -
+/// p) / 28) from there to 50 (DNV-RP-N103, sec. 4.6, on the effect of perforation).
 fn left_by_perforation<S: Quantity>(perforation: S) -> S {
     let percent = perforation * S::constant(100.0);
     let wave = || {
@@ -161,7 +161,7 @@ fn check_wind<S: Quantity>(
     flow::check_height(wind, given.height_m.get(), field)
 }
 
-/// Water needs weight, and a current over infinite depth no power of it.
+/// Checks that there is gravity, and that a power-law current has a finite depth.
 fn check_world<S: Quantity>(scenario: &Scenario<S>, field: &str, world: &World<S>) -> Result<(), FieldError> {
     if still_water::gravity(scenario).is_err() {
         return Err(FieldError::new(field, "buoyancy, and no gravity", "gravity that is enabled"));

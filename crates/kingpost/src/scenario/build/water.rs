@@ -17,7 +17,7 @@ use crate::sea::waves::WaveField;
 use crate::spatial::{Frame, SpatialInertia, Vector3, rotation_from_roll_pitch_yaw};
 use crate::world::World;
 
-/// The model with the water's inertia, and the water's loads.
+/// The model with the added mass of the water, and the loads of the water.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     mut model: Model<S>,
@@ -66,14 +66,14 @@ pub fn build<S: Quantity>(
     Ok((model, hulls))
 }
 
-/// The axes of a database's coefficients in those of the upright hull.
+/// The axes of a database's coefficients, relative to the upright hull's.
 fn attitude<S: Scalar>(database: &Database) -> Frame<S> {
     let Some(Attitude { roll_rad, pitch_rad, height_m }) = database.hull.attitude else { return Frame::identity() };
     let rotation = rotation_from_roll_pitch_yaw(Vector3([roll_rad, pitch_rad, 0.0].map(S::constant)));
     Frame { rotation, position: Vector3([0.0, 0.0, height_m].map(S::constant)) }.inverse()
 }
 
-/// All that a hull carries, each with its share of the mass of all.
+/// All bodies that a hull carries, each with its share of the total mass.
 fn carried<S: Scalar>(model: &Model<S>, hull: usize) -> Carried<S> {
     let bodies = model.carried(hull);
     let mass = bodies.iter().fold(S::ZERO, |sum, &body| sum + model.bodies[body].mass);
@@ -93,7 +93,7 @@ fn has_current_table<S>(scenario: &Scenario<S>, given: &schema::Hydrodynamics<S>
     })
 }
 
-/// A hull floats: its body's joint leaves it to the water.
+/// Checks that the body of a hull has a floating joint.
 fn floating_body<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -105,7 +105,7 @@ fn floating_body<S: Quantity>(
     body.ok_or_else(|| FieldError::new(field, name, "a body that is enabled and has a floating joint"))
 }
 
-/// What the memory of the water adds to a body's inertia in slow motions, in body axes about the centre of mass.
+/// The contribution of the water's memory to a body's inertia in slow motions, in body axes about the centre of mass.
 pub(super) fn memory_of_slow_motions<S: Quantity>(scenario: &Scenario<S>, body: &str) -> SpatialInertia<S> {
     let hulls = scenario.forces.values().filter_map(hydrodynamics_of);
     let remembers = |given: &&schema::Hydrodynamics<S>| given.enabled && given.radiation && *given.body == *body;
@@ -146,8 +146,8 @@ fn hydrostatics<S: Quantity>(
     }
 }
 
-/// What linear hydrodynamics hold for: the attitude of its coefficients, and where it floats by them, small motions; and the
-/// heading of a hull in waves.
+/// The watchers of linear hydrodynamics: the attitude of the coefficients, small motions, and the heading of a hull in
+/// waves.
 fn watchers<S>(
     given: &schema::Hydrodynamics<S>,
     database: &Database,
@@ -169,7 +169,7 @@ fn watchers<S>(
     watchers
 }
 
-/// The mesh in the waves that excite the hull.
+/// The mesh for the pressure of the waves on the hull.
 fn wave_pressure<S: Quantity>(
     given: &schema::Hydrodynamics<S>,
     field: &str,
@@ -198,7 +198,7 @@ fn radiation<S>(
     }
 }
 
-/// An error unless the database is of the world's water.
+/// An error unless the database was computed for the world's water.
 fn check_water<S: Quantity>(field: &str, database: &Database, world: &World<S>) -> Result<(), FieldError> {
     let (water, infinite) = (&database.water, f64::INFINITY);
     same(field, "density of", water.density_kg_m3, "kg/m^3", world.water_density)?;
@@ -206,7 +206,7 @@ fn check_water<S: Quantity>(field: &str, database: &Database, world: &World<S>) 
     same(field, "depth of", water.depth_m.unwrap_or(infinite), "m", world.depth.unwrap_or(S::constant(infinite)))
 }
 
-/// What the world's waves do to a hull.
+/// The forces of the world's waves on a hull.
 fn excitation<S: Quantity>(
     given: &schema::Hydrodynamics<S>,
     field: &impl Fn(&str) -> String,
@@ -250,7 +250,7 @@ fn excitation<S: Quantity>(
 const SAME_WATER: f64 = 1e-4;
 
 fn same<S: Quantity>(field: &str, what: &str, found: f64, unit: &str, sea: S) -> Result<(), FieldError> {
-    // Infinite depth is near to no other.
+    // Infinite depth equals only infinite depth.
     let near = |sea: f64| found.is_finite() && sea.is_finite() && (found - sea).abs() <= SAME_WATER * sea.abs();
     if sea.all(|sea| found == sea || near(sea)) {
         return Ok(());
@@ -261,7 +261,8 @@ fn same<S: Quantity>(field: &str, what: &str, found: f64, unit: &str, sea: S) ->
 /// Share of the waves' energy that may lie outside the frequencies of a table.
 const MOST_UNCOVERED: f64 = 0.01;
 
-/// An error where a table of a hull's response, from `band_rad_s[0]` to `band_rad_s[1]`, leaves out what the waves hold.
+/// An error if a hull's response table, from `band_rad_s[0]` to `band_rad_s[1]`, does not cover the energy of the
+/// waves.
 pub(super) fn check_coverage<S: Quantity>(
     field: &str,
     [lowest, highest]: [f64; 2],

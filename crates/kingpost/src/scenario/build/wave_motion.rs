@@ -14,7 +14,7 @@ use crate::world::World;
 /// Mode of each coordinate of the joint: x, y, z, yaw, pitch, roll.
 const MODE_OF: [usize; 6] = [0, 1, 2, 5, 4, 3];
 
-/// The motions of the bodies that move so and are there.
+/// The motions of the bodies that exist and move by RAOs.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -41,8 +41,8 @@ pub fn build<S: Quantity>(
     Ok(motions)
 }
 
-/// X a of each coordinate in a wave, at the origin of the vessel's axes: what moves at the RAOs' own origin r is carried over
-/// as a rigid body, `X(0) = X(r) - theta x r`; the wave's phase is that at the origin of the phases.
+/// X a of each coordinate in a wave, at the origin of the vessel's axes: the motion at the RAOs' own origin r is
+/// transferred as that of a rigid body, `X(0) = X(r) - theta x r`; the wave's phase is that at the phase origin.
 fn response<S: Quantity>(
     table: &RaoTable,
     given: &schema::MovedByWaves<S>,

@@ -1,4 +1,4 @@
-//! What is outside: gravity, the sea with its waves, its current and the wind.
+//! The world: gravity, the sea with its waves, its current and the wind.
 
 use super::super::schema::{self, Force as ForceSchema, Scenario};
 use super::still_water::{gravity, water_of};
@@ -21,7 +21,7 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<World<S>, FieldError
     })
 }
 
-/// The waves of the scenario's sea, where there are any. The water's density is that of their pressure alone.
+/// The waves of the scenario's sea, where there are any. The water's density affects only their pressure.
 fn incident_waves<S: Quantity>(
     scenario: &Scenario<S>,
     sea: &schema::Sea<S>,
@@ -37,7 +37,7 @@ fn incident_waves<S: Quantity>(
     Ok((!components.is_empty()).then(|| WaveField::new(&components, water, sea.ramp_s.get())))
 }
 
-/// Whether the waves' own pressure acts on a hull.
+/// Whether the pressure of the waves acts on a hull.
 fn press<S>(scenario: &Scenario<S>) -> bool {
     scenario.forces.values().any(|force| match force {
         ForceSchema::Hydrodynamics(given) => given.enabled && given.wave_pressure,

@@ -1,4 +1,4 @@
-//! A part's tree into that of the file that includes it.
+//! Merges a part's tree into that of the file that includes it.
 
 use indexmap::IndexMap;
 use serde_json::Value;
@@ -9,15 +9,15 @@ use super::super::tree::{Content, Field, ScenarioNode};
 use super::super::wording;
 use super::{Mount, WORLD, take};
 
-/// A part, its names and places those of the including file.
+/// A part with names and places as in the including file.
 pub struct Part {
     pub tree: ScenarioNode,
-    /// Paths of what stands on the mounting with its place: a parameter of the place writes them. Where one of them has a
-    /// place of its own, its path.
+    /// Paths that hold the position of the mounting: a parameter of the position writes them. `Err` holds the path of
+    /// an entry with a position of its own.
     pub frames: Result<Vec<String>, String>,
 }
 
-/// Takes over the part's entries and parameters.
+/// Takes the part's entries and parameters.
 pub fn into(tree: &mut ScenarioNode, mut part: Part, mount: &Mount<'_>) -> Result<(), Fault> {
     place_of_the_part(tree, &part, mount)?;
     for section in SECTIONS {
@@ -38,7 +38,7 @@ pub fn into(tree: &mut ScenarioNode, mut part: Part, mount: &Mount<'_>) -> Resul
     parameters(tree, &mut part.tree, mount)
 }
 
-/// The entries of a section; one that is not there is made.
+/// The entries of a section; the section is created if it does not exist.
 fn section_of<'a>(
     tree: &'a mut ScenarioNode,
     section: &str,
@@ -52,7 +52,7 @@ fn section_of<'a>(
     }
 }
 
-/// The part's parameters after those that are there.
+/// Adds the part's parameters after the existing ones.
 fn parameters(tree: &mut ScenarioNode, part: &mut ScenarioNode, mount: &Mount<'_>) -> Result<(), Fault> {
     let Some(Field { node: ScenarioNode { content: Content::List(new), .. }, .. }) = take(part, "parameters") else {
         return Ok(());
@@ -100,7 +100,7 @@ fn text(node: &ScenarioNode) -> &str {
     }
 }
 
-/// Lets parameters that write the part's place write where that stands in the whole.
+/// Redirects parameters that write the part's position to the fields that hold it in the whole.
 fn place_of_the_part(tree: &mut ScenarioNode, part: &Part, mount: &Mount<'_>) -> Result<(), Fault> {
     let own = format!("parts.{}.", mount.name);
     each_write(tree, |field, writes| {
@@ -129,7 +129,7 @@ fn is_place(path: &str) -> bool {
     ["position_m", "orientation_rad", "orientation_deg"].contains(&field)
 }
 
-/// No parameter writes what is gone once parts are mounted.
+/// Checks that no parameter writes a field that disappears when parts are mounted.
 pub fn check_writes(tree: &mut ScenarioNode) -> Result<(), Fault> {
     each_write(tree, |field, writes| {
         match writes.iter().enumerate().find(|(_, node)| text(node).starts_with("parts.")) {
@@ -142,7 +142,7 @@ pub fn check_writes(tree: &mut ScenarioNode) -> Result<(), Fault> {
     })
 }
 
-/// The body that a part stands on is there.
+/// Checks that the body that a part is mounted on exists.
 pub fn check_mounted_on(tree: &ScenarioNode, mount: &Mount<'_>) -> Result<(), Fault> {
     let on = mount.mounting.on.as_str();
     let bodies = tree.field("bodies").map(|bodies| bodies.node.names()).unwrap_or_default();

@@ -1,7 +1,7 @@
 //! Parts: other files mounted into the tree of a scenario, before it is typed as a whole.
 //!
-//! A part's text becomes a tree whose places carry the part's file. Values that its mounting sets are written into it, its
-//! names get the prefix, what stands on the world in it is put on the mounting, and the result is merged into the
+//! A part's text becomes a tree whose places carry the part's file. Values that its mounting sets are written into it,
+//! its names get the prefix, entries on the world are moved to the mounting, and the result is merged into the
 //! including tree, where no `parts` remain.
 
 mod merge;
@@ -22,25 +22,25 @@ use super::tree::{Content, Field, ScenarioNode, segments};
 use super::typed::{check_version, typed};
 use super::{conversion, parse, part_names, wording};
 
-/// Parts in parts, and parts in all: more is a mistake, and would take the machine.
+/// Largest nesting depth and number of parts: more would be an error and exhaust the machine.
 const MOST_LEVELS: usize = 16;
 const MOST_PARTS: usize = 256;
 
-/// What a whole is made of.
+/// The parts of a whole.
 #[derive(Default)]
 pub(super) struct Mounted {
-    /// The parts by their names in the whole, those in parts too.
+    /// The parts by their names in the whole, also those within parts.
     pub(super) parts: IndexMap<Name, Mounting>,
     /// The parts' files, as the main file would name them, each once.
     pub(super) files: Vec<String>,
-    /// Whether a part's file was not there.
+    /// Whether a part's file was missing.
     pub(super) incomplete: bool,
 }
 
-/// Mounts parts, by the texts that the host has.
+/// Mounts parts with the texts of a host.
 pub(super) struct Mounter<'a> {
     host: &'a Files,
-    /// Whether a file that is not there is left out, to learn which files to ask for.
+    /// Whether missing files are skipped, to find out which files are needed.
     only_names: bool,
     mounted: Mounted,
     count: usize,
@@ -50,14 +50,14 @@ pub(super) struct Mounter<'a> {
 struct Level<'a> {
     /// The files that include it, the main one first, and itself.
     chain: Vec<&'a str>,
-    /// What its names begin with in the whole.
+    /// The prefix of its names in the whole.
     prefix: String,
-    /// What the names of its parts begin with in the list of all.
+    /// The prefix of its parts' names in the list of all parts.
     list: String,
 }
 
-/// Converts the units of a scenario just parsed and mounts its parts. Gives back what it is made of, and the overrides that
-/// were not of a mounting.
+/// Converts the units of a scenario just parsed and mounts its parts. Returns its parts, and the overrides that do not
+/// concern a mounting.
 pub(super) fn mount<'a>(
     tree: &mut ScenarioNode,
     file: &str,
@@ -102,7 +102,7 @@ impl Mounter<'_> {
         Ok(rest)
     }
 
-    /// The tree of a part as it goes into the including file; `None` where only names are asked and a file is not there.
+    /// The tree of a part for the including file; `None` if only names are needed and a file is missing.
     fn part(&mut self, mount: &Mount<'_>, level: &Level<'_>) -> Result<Option<merge::Part>, Fault> {
         let from = level.chain.last().copied().unwrap_or_default();
         let file = part_names::of_part(from, &mount.mounting.part);
@@ -170,7 +170,7 @@ impl Mount<'_> {
         Fault::new(place, format!("parts.{}{dot}{field}", self.name), found, allowed)
     }
 
-    /// What the names of the part begin with.
+    /// The prefix of the part's names.
     fn prefix(&self) -> Result<String, Fault> {
         match self.mounting.prefix.as_deref() {
             None | Some("") => {}
@@ -182,7 +182,7 @@ impl Mount<'_> {
         Ok(self.mounting.prefix(self.name))
     }
 
-    /// As it stands in the list of all.
+    /// Its entry in the list of all parts.
     fn listed(&self, level: &Level<'_>) -> Option<(Name, Mounting)> {
         let mut mounting = self.mounting.clone();
         if mounting.on != WORLD {
@@ -191,7 +191,7 @@ impl Mount<'_> {
         Some((Name::new(format!("{}{}", level.list, self.name))?, mounting))
     }
 
-    /// What it sets in the part.
+    /// The values that it sets in the part.
     fn overrides(&self) -> Vec<Override<'_>> {
         let Some(Content::Fields(places)) = self.node.node.field("parameters").map(|field| &field.node.content) else {
             return Vec::new();
@@ -201,7 +201,7 @@ impl Mount<'_> {
             .collect()
     }
 
-    /// An error in a value that the mounting sets has the field of the mounting.
+    /// Reports an error in a value that the mounting sets at the field of the mounting.
     fn remapped<T>(&self, result: Result<T, Fault>) -> Result<T, Fault> {
         result.map_err(|mut fault| {
             if let Some(set) = self.overrides().iter().find(|set| set.place == fault.place) {
@@ -232,14 +232,14 @@ fn parsed(text: &str, file: &str) -> Result<ScenarioNode, Fault> {
     Ok(tree)
 }
 
-/// Writes a part's own defaults and then what is set.
+/// Writes a part's own defaults and then the values that are set.
 fn apply(tree: &mut ScenarioNode, given: &[Override<'_>]) -> Result<(), Fault> {
     let as_written: Scenario = typed(tree)?;
     let whole = serde_json::to_value(&as_written).unwrap_or_default();
     parameters::apply(OverrideTarget { tree, whole: &whole }, &as_written.parameters, given)
 }
 
-/// Leaves the parameters that are not set, without defaults: their values stand in the fields.
+/// Keeps the parameters that are not set, without defaults: their values are in the fields.
 fn passed_up(tree: &mut ScenarioNode, set: &IndexMap<String, Value>) {
     let Content::Fields(fields) = &mut tree.content else { return };
     let Some(Content::List(parameters)) = fields.get_mut("parameters").map(|field| &mut field.node.content) else {
@@ -264,7 +264,7 @@ fn take(tree: &mut ScenarioNode, name: &str) -> Option<Field> {
     }
 }
 
-/// Puts a value that comes from a place at a path of named fields and places in lists; fields that are not there are made.
+/// Writes a value, which comes from `place`, at a path of field names and list indices; missing fields are created.
 fn put(tree: &mut ScenarioNode, path: &[&str], value: &Value, place: &SourcePlace) {
     let Some((name, rest)) = path.split_first() else {
         *tree = ScenarioNode::from_value(value, place);

@@ -7,9 +7,9 @@ use super::super::part_names::{self, SECTIONS};
 use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
 
-/// Fields below the sections that name something of the scenario, whatever they stand in.
+/// Fields below the sections that name another entry of the scenario.
 pub const REFERENCES: [&str; 7] = [
-    // The body that a body hangs on.
+    // The parent of a body.
     "parent", // The body that something acts on or is tied to.
     "body",   // The joint, or the axis of one as `joint.axis`, that a drive acts in.
     "joint",  // A joint's own.
@@ -29,7 +29,7 @@ fn in_whole(path: &str, prefix: &str) -> String {
     }
 }
 
-/// Puts the prefix before every name of a part, and the paths of its files where the main file would look for them.
+/// Adds the prefix to every name of a part, and makes the paths of its files relative to the main file.
 pub fn into_whole(tree: &mut ScenarioNode, prefix: &str, file: &str, label: &str) -> Result<(), Fault> {
     let Content::Fields(fields) = &mut tree.content else { return Ok(()) };
     for (section, field) in fields.iter_mut() {
@@ -50,7 +50,7 @@ pub fn into_whole(tree: &mut ScenarioNode, prefix: &str, file: &str, label: &str
     Ok(())
 }
 
-/// The same inside of an entry.
+/// The same within an entry.
 fn references(node: &mut ScenarioNode, prefix: &str, file: &str) {
     match &mut node.content {
         Content::Scalar(_) => {}
@@ -73,7 +73,7 @@ fn references(node: &mut ScenarioNode, prefix: &str, file: &str) {
     }
 }
 
-/// A parameter of a part that becomes one of the whole.
+/// Changes a parameter of a part into one of the whole.
 fn parameter(node: &mut ScenarioNode, index: usize, prefix: &str, label: &str) -> Result<(), Fault> {
     let Content::Fields(fields) = &mut node.content else { return Ok(()) };
     if let Some(writes) = fields.get_mut("writes")
@@ -102,12 +102,12 @@ fn parameter(node: &mut ScenarioNode, index: usize, prefix: &str, label: &str) -
     Ok(())
 }
 
-/// Makes the places of a file just parsed those of a part.
+/// Changes the places of a parsed file into places of a part.
 pub fn places_of_part(node: &mut ScenarioNode, file: &str) {
     each_place(node, &mut |place| *place = place_in_part(place, file));
 }
 
-/// A place of a file just parsed as one of a part.
+/// Changes a place of a parsed file into one of a part.
 pub fn place_in_part(place: &SourcePlace, file: &str) -> SourcePlace {
     match place {
         SourcePlace::File { line, column } => {
@@ -117,7 +117,7 @@ pub fn place_in_part(place: &SourcePlace, file: &str) -> SourcePlace {
     }
 }
 
-/// Remembers a prefix in the places of a part; what the including file `from` sets has its own.
+/// Stores a prefix in the places of a part; values that the including file `from` sets keep their own.
 pub fn places_with_prefix(node: &mut ScenarioNode, prefix: &str, from: &str) {
     each_place(node, &mut |place| {
         if let SourcePlace::Part { file, prefix: inner, .. } = place

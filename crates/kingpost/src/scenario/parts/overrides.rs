@@ -1,4 +1,4 @@
-//! The mountings of a file: typed, and what is set in them from outside.
+//! The mountings of a file, and the values set in them from outside.
 
 use indexmap::IndexMap;
 use serde_json::{Value, json};
@@ -11,7 +11,7 @@ use super::super::typed::typed;
 use super::super::{conversion, units, wording};
 use super::{put, take};
 
-/// Writes the overrides of mountings, `parts.crane.position_m` and so on, and gives back the others. `tree` is the file
+/// Writes the overrides of mountings, `parts.crane.position_m` and so on, and returns the others. `tree` is the file
 /// without its parts.
 pub fn write<'a>(parts: &mut Field, tree: &ScenarioNode, given: Vec<Override<'a>>) -> Result<Vec<Override<'a>>, Fault> {
     to_si(parts)?;
@@ -41,7 +41,7 @@ pub fn write<'a>(parts: &mut Field, tree: &ScenarioNode, given: Vec<Override<'a>
     Ok(rest)
 }
 
-/// Mountings with every default, as a scenario has them.
+/// Mountings with every default, as in a scenario.
 #[derive(serde::Serialize)]
 struct Mountings<'a> {
     parts: &'a IndexMap<Name, Mounting>,
@@ -53,7 +53,7 @@ impl<'a> Mountings<'a> {
     }
 }
 
-/// The error of a field that a parameter writes already.
+/// The error for a field that a parameter already writes.
 fn set_by_a_parameter(tree: &ScenarioNode, set: &Override<'_>, path: &[String]) -> Option<Fault> {
     let (path, _) = units::si_path(path);
     let parameters = tree.field("parameters")?.node.to_value();
@@ -94,7 +94,7 @@ pub fn typed_mountings(parts: &mut Field) -> Result<IndexMap<Name, Mounting>, Fa
     in_probe(parts, |probe| Ok(typed(probe)?.parts))
 }
 
-/// Does something with a scenario that has these parts and nothing else.
+/// Runs `work` on a scenario that has these parts and nothing else.
 fn in_probe<T>(parts: &mut Field, work: impl FnOnce(&mut ScenarioNode) -> Result<T, Fault>) -> Result<T, Fault> {
     let mut probe = ScenarioNode::from_value(&json!({"version": 1, "title": "", "bodies": {}}), &SourcePlace::START);
     let hollow =

@@ -1,4 +1,4 @@
-//! What stands on the world in a part's file stands on its mounting in the whole: roots, pins, anchors, targets.
+//! Moves everything that a part's file attaches to the world to its mounting: root bodies, pins, anchors, targets.
 
 use serde_json::{Value, json};
 
@@ -9,7 +9,7 @@ use super::super::wording;
 use super::{Mount, WORLD, numbers, put};
 use crate::spatial::{Matrix3, Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
 
-/// Where a part stands in its body.
+/// The pose of a part on its body.
 struct Pose {
     position: [f64; 3],
     angles: [f64; 3],
@@ -28,7 +28,7 @@ impl Pose {
         self.position == NONE && self.angles == NONE
     }
 
-    /// p + R x. Without a turn nothing is rounded that need not be.
+    /// p + R x. Without a rotation there is no rounding.
     fn point(&self, x: [f64; 3]) -> [f64; 3] {
         (self.vector(x) + Vector3(self.position)).0
     }
@@ -49,8 +49,8 @@ impl Pose {
     }
 }
 
-/// Puts everything that stands on the world on the mounting. Gives back the paths that hold its place, or the path of what
-/// has a place of its own besides.
+/// Moves everything on the world to the mounting. Returns the paths that hold its position, or the path of an entry
+/// with a position of its own.
 pub fn on_the_mounting(
     tree: &mut ScenarioNode,
     whole: &Value,
@@ -103,7 +103,7 @@ fn world_pins(node: &ScenarioNode, path: &mut Vec<String>, into: &mut Vec<Vec<St
     }
 }
 
-/// A part on its way to its mounting.
+/// A part while it is moved to its mounting.
 struct Standing<'a> {
     /// The part with every default.
     whole: &'a Value,
@@ -116,7 +116,7 @@ impl Standing<'_> {
         &self.mount.mounting.on
     }
 
-    /// Where a field of the mounting stands.
+    /// The place of a field of the mounting in the file.
     fn place(&self, field: &str) -> SourcePlace {
         self.mount.fault(field, "", "").place
     }
@@ -126,7 +126,7 @@ impl Standing<'_> {
         put(tree, &path.split('.').collect::<Vec<_>>(), value, &place);
     }
 
-    /// Moves the point at a path; gives back whether it was at the origin.
+    /// Moves the point at a path; returns whether it was at the origin.
     fn move_point(&self, tree: &mut ScenarioNode, path: &str) -> bool {
         let Some(own) = numbers(self.whole, path) else { return true };
         if !self.pose.is_none() {
@@ -135,7 +135,7 @@ impl Standing<'_> {
         own == NONE
     }
 
-    /// Turns the axes whose roll, pitch and yaw are at a path; gives back whether they were even.
+    /// Rotates the axes whose roll, pitch and yaw are at a path; returns whether they were parallel.
     fn turn_axes(&self, tree: &mut ScenarioNode, path: &str) -> bool {
         let Some(own) = numbers(self.whole, path) else { return true };
         if self.pose.angles != NONE {
@@ -144,7 +144,7 @@ impl Standing<'_> {
         own == NONE
     }
 
-    /// A body that stands on the world; the path that holds its place, unless it has one of its own.
+    /// A root body of the part; returns the path that holds its position, unless it has a position of its own.
     fn root(&self, tree: &mut ScenarioNode, name: &str, kind: &str) -> Result<Option<String>, Fault> {
         let joint = format!("bodies.{name}.joint.{kind}");
         let frame = match kind {
@@ -175,7 +175,7 @@ impl Standing<'_> {
         Ok((at_origin && even).then_some(frame))
     }
 
-    /// A point, or axes, on the world.
+    /// A point, or axes, in the world.
     fn pin(&self, tree: &mut ScenarioNode, path: &[String]) {
         let path = path.join(".");
         self.move_point(tree, &format!("{path}.position_m"));
@@ -191,7 +191,7 @@ impl Standing<'_> {
         }
     }
 
-    /// What has a place in the world without naming it: anchors, and the place that a ship keeps.
+    /// Entries with a position in the world that do not name it: anchors, and the target of a ship.
     fn in_the_world(&self, tree: &mut ScenarioNode, section: &str, name: &str, kind: &str) -> Result<bool, Fault> {
         let entry = format!("{section}.{name}.{kind}");
         match (section, kind) {
@@ -240,7 +240,7 @@ impl Standing<'_> {
         }
     }
 
-    /// An error where the part stands on a body.
+    /// An error if the part is mounted on a body.
     fn needs_the_world(&self, what: &str) -> Result<(), Fault> {
         if self.on() == WORLD {
             return Ok(());
@@ -249,7 +249,7 @@ impl Standing<'_> {
         Err(self.mount.fault("on", found, wording::ON_THE_WORLD))
     }
 
-    /// An error where the part is tilted.
+    /// An error if the part is tilted.
     fn needs_to_be_level(&self, what: &str) -> Result<(), Fault> {
         let [roll, pitch, _] = self.pose.angles;
         if roll == 0.0 && pitch == 0.0 {

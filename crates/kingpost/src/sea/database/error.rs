@@ -1,8 +1,8 @@
-//! What is wrong with a database.
+//! Errors of a database.
 
 use thiserror::Error;
 
-/// Something that is wrong with a database.
+/// An error in a database.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{field}: found {found}, allowed: {allowed}")]
 pub struct DatabaseError {
@@ -10,7 +10,7 @@ pub struct DatabaseError {
     pub field: String,
     /// What it holds.
     pub found: String,
-    /// What it may hold.
+    /// What is allowed.
     pub allowed: String,
 }
 

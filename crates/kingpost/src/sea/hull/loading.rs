@@ -1,4 +1,4 @@
-//! A hull's weight, and why a hull does not float with it.
+//! A hull's weight, and errors of a hull that does not float.
 
 use crate::spatial::Vector3;
 use thiserror::Error;
@@ -6,28 +6,28 @@ use thiserror::Error;
 /// A hull's weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Loading {
-    /// All that floats, kg.
+    /// Total floating mass, kg.
     pub mass: f64,
     /// Its centre of gravity, hull axes, m.
     pub centre_of_gravity: Vector3,
-    /// Of the water, kg/m^3.
+    /// Density of the water, kg/m^3.
     pub water_density: f64,
 }
 
 /// Why a hull has no equilibrium, or no hydrostatics.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum StabilityError {
-    /// A weight of no size.
+    /// A weight that is not positive.
     #[error("{quantity} is {found}, allowed: {allowed}")]
     Loading {
         /// What.
         quantity: &'static str,
         /// Its value.
         found: f64,
-        /// What it may be.
+        /// What is allowed.
         allowed: &'static str,
     },
-    /// A weight that the whole hull does not carry.
+    /// A weight that the fully immersed hull does not carry.
     #[error(
         "the hull cannot float: {mass_t:.3} t displace {displacement_m3:.3} m3 of water, \
          allowed: less than the {largest_m3:.3} m3 of the whole hull"
@@ -37,7 +37,7 @@ pub enum StabilityError {
         mass_t: f64,
         /// What it displaces, m^3.
         displacement_m3: f64,
-        /// What the hull encloses, m^3.
+        /// Volume of the hull, m^3.
         largest_m3: f64,
     },
     /// A hull that does not reach the water.
@@ -46,7 +46,7 @@ pub enum StabilityError {
         /// Height of the lowest point, m.
         lowest_m: f64,
     },
-    /// Steps that do not settle.
+    /// No convergence.
     #[error(
         "no equilibrium at heel {heel_deg:.3} deg to starboard, trim {trim_deg:.3} deg by the bow: a turn of {turn_rad:.1e} rad is left after {steps} steps, allowed: {allowed_rad:e} rad"
     )]
@@ -55,11 +55,11 @@ pub enum StabilityError {
         heel_deg: f64,
         /// Trim by the bow, deg.
         trim_deg: f64,
-        /// The step that came next, rad.
+        /// The next step, rad.
         turn_rad: f64,
-        /// How many there were.
+        /// Number of steps.
         steps: usize,
-        /// What counts as settled, rad.
+        /// The largest last step that is allowed, rad.
         allowed_rad: f64,
     },
 }

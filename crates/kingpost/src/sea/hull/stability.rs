@@ -1,4 +1,4 @@
-//! How a loaded hull floats, and how it rights itself.
+//! The floating position of a loaded hull, and its righting arms.
 
 use super::afloat::{Afloat, EquilibriumSearch, heel_of, tangents, trim_of};
 use super::{Buoyancy, FloatingPosition, HullMesh, HullTank, Loading, StabilityError, Waterplane};
@@ -6,8 +6,8 @@ use crate::spatial::Vector3;
 
 /// A loaded hull at rest in still water.
 ///
-/// A loading that balances on an unstable position exactly, as a symmetric one does, is found
-/// there: its metacentric height is negative.
+/// If a loading balances exactly in an unstable position, as a symmetric one can, that position is found: its
+/// metacentric height is negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloatingEquilibrium {
     /// How it floats.
@@ -22,33 +22,31 @@ pub struct FloatingEquilibrium {
     pub buoyancy: Buoyancy,
     /// Its waterplane.
     pub waterplane: Waterplane,
-    /// KB: height of the centre of buoyancy over the keel, the hull's lowest vertex, along the
-    /// hull's z, m.
+    /// KB: height of the centre of buoyancy above the keel, the hull's lowest vertex, along the hull's z, m.
     pub keel_to_buoyancy: f64,
     /// BM across and along the ship, `I / V`, m.
     pub metacentric_radius: [f64; 2],
-    /// GM across and along the ship: BM and how much higher the centre of buoyancy is than that of
-    /// gravity, m.
+    /// GM across and along the ship: BM plus the height of the centre of buoyancy above that of gravity, m.
     pub metacentric_height: [f64; 2],
 }
 
 /// One point of a righting-arm curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RightingArm {
-    /// How the hull floats.
+    /// The position of the hull.
     pub position: FloatingPosition,
     /// To starboard, rad.
     pub heel: f64,
-    /// By the bow, at which nothing trims it, rad.
+    /// By the bow, without trimming moment, rad.
     pub trim: f64,
-    /// GZ: how far to starboard of the centre of gravity buoyancy pushes up, m.
+    /// GZ: distance of the buoyancy's line of action to starboard of the centre of gravity, m.
     pub arm: f64,
 }
 
 impl FloatingEquilibrium {
-    /// Draught, heel and trim at which weight and buoyancy balance: a stationary point of
-    /// `Phi / W = z0 + n . c - H / V` at constant displacement, by Newton's method from upright
-    /// that only goes down (c the centre of gravity; see [`Buoyancy`]).
+    /// Draught, heel and trim at which weight and buoyancy balance: a stationary point of `Phi / W = z0 + n . c - H /
+    /// V` at constant displacement, by Newton's method from the upright position, which only goes downhill (c the
+    /// centre of gravity; see [`Buoyancy`]).
     ///
     /// # Errors
     /// [`StabilityError`].
@@ -82,8 +80,8 @@ impl RightingArm {
         Self::curve_with_tanks(mesh, loading, &[], heels)
     }
 
-    /// The same of a hull with slack tanks. The centre of gravity of its loading is that with their
-    /// liquid as it lies upright; at each heel and trim they are level.
+    /// The same for a hull with slack tanks. The centre of gravity of its loading contains their liquid as in the
+    /// upright hull; at each heel and trim the liquid is level.
     ///
     /// # Errors
     /// [`StabilityError`].

@@ -1,10 +1,10 @@
-//! RAOs as comma-separated values, whose names state the conventions.
+//! RAOs as comma-separated values, with conventions stated by the column names.
 
 use super::{RaoEntry, RaoError, RaoFile, phasor};
 use crate::sea::database::MODES;
 use core::f64::consts::TAU;
 
-/// Names of amplitudes without their units, and their sign here, by mode.
+/// Names of amplitudes without their units, and their sign in our convention, by mode.
 const SENSES: [&[(&str, f64)]; 6] = [
     &[("surge_forward", 1.0)],
     &[("sway_port", 1.0), ("sway_starboard", -1.0)],
@@ -14,13 +14,13 @@ const SENSES: [&[(&str, f64)]; 6] = [
     &[("yaw_bow_port", 1.0), ("yaw_bow_starboard", -1.0)],
 ];
 
-/// A column and what its numbers are multiplied by.
+/// A column and the factor of its numbers.
 type ScaledColumn = (usize, f64);
 
 /// From a number in a file to rad/s.
 pub(super) type ToRadS = fn(f64) -> f64;
 
-/// What the columns hold.
+/// The contents of the columns.
 struct RaoColumns {
     direction: ScaledColumn,
     frequency: (usize, ToRadS),

@@ -1,4 +1,4 @@
-//! RAOs in OrcaFlex's YAML, whose vessel type states the conventions.
+//! RAOs in OrcaFlex's YAML, with conventions stated by the vessel type.
 
 use super::csv::ToRadS;
 use super::{RaoEntry, RaoError, RaoFile, phasor};
@@ -44,7 +44,7 @@ fn only<'a>(list: &'a Value, name: &str) -> Result<&'a Value, RaoError> {
     }
 }
 
-/// A point; `None` for `[~, ~, ~]` and for what is not there.
+/// A point; `None` for `[~, ~, ~]` and for a missing entry.
 fn point(value: &Value, field: &str) -> Result<Option<[f64; 3]>, RaoError> {
     match value.as_array().map(Vec::as_slice) {
         None if value.is_null() => Ok(None),
@@ -57,12 +57,12 @@ fn point(value: &Value, field: &str) -> Result<Option<[f64; 3]>, RaoError> {
     }
 }
 
-/// What the numbers of a vessel type mean.
+/// The conventions of a vessel type.
 struct Conventions {
     to_rad_s: ToRadS,
-    /// Of amplitudes, by mode, to m/m and rad/m here.
+    /// Factors of the amplitudes, by mode, to m/m and rad/m.
     factors: [f64; 6],
-    /// From a phase to a lag behind the crest: factor, and what is added, rad.
+    /// From a phase to a lag behind the crest: factor and offset, rad.
     lag: [f64; 2],
     symmetric: bool,
 }
@@ -83,7 +83,7 @@ impl Conventions {
         ];
         let way = choice(vessel, "RAOPhaseConvention", &[("lags", 1.0), ("leads", -1.0)])?;
         let unit = choice(vessel, "RAOPhaseUnitsConvention", &[("degrees", 1.0_f64.to_radians()), ("radians", 1.0)])?;
-        // What passes the origin this far behind the crest.
+        // The event that passes the origin at this phase after the crest.
         let references =
             [("crest", 0.0), ("zero down-crossing", PI / 2.0), ("trough", PI), ("zero up-crossing", 1.5 * PI)];
         let after = choice(vessel, "RAOPhaseRelativeToConvention", &references)?;
@@ -112,7 +112,7 @@ impl Conventions {
     }
 }
 
-/// What a convention that must be stated means.
+/// The meaning of a convention that must be stated.
 fn choice<T: Copy>(vessel: &Value, name: &str, choices: &[(&str, T)]) -> Result<T, RaoError> {
     // YAML reads a bare None as a word, and ~ as nothing.
     let found = vessel[name].as_str();
