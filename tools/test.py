@@ -19,6 +19,8 @@ MAKE = os.environ.get("MAKE", "make")
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 COUNT = re.compile(r"(\d+) (passed|failed|errors?)\b")
 AT_ONCE = 2
+# A make that called this has jobs of its own, which the makes below cannot share.
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "MAKEFLAGS"}
 
 
 @dataclass(frozen=True)
@@ -66,6 +68,7 @@ def run(part: Part) -> Result:
     start = time.monotonic()
     done = subprocess.run(
         [MAKE, *part.target.split()],
+        env=ENVIRONMENT,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
