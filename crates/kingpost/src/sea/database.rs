@@ -8,6 +8,7 @@
 mod check;
 mod drift;
 mod physical;
+mod plausible;
 
 use serde::Deserialize;
 use serde_json::Value;

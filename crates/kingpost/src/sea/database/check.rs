@@ -1,6 +1,6 @@
 //! What every database must hold.
 
-use super::{Attitude, Database, DatabaseError, Excitation, RadiationModel, SixBySix, physical};
+use super::{Attitude, Database, DatabaseError, Excitation, RadiationModel, SixBySix, physical, plausible};
 
 /// By how much a direction may miss its place in the regular grid, rad: what seven digits leave.
 const GRID_TOLERANCE_RAD: f64 = 1e-5;
@@ -25,6 +25,7 @@ pub(super) fn check(database: &Database) -> Checked {
     check_excitation("diffraction", database, &database.diffraction)?;
     check_mean_drift(database)?;
     physical::check_matrices(database)?;
+    plausible::check(database)?;
     database.radiation.as_ref().map_or(Ok(()), |model| {
         check_radiation(model)?;
         physical::check_radiation(model, &database.frequencies_rad_s)
