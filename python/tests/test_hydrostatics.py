@@ -124,7 +124,7 @@ def test_check_says_where_a_ship_leaves_its_database_and_that_one_sinks(capsys) 
     assert main(["check", "barge", "--set", "load_t=5", "--set", "bodies.ship.mass_t=380"]) == 0
     assert "% apart: linear hydrodynamics are about the database's draught" in capsys.readouterr().err
     assert main(["check", "barge", "--set", "bodies.ship.mass_t=1100"]) == 2
-    assert "the hull cannot float: 1102.000 t displace" in capsys.readouterr().err
+    assert "a hull that cannot float: 1102.000 t displace" in capsys.readouterr().err
 
 
 def test_what_does_not_float_has_no_hydrostatics(capsys) -> None:

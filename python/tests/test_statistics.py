@@ -78,8 +78,8 @@ def test_a_sine_gives_all_of_its_power_to_its_line() -> None:
 
 @pytest.mark.parametrize("length", [500, 501])
 def test_the_spectrum_is_welchs_average_of_periodograms(length: int) -> None:
-    """P. D. Welch, IEEE Trans. Audio Electroacoust. 15(2), 1967: segments that overlap by half, Hann windows over
-    a period, squares over the window's. To rounding of some thousand sums."""
+    """P. D. Welch, IEEE Trans. Audio Electroacoust. 15(2), 1967: segments that overlap by half, Hann windows
+    over a period, squares over the window's. To rounding of some thousand sums."""
     record = gaussian_process(np.random.default_rng(5), duration_s=1000.0)
     found = statistics.spectrum(record, segment_s=0.25 * length)
     values = record.values - record.values.mean()

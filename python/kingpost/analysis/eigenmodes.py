@@ -109,6 +109,8 @@ class Scaled:
 
     @classmethod
     def of(cls, linear: Linearization, mass: NDArray[np.float64], constraints: NDArray[np.float64]) -> Scaled:
+        from scipy.linalg import block_diag
+
         a, n = linear.A.values, len(mass)
         root = np.linalg.cholesky(mass).T
         inverse = np.linalg.solve(root, np.eye(n))
@@ -122,13 +124,13 @@ class Scaled:
         memory = np.concatenate([linear.remembers[:n], linear.remembers[2 * n :]])
         plain = np.eye(len(a) - 2 * n)
         energies = (
-            block_diagonal(inward * frequency, inward, plain)
+            block_diag(inward * frequency, inward, plain)
             @ a
-            @ block_diagonal(outward / frequency, outward, plain)
+            @ block_diag(outward / frequency, outward, plain)
         )
         further = balanced(energies, ~memory[n:])
-        to_scaled = block_diagonal(inward * frequency, inward, np.diag(1 / further))
-        from_scaled = block_diagonal(outward / frequency, outward, np.diag(further))
+        to_scaled = block_diag(inward * frequency, inward, np.diag(1 / further))
+        from_scaled = block_diag(outward / frequency, outward, np.diag(further))
         smallest = max(SMALLEST_SHARE * square, SMALLEST_SQUARE) / frequency
         return cls(names, memory, mass, from_scaled, further, to_scaled @ a @ from_scaled, smallest)
 
@@ -167,17 +169,6 @@ def balanced(a: NDArray, counts: NDArray[np.bool_]) -> NDArray[np.float64]:
 def null_space(matrix: NDArray) -> NDArray[np.float64]:
     """Orthonormal basis of the null space of a matrix with independent rows."""
     return np.linalg.qr(matrix.T, mode="complete")[0][:, len(matrix) :]
-
-
-def block_diagonal(*blocks: NDArray) -> NDArray[np.float64]:
-    """Block-diagonal matrix."""
-    out = np.zeros(np.sum([block.shape for block in blocks], axis=0))
-    row = column = 0
-    for block in blocks:
-        rows, columns = block.shape
-        out[row : row + rows, column : column + columns] = block
-        row, column = row + rows, column + columns
-    return out
 
 
 def zero_levels(a: NDArray, smallest: float) -> tuple[list[NDArray], NDArray]:

@@ -106,9 +106,7 @@ def _ending(options: argparse.Namespace) -> str:
 
 def _check_options(options: argparse.Namespace) -> None:
     """Refuse options that would have no effect, before anything is computed."""
-    if options.units != results_units.NAMES and _ending(options) not in results_units.ENDINGS:
-        found = options.output or "no file"
-        raise KingpostError(f"--units {options.units}: found {found}, allowed: -o with .csv or .parquet")
+    results_units.check_units(options.units, options.output or None)
     if options.anew and options.seeds is None:
         raise KingpostError("--anew: found no --seeds, allowed: with --seeds alone")
 

@@ -20,7 +20,7 @@ from . import xarrays
 from .columns import columns, frame, places, unit_of
 from .events import events, warnings
 from .kept import are_of_a_run
-from .units import IN_ENGINEERING, NAMES, engineering
+from .units import IN_ENGINEERING, NAMES, check_units, engineering
 
 if TYPE_CHECKING:
     import xarray
@@ -121,11 +121,8 @@ def write(
     path = check_output(path)
     ending = path.suffix.lower()
     check_patterns(results, patterns)
+    check_units(units, path)
     if ending == ".nc":
-        if units != NAMES:
-            raise KingpostError(
-                f"{path}: found the units {units}, allowed: of .csv and .parquet; NetCDF has SI"
-            )
         return output.write_netcdf(_variables(results, patterns), path)
     if ending == ".csv":
         output.write_csv(frame(results, patterns, units), path)

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
+
+from ..errors import KingpostError
 
 NAMES, SI, IN_ENGINEERING = "names", "si", "engineering"
 CHOICES = (NAMES, SI, IN_ENGINEERING)
@@ -34,3 +37,18 @@ def engineering(unit: str) -> tuple[str, float]:
     (('kN', 1000.0), ('m', 1.0))
     """
     return ENGINEERING.get(unit, (unit, 1.0))
+
+
+def check_units(units: str, path: str | Path | None) -> None:
+    """Make sure that a file, by its ending, has units to choose.
+
+    Raises
+    ------
+    KingpostError
+        When units other than ``names`` are asked for without a file, or of one that has its own.
+
+    >>> check_units(SI, "run.csv")
+    """
+    if units != NAMES and (path is None or Path(path).suffix.lower() not in ENDINGS):
+        found = "no file" if path is None else path
+        raise KingpostError(f"--units {units}: found {found}, allowed: -o with {' or '.join(ENDINGS)}")

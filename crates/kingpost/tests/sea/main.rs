@@ -19,6 +19,7 @@ mod hydrodynamic_databases;
 mod hydrostatics;
 mod listing_hulls;
 mod mooring;
+mod plausible_data;
 mod random_sea;
 mod raos;
 mod sea_view;

@@ -117,6 +117,15 @@ pub struct Hull<S = f64> {
     pub cutoff_rad_s: f64,
 }
 
+impl<S: Scalar> Hull<S> {
+    /// Whether any load on it is about the draught of its data, upright.
+    pub fn is_linear(&self) -> bool {
+        let Self { hydrostatics, added_mass, radiation, excitation, .. } = self;
+        let linear = matches!(hydrostatics, Hydrostatics::Linear(_));
+        linear || added_mass.is_some() || radiation.is_some() || excitation.is_some()
+    }
+}
+
 impl<S: Scalar> Element<S> for Hull<S> {
     fn name(&self) -> &str {
         &self.name

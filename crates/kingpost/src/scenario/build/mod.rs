@@ -2,6 +2,7 @@
 
 mod axes;
 mod bodies;
+mod capacity;
 mod clearances;
 mod columns;
 mod contacts;
@@ -31,7 +32,7 @@ mod submerged;
 mod tanks;
 mod watchers;
 mod water;
-mod wave_motion;
+pub(super) mod wave_motion;
 pub(super) mod waves;
 mod wind_and_current;
 mod world;
@@ -71,6 +72,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     cylinders::begin(&mut setup)?;
     ropes_at_start::begin(&mut setup)?;
     contacts::begin(&mut setup)?;
+    capacity::check(scenario, &setup)?;
     equilibrium::settle(scenario, &mut setup)?;
     ropes_at_start::check_loads(&setup)?;
     contacts::check_rest(&setup)?;

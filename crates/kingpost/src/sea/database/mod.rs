@@ -9,6 +9,7 @@ mod check;
 mod drift;
 mod error;
 mod physical;
+mod plausible;
 
 pub use error::DatabaseError;
 
