@@ -43,9 +43,7 @@ class StoppedError(Exception):
     """A run that takes longer than is waited for."""
 
 
-def outcome(
-    text: str, file: str, *, thorough: bool = False, longest_run_s: float = LONGEST_RUN_S
-) -> str:
+def outcome(text: str, file: str, *, thorough: bool = False, longest_run_s: float = LONGEST_RUN_S) -> str:
     """``refused``, ``ran``, ``ended early`` or ``stopped``, with the words of the error.
 
     Raises

@@ -17,9 +17,9 @@ import numpy as np
 from .. import output
 from ..errors import KingpostError
 from . import xarrays
-from .kept import are_of_a_run
 from .columns import columns, frame, places, unit_of
 from .events import events, warnings
+from .kept import are_of_a_run
 from .units import IN_ENGINEERING, NAMES, engineering
 
 if TYPE_CHECKING:
