@@ -1,7 +1,9 @@
 """Inputs with something wrong, of every kind, for as long as one has: `python tools/attack.py --minutes 60`.
 
-The generators and the contract are those of `python/tests/fuzz`. A case that breaks the contract is saved, with
-what it came to; of many that break it alike the first. Moved to `python/tests/fuzz/corpus/KIND`, it is replayed
+The generators and the contract are those of `python/tests/fuzz`. A case that breaks the contract is saved,
+with
+what it came to; of many that break it alike the first. Moved to `python/tests/fuzz/corpus/KIND`, it is
+replayed
 by the tests. Exit code 1 where any was found.
 """
 
@@ -25,7 +27,7 @@ from fuzz.apart import Apart, Verdict  # noqa: E402
 from fuzz.contract import Case  # noqa: E402
 from fuzz.corpus import save  # noqa: E402
 
-TURN_S = 60.0
+TURN_S = 20.0
 """Of the clock, for one kind before the next has its turn."""
 SHARES = {
     "scenario_text": 3.0,
@@ -111,7 +113,9 @@ def main() -> int:
     options.add_argument("--minutes", type=float, default=60.0)
     options.add_argument("--kinds", nargs="+", choices=SHARES, default=list(SHARES))
     options.add_argument("--seed", type=int, default=1, help="another seed draws other cases")
-    options.add_argument("--keep", type=Path, default=ROOT / "target" / "attack", help="folder of the failures")
+    options.add_argument(
+        "--keep", type=Path, default=ROOT / "target" / "attack", help="folder of the failures"
+    )
     given = options.parse_args()
     print(HEADS)
     tallies = attack(given.kinds, given.minutes, given.seed, given.keep)

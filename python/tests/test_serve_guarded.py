@@ -114,3 +114,21 @@ def test_connections_that_say_nothing_are_limited_in_number(app, monkeypatch):
             line.close()
         server.shutdown()
         thread.join()
+
+
+def test_a_client_that_is_slower_than_the_time_it_has_is_let_go(app, monkeypatch):
+    """Source: RFC 9112, section 9.5: a server may close a connection that is idle; one that has sent half a
+    head of a request is idle too."""
+    monkeypatch.setattr(listening, "IDLE_S", 0.2)
+    with serve.open_server(app, {}, serve.LOOPBACK, 0) as server:
+        # How often it looks for them, s.
+        server._waitress.adj.cleanup_interval = 0.1
+        thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+        thread.start()
+        try:
+            with socket.create_connection((serve.LOOPBACK, server.server_port), timeout=30) as line:
+                line.sendall(b"GET / HTTP/1.1\r\nHost: loc")
+                assert line.recv(1000) == b""
+        finally:
+            server.shutdown()
+            thread.join()

@@ -16,7 +16,8 @@ ENTRIES = {
     "events": {"time_s": NUMBER, "element": TEXT, "what": TEXT},
     "warnings": {"time_s": NUMBER, "name": TEXT, "text": TEXT},
     "limits": {
-        "name": TEXT, "column": TEXT, "unit": TEXT, "at_least": NUMBER + OR_NOTHING, "at_most": NUMBER + OR_NOTHING,
+        "name": TEXT, "column": TEXT, "unit": TEXT, "at_least": NUMBER + OR_NOTHING,
+        "at_most": NUMBER + OR_NOTHING,
         "held": FLAG + OR_NOTHING, "worst": NUMBER + OR_NOTHING, "worst_time_s": NUMBER + OR_NOTHING,
     },
 }  # fmt: skip
@@ -38,7 +39,9 @@ def are_of_a_run(attributes: Mapping[str, Any], runs: int | None) -> bool:
     (False, False)
     """
     try:
-        found = {name: json.loads(attributes[name]) for name in (*ENTRIES, *TEXTS, *FIELDS) if name in attributes}
+        found = {
+            name: json.loads(attributes[name]) for name in (*ENTRIES, *TEXTS, *FIELDS) if name in attributes
+        }
     except (TypeError, ValueError, RecursionError):
         return False
     return (
@@ -57,7 +60,8 @@ def _are_entries(found: object, fields: Mapping[str, str], runs: int | None) -> 
     if runs is not None and found and all(isinstance(of_run, list) for of_run in found):
         return len(found) == runs and all(_are_entries(of_run, fields, None) for of_run in found)
     return all(
-        isinstance(entry, dict) and all(name in entry and _is(entry[name], kind) for name, kind in fields.items())
+        isinstance(entry, dict) and all(name in entry and _is(entry[name], kind) for name,
+        kind in fields.items())
         and not ("at_most" in fields and entry["at_least"] is None and entry["at_most"] is None)
         for entry in found
     )  # fmt: skip
@@ -87,6 +91,9 @@ def _is_scenario(found: Any) -> bool:
         and (not sea or _is(sea.get("ramp_s"), NUMBER))
         and (
             not parameters
-            or (isinstance(parameters, list) and all(isinstance(one, dict) and "name" in one for one in parameters))
+            or (
+                isinstance(parameters, list)
+                and all(isinstance(one, dict) and "name" in one for one in parameters)
+            )
         )
     )

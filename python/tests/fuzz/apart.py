@@ -1,4 +1,5 @@
-"""A process that judges cases: one that dies, hangs or takes too much memory takes only this process along."""
+"""A process that judges cases: one that dies, hangs or takes too much memory takes only this process
+along."""
 
 from __future__ import annotations
 

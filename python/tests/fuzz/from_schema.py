@@ -11,7 +11,22 @@ from typing import Any
 import kingpost
 from lift_mutations import NUMBERS, OTHERS
 
-NAMES = ["ship", "arm", "tower", "load", "hook", "world", "a", "b", "box", "boom", "hinge", "motor", "water", "tip"]
+NAMES = [
+    "ship",
+    "arm",
+    "tower",
+    "load",
+    "hook",
+    "world",
+    "a",
+    "b",
+    "box",
+    "boom",
+    "hinge",
+    "motor",
+    "water",
+    "tip",
+]
 TEXTS = [*NAMES, "ship.roll", "arm.tip", "x", "m", "deg", "gallery:hydro/sphere.hydro.json",
          "gallery:parts/paper_crane.yaml", "nowhere.csv"]  # fmt: skip
 PLAUSIBLE = [0, 0.1, 0.3, 0.5, 1, 1.5, 2, 3, 5, 8, 10, 20, 45, 100, 1000, 1e4, 1e5, 1e6, -1, -2, -5, -90]

@@ -13,16 +13,21 @@ from lift_mutations import NUMBERS, OTHERS, at, places, put
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])")
 WORD = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
 NUMBER_TEXTS = [
-    "0", "-0", "-1", "1", "2", "3", "0.5", ".5", "5.", "1e3", "1e-3", "1e6", "1e-9", "1e15", "1e16", "1e100", "-1e100",
+    "0", "-0", "-1", "1", "2", "3", "0.5", ".5", "5.", "1e3", "1e-3", "1e6", "1e-9", "1e15", "1e16",
+    "1e100", "-1e100",
     "1e300", "1e308", "-1e308", "1e-300", "5e-324", "1e400", "nan", "NaN", ".nan", "inf", "-inf", ".inf",
     "Infinity", "9" * 30, "9" * 400, "0." + "0" * 60 + "1", "2147483648", "9223372036854775808",
-    "18446744073709551616", "-9223372036854775809", "0x10", "1_000", "1,5", "1e", "e5", "--1", "+1", "", " ", "x",
-    "１２", "٣", "1d5", "1D+05", "********", "true", "null", "''", "'1'",
+    "18446744073709551616", "-9223372036854775809", "0x10", "1_000", "1,5", "1e", "e5", "--1", "+1", "",
+    " ", "x",
+    "\uff11\uff12", "\u0663", "1d5", "1D+05", "********", "true", "null", "''", "'1'",
 ]  # fmt: skip
 TOKENS = [
-    "\n", "\n\n", "\r\n", "\r", "\t", " ", ",", ";", ":", ": ", "{", "}", "[", "]", "(", ")", "'", '"', "#", "&a ",
-    "*a", "<<: ", "!x ", "!!float ", "|", ">", "? ", "- ", "---", "...", "%", "\\", "\x00", "\x1b[31m", "\x07", "\x7f",
-    "\x85", "\u2028", "\ufeff", "\u202e", "é", "🚢", "\ud7ff", "$", "~", "null", "true", "=", "==", "..", "/", "../",
+    "\n", "\n\n", "\r\n", "\r", "\t", " ", ",", ";", ":", ": ", "{", "}", "[", "]", "(", ")", "'", '"',
+    "#", "&a ",
+    "*a", "<<: ", "!x ", "!!float ", "|", ">", "? ", "- ", "---", "...", "%", "\\", "\x00", "\x1b[31m",
+    "\x07", "\x7f",
+    "\x85", "\u2028", "\ufeff", "\u202e", "é", "🚢", "\ud7ff", "$", "~", "null", "true", "=", "==", "..",
+    "/", "../",
     "[" * 300, "{a: " * 300, "(" * 3000, "x" * 3000, "-" * 100,
 ]  # fmt: skip
 
@@ -55,7 +60,9 @@ def word_changed(draw: random.Random, text: str) -> str:
     if one is None or other is None:
         return token_put(draw, text)
     k = draw.randrange(len(one[0]) + 1)
-    new = draw.choice([other[0], one[0][:k] + one[0][k + 1 :], one[0][:k] + "x" + one[0][k:], one[0].upper(), ""])
+    new = draw.choice(
+        [other[0], one[0][:k] + one[0][k + 1 :], one[0][:k] + "x" + one[0][k:], one[0].upper(), ""]
+    )
     return text[: one.start()] + new + text[one.end() :]
 
 
@@ -66,7 +73,9 @@ def token_put(draw: random.Random, text: str) -> str:
 
 def stretch_changed(draw: random.Random, text: str) -> str:
     k, length = draw.randrange(len(text) + 1), draw.randrange(20)
-    new = "".join(chr(draw.choice([draw.randrange(32, 127), draw.randrange(0x250)])) for _ in range(draw.randrange(5)))
+    new = "".join(
+        chr(draw.choice([draw.randrange(32, 127), draw.randrange(0x250)])) for _ in range(draw.randrange(5))
+    )
     return text[:k] + new + text[k + length :]
 
 
@@ -114,14 +123,18 @@ def cells_changed(draw: random.Random, text: str) -> str:
 
 
 def of_nothing(draw: random.Random, text: str) -> str:
-    return draw.choice(["", " ", "\n", "#", "null", "[]", "{}", "0", "\ufeff", "\x00", "[" * 100_000, text[:1]])
+    return draw.choice(
+        ["", " ", "\n", "#", "null", "[]", "{}", "0", "\ufeff", "\x00", "[" * 100_000, text[:1]]
+    )
 
 
 TEXT_WAYS = [number_changed] * 8 + [word_changed] * 4 + [token_put, stretch_changed, line_changed] * 2 + [cut]
 TABLE_WAYS = [*TEXT_WAYS, cells_changed, cells_changed, line_changed]
 
 
-def damaged(draw: random.Random, text: str, ways: Sequence[Callable[[random.Random, str], str]] = TEXT_WAYS) -> str:
+def damaged(
+    draw: random.Random, text: str, ways: Sequence[Callable[[random.Random, str], str]] = TEXT_WAYS
+) -> str:
     """A text with one to three things wrong in it."""
     if draw.random() < 0.01:
         return of_nothing(draw, text)

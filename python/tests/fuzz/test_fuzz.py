@@ -1,6 +1,7 @@
 """Inputs of every kind with something wrong: each is taken, or refused in words.
 
-A short run, the same each time. A long one: `tools/attack.py`. What either finds is put into `corpus/`, where a
+A short run, the same each time. A long one: `tools/attack.py`. What either finds is put into `corpus/`,
+where a
 test replays it.
 """
 

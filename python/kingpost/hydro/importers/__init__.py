@@ -93,7 +93,9 @@ def _told(kind: str, name: str) -> Iterator[None]:
             yield
     except (ArithmeticError, LookupError, TypeError, ValueError) as error:
         reason = " ".join(str(error).split())[:LONGEST_REASON]
-        raise reading_error(f"a file that is damaged ({reason})", f"a file of {kind}'s, whole", name) from error
+        raise reading_error(
+            f"a file that is damaged ({reason})", f"a file of {kind}'s, whole", name
+        ) from error
 
 
 def _check_signature(kind: str, name: str) -> None:

@@ -16,12 +16,23 @@ from .scenario_text import documents
 
 SCENARIOS = ("paper", "chain", "tennis_racket")
 VALUES = [
-    "on", "off", "true", "null", "[]", "{}", "[0,0,1]", "[0, 0, 1", "{a: 1}", "{a: .5}", "{prescribed: {rate_rad_s: 0.1}}",
-    "{prescribed: {rate_rad_s: .5}}", '{"prescribed": {"rate_rad_s": 0.1}}', "{waves: {}}", "{a: {b: {c: [1,2,{d: e}]}}}",
-    "{", "}", "{{}}", "{:}", "{a}", '{"a"}', "{a: 'b'}", "{a: b: c}", "{,}", "[,]", "'", '"', "ship", "lever", "=", "a=b",
+    "on", "off", "true", "null", "[]", "{}", "[0,0,1]", "[0, 0, 1", "{a: 1}", "{a: .5}",
+    "{prescribed: {rate_rad_s: 0.1}}",
+    "{prescribed: {rate_rad_s: .5}}", '{"prescribed": {"rate_rad_s": 0.1}}', "{waves: {}}",
+    "{a: {b: {c: [1,2,{d: e}]}}}",
+    "{", "}", "{{}}", "{:}", "{a}", '{"a"}', "{a: 'b'}", "{a: b: c}", "{,}", "[,]", "'", '"', "ship",
+    "lever", "=", "a=b",
     "{a: " * 500 + "1" + "}" * 500, "[" * 5000, "&a [*a]", "!!python/object:os.system x", "1 000", "x" * 4000,
 ]  # fmt: skip
-ROLL = ("roll-damping", "sections", "box:length_m=20,beam_m=10,draught_m=2,depth_m=5", "--kg-m", "2.5", "--period-s", "6")
+ROLL = (
+    "roll-damping",
+    "sections",
+    "box:length_m=20,beam_m=10,draught_m=2,depth_m=5",
+    "--kg-m",
+    "2.5",
+    "--period-s",
+    "6",
+)
 LINES = [
     ROLL,
     (*ROLL, "--bilge-keels", "breadth_m=0.4,length_m=10", "--speed-m-s", "3", "--amplitudes-deg", "5", "10"),
@@ -31,14 +42,25 @@ LINES = [
     ("run", "chain", "--set", "simulation.duration_s=0.01", "--record", "link_1.*"),
     ("hydro", "box:length_m=20,beam_m=10,draught_m=2,depth_m=5", "--panels", "0", "-o", "x.hydro.json"),
     ("hydro", "sphere:radius_m=5", "--frequencies-rad-s", "0.5:2:1", "-o", "x.hydro.json"),
-    ("hydro", "wigley:length_m=9,beam_m=1,draught_m=1", "--loading", "kg_m=2.5,roll_gyration_m=3", "-o", "x.hydro.json"),
+    ("hydro", "wigley:length_m=9,beam_m=1,draught_m=1", "--loading", "kg_m=2.5,roll_gyration_m=3", "-o",
+    "x.hydro.json"),
     ("hydro", "sphere:radius_m=5", "--heel-deg", "5", "--directions", "3", "-o", "x.hydro.json"),
     ("serve", "--port", "99999", "--host", "127.0.0.1"),
     ("list", "--json"), ("statistics", "x.nc", "--after-s", "3"), ("plot", "x.nc", "-o", "x.png"),
 ]  # fmt: skip
 """Lines that end soon, also where what is changed in them is right."""
 # What would compute for long, or serve, where it is right.
-OWN_WORDS = {"--anew", "--seeds", "paper", "verify", "serve", "-h", "--help", "--version", "--print-completion"}
+OWN_WORDS = {
+    "--anew",
+    "--seeds",
+    "paper",
+    "verify",
+    "serve",
+    "-h",
+    "--help",
+    "--version",
+    "--print-completion",
+}
 
 
 @cache
@@ -49,7 +71,9 @@ def paths(scenario: str) -> list[str]:
     def walk(value: object, path: str) -> None:
         if path:
             found.append(path)
-        entries = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+        entries = (
+            value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+        )
         for name, entry in entries:
             walk(entry, f"{path}.{name}" if path else str(name))
 

@@ -23,7 +23,8 @@ SIZE = {"length_m": 12.0, "beam_m": 10.0}
 HULL = {**SIZE, "draught_m": 5.0}
 LISTED = {**HULL, "first_column": "period_s"}
 GIVEN = {
-    "wamit": {**LISTED, "density_kg_m3": 1000.0, "gravity_m_s2": 9.81, "water_depth_m": np.inf, "length_scale_m": 1.0,
+    "wamit": {**LISTED, "density_kg_m3": 1000.0, "gravity_m_s2": 9.81, "water_depth_m": np.inf,
+    "length_scale_m": 1.0,
               "time_sign": "+", "restoring_includes_weight": False, "reference_m": (1.0, 0.5, -2.0),
               "volume_m3": 262.0, "centre_of_buoyancy_m": (0.4, 0.0, -1.9)},
     "bemio": {**HULL, "restoring_includes_weight": True},

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from lift_outcomes import WrongError as LiftWrongError
 from lift_outcomes import outcome
 
-from ..contract import Case, WrongError
+from ..contract import Case
 
 
 def use(case: Case, folder: Path) -> str:
     """What the text of a scenario comes to, as if it stood in the file that the second word names."""
     how, file = case.arguments
-    try:
-        return outcome(case.files["case.yaml"].decode(), file, thorough=how == "thorough")
-    except LiftWrongError as wrong:
-        raise WrongError(str(wrong)) from None
+    return outcome(case.files["case.yaml"].decode(), file, thorough=how == "thorough")

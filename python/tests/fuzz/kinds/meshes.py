@@ -19,8 +19,10 @@ from ..mutations import TEXT_WAYS, damaged, damaged_bytes, encoded
 POINTS = [(x, y, z) for x in (-10.0, 10.0) for y in (-5.0, 5.0) for z in (-2.0, 3.0)]
 QUADS = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
 TRIANGLES = [(a, b, c) for p, q, r, s in QUADS for a, b, c in ((p, q, r), (p, r, s))]
-WRITTEN = {".stl": False, ".obj": False, ".ply": False, ".off": False, ".vtk": False, ".msh": False, ".mesh": False,
-           ".inp": False, ".nas": False, ".vtu": False, ".su2": False, ".ugrid": False, ".avs": False, ".tec": False,
+WRITTEN = {".stl": False, ".obj": False, ".ply": False, ".off": False, ".vtk": False, ".msh": False,
+".mesh": False,
+           ".inp": False, ".nas": False, ".vtu": False, ".su2": False, ".ugrid": False, ".avs": False,
+           ".tec": False,
            ".f3grid": False, ".xml": False, ".wkt": False}  # fmt: skip
 """Endings that are tried; those that meshio cannot write are left out."""
 

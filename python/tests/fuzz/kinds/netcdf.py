@@ -80,7 +80,9 @@ def _attribute(draw: random.Random, run: xarray.Dataset) -> xarray.Dataset:
     if way == 0:
         run.attrs.pop(name)
     elif way == 1:
-        run.attrs[name] = draw.choice([0, -1, 1.5, "", "x", "{}", "[]", "null", "[null]", "[[1]]", '{"a": 1}'])
+        run.attrs[name] = draw.choice(
+            [0, -1, 1.5, "", "x", "{}", "[]", "null", "[null]", "[[1]]", '{"a": 1}']
+        )
     elif way == 2:
         run.attrs[name] = damaged(draw, str(held))
     else:
@@ -97,7 +99,9 @@ def _values(draw: random.Random, run: xarray.Dataset) -> xarray.Dataset:
     values = run[name].values.copy()
     if values.dtype.kind != "f" or not values.size:
         return run
-    values.flat[draw.randrange(values.size)] = draw.choice([float(x) for x in NUMBERS if abs(x) <= 1e308 or x != x])
+    values.flat[draw.randrange(values.size)] = draw.choice(
+        [float(x) for x in NUMBERS if abs(x) <= 1e308 or x != x]
+    )
     if draw.random() < 0.3:
         values[...] = draw.choice([float("nan"), 0.0, 1e308, float("inf"), -1.0])
     return run.assign_coords({name: (run[name].dims, values)}) if name in run.coords else run.assign(
@@ -124,7 +128,9 @@ def _of_variable(draw: random.Random, run: xarray.Dataset) -> xarray.Dataset:
     name = draw.choice(sorted(map(str, run.variables)))
     attributes = run[name].attrs
     key = draw.choice([*attributes, "units", "column", "long_name", "standard_name"])
-    attributes[key] = draw.choice(["", "{", "{x}", "{time}", "a.{body}.b", "m\x1b[31m", "rad", "x" * 500, 1, "kN\n"])
+    attributes[key] = draw.choice(
+        ["", "{", "{x}", "{time}", "a.{body}.b", "m\x1b[31m", "rad", "x" * 500, 1, "kN\n"]
+    )
     if draw.random() < 0.1:
         kind = draw.choice(["i4", "S4", "f4"])
         if run[name].dtype.kind == "f":

@@ -30,9 +30,7 @@ forces:
 def tables() -> dict[str, str]:
     """A gauge's 40 s, a decay of 60 s, a hull of seven sections."""
     gauge = [f"{0.5 * k:g},{math.sin(0.4 * k) + 0.3 * math.sin(0.9 * k + 1):.4f}" for k in range(80)]
-    decay = [
-        f"{0.25 * k:g},{10 * math.exp(-0.01 * k) * math.cos(0.2 * k):.4f}" for k in range(240)
-    ]
+    decay = [f"{0.25 * k:g},{10 * math.exp(-0.01 * k) * math.cos(0.2 * k):.4f}" for k in range(240)]
     sections = [f"{10 * k},{20 - abs(k - 3):g},5,{90 - 10 * abs(k - 3)},1.5" for k in range(7)]
     return {
         "waves": "\n".join(["time_s,elevation_m", *gauge, ""]),

@@ -17,23 +17,29 @@ from kingpost.server import serve
 from ..contract import Case, WrongError
 from ..mutations import damaged, damaged_bytes
 
+END = "Connection: close\r\n\r\n"
 HEADS = [
-    "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n",
-    "GET /scenarios/index.json HTTP/1.1\r\nHost: 127.0.0.1:8000\r\nAccept-Encoding: gzip, br;q=0.5\r\nConnection: close\r\n\r\n",
-    "HEAD /assets/main.js HTTP/1.1\r\nHost: localhost\r\nIf-None-Match: \"x\"\r\nConnection: close\r\n\r\n",
+    f"GET / HTTP/1.1\r\nHost: localhost\r\n{END}",
+    f"GET /scenarios/index.json HTTP/1.1\r\nHost: 127.0.0.1:8000\r\nAccept-Encoding: gzip, br;q=0.5\r\n{END}",
+    f'HEAD /assets/main.js HTTP/1.1\r\nHost: localhost\r\nIf-None-Match: "x"\r\n{END}',
     "GET /scenarios/paper.yaml?scenario=paper HTTP/1.0\r\nHost: localhost\r\n\r\n",
-    "POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 40\r\nConnection: close\r\n\r\n"
+    f"POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 40\r\n{END}"
     "GET /secret HTTP/1.1\r\nHost: localhost\r\n\r\n",
-    "POST / HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\nConnection: close\r\n\r\n5\r\nhello\r\n0\r\n\r\n",
-    "GET /%2e%2e/%2e%2e/etc/passwd HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n",
-    "GET / HTTP/1.1\r\nHost: evil.example\r\nConnection: close\r\n\r\n",
-    "OPTIONS * HTTP/1.1\r\nHost: [::1]:80\r\nExpect: 100-continue\r\nConnection: close\r\n\r\n",
-]  # fmt: skip
-PATHS = ["%00", "%0d%0a", "..", "../..", "%c0%af", "//", "\\", "?", "#", "%", "%zz", "x" * 5000, "é", "%F0%9F%9A%A2", "~",
-         "scenarios/", "scenarios/%2e%2e/", "assets", "offline.js", ";", "\t", "con", "index.html/", "a" * 300]  # fmt: skip
-LINES = ["Host: localhost", "Host:", "Host: a b", "Content-Length: -1", "Content-Length: 99999999999999999999",
-         "Content-Length: 5", "Transfer-Encoding: chunked", "Transfer-Encoding: gzip", "Accept-Encoding: gzip;q=",
-         "If-None-Match: *", "Range: bytes=0-", "X: " + "y" * 9000, ": x", " folded", "Upgrade: h2c", "Cookie: \x01",
+    f"POST / HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n{END}5\r\nhello\r\n0\r\n\r\n",
+    f"GET /%2e%2e/%2e%2e/secret HTTP/1.1\r\nHost: localhost\r\n{END}",
+    f"GET / HTTP/1.1\r\nHost: evil.example\r\n{END}",
+    f"OPTIONS * HTTP/1.1\r\nHost: [::1]:80\r\nExpect: 100-continue\r\n{END}",
+]
+PATHS = ["%00", "%0d%0a", "..", "../..", "%c0%af", "//", "\\", "?", "#", "%", "%zz", "x" * 5000, "é",
+"%F0%9F%9A%A2", "~",
+         "scenarios/", "scenarios/%2e%2e/", "assets", "offline.js", ";", "\t", "con", "index.html/",
+         "a" * 300]  # fmt: skip
+LINES = ["Host: localhost", "Host:", "Host: a b", "Content-Length: -1",
+"Content-Length: 99999999999999999999",
+         "Content-Length: 5", "Transfer-Encoding: chunked", "Transfer-Encoding: gzip",
+         "Accept-Encoding: gzip;q=",
+         "If-None-Match: *", "Range: bytes=0-", "X: " + "y" * 9000, ": x", " folded", "Upgrade: h2c",
+         "Cookie: \x01",
          "Connection: keep-alive", "Expect: 200"]  # fmt: skip
 STATUS = re.compile(rb"HTTP/1\.[01] (\d\d\d) ")
 SECRET = b"this stands beside the folder that is served"
@@ -49,7 +55,9 @@ def port() -> int:
     (folder / "index.html").write_text("<!doctype html><title>Kingpost</title>" + "<p>A ship." * 9)
     (folder / "assets" / "main.js").write_text("export {};")
     (root / "secret").write_bytes(SECRET)
-    server = serve.open_server(folder, {"paper.yaml": gallery.read_text(gallery.folder() / "paper.yaml")}, serve.LOOPBACK, 0)
+    server = serve.open_server(
+        folder, {"paper.yaml": gallery.read_text(gallery.folder() / "paper.yaml")}, serve.LOOPBACK, 0
+    )
     threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True).start()
     return server.server_port
 
