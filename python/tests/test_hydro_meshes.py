@@ -175,7 +175,7 @@ def test_a_hull_without_a_mesh_in_its_database_is_told_of_loudly(tmp_path):
     assert "warning" not in summary(small, Water())
     words = f"warning: the database gets no hull mesh, because the mesh has {len(fine.triangles)} triangles"
     assert words in summary(large, Water())
-    assert "for the mesh ends at the water line" in summary(open_above, Water())
+    assert "because the mesh ends at the water line" in summary(open_above, Water())
 
 
 def test_a_gdf_file_cut_short_is_refused(tmp_path):
