@@ -46,7 +46,7 @@ PARTS = [
 
 @dataclass
 class Result:
-    """What one part came to."""
+    """Result of one part."""
 
     passed: int = 0
     failed: int = 0

@@ -153,7 +153,7 @@ def test_conditions_that_are_nested_without_end_are_refused_at_their_place(depth
     ids=["no unit", "no column", "no name", "a list for a point", "a list for a limit", "all on the world",
          "beyond all numbers"],
 )  # fmt: skip
-def test_what_once_went_through_is_refused_at_its_field(old, new, field):
+def test_inputs_that_were_once_accepted_are_refused_at_their_field(old, new, field):
     """Source: cases that this file has found."""
     assert YARD.count(old) == 1
     with pytest.raises(kingpost.ScenarioError) as caught:

@@ -240,7 +240,7 @@ def test_a_wrong_attitude_in_a_file_is_named(attitude, message):
         database_file.from_tree(tree)
 
 
-def test_what_was_solved_of_one_attitude_is_not_taken_up_for_another(tmp_path):
+def test_frequencies_solved_for_one_attitude_are_not_reused_for_another(tmp_path):
     pytest.importorskip("capytaine")
     path, omega = tmp_path / "x.partial.npz", np.array([0.8])
     opened = []
@@ -273,7 +273,7 @@ def test_a_loading_of_which_a_listed_hull_would_capsize_is_refused():
         small_database(standing(BARGE, 80, 5), Loading(6.0, 3.0, 6.0, 6.0))
 
 
-def test_the_attitude_of_a_scenario_is_what_check_prints_of_it():
+def test_the_attitude_of_a_scenario_is_the_one_that_check_prints():
     scenario = kingpost.load("barge", {"forces.water.hydrodynamics.hydrostatics": "mesh"})
     (afloat,) = scenario.hydrostatics["hulls"]
     upright = upright_hull(BARGE, 80)

@@ -98,7 +98,7 @@ def test_a_mass_that_is_not_the_displaced_one_leaves_the_weight_to_be_asked_for(
     same(importers.load(path, Options(**DEEP, restoring_includes_weight=False)), base)
 
 
-def test_what_the_file_lacks_is_asked_for_all_at_once(tmp_path) -> None:
+def test_all_values_that_a_file_lacks_are_asked_for_at_once(tmp_path) -> None:
     path = orcaflex.written(tmp_path / "hull.yml", orcaflex.base(), Form())
     with pytest.raises(HydrodynamicsError, match="no water_depth_m, draught_m, length_m, beam_m in the file"):
         importers.load(path)

@@ -105,7 +105,7 @@ def test_a_rope_that_parted_stands_above_the_limits():
     assert shown[3:] == ["warning: hull: heels"]
 
 
-def test_a_rope_that_a_warning_says_parts_is_told_of_once_and_with_the_time():
+def test_a_rope_that_parts_is_reported_once_with_the_time():
     warned = [
         {"name": "hull", "text": "heels"},
         {"time_s": 67.2913, "name": "hoist_rope", "text": "parts: why"},

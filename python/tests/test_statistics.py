@@ -195,7 +195,7 @@ def recorded(tmp_path, seed: int, duration_s: float = 1800.0, **parameters) -> s
     return str(path)
 
 
-def test_the_command_prints_what_runs_show_after_the_ramp(tmp_path, capsys) -> None:
+def test_the_command_prints_statistics_after_the_ramp(tmp_path, capsys) -> None:
     files = [recorded(tmp_path, seed) for seed in range(6)]
     table = tmp_path / "table.csv"
     assert main(["statistics", *files, "-o", str(table)]) == 0
@@ -305,7 +305,7 @@ def test_a_run_keeps_the_density_of_its_water() -> None:
     assert kingpost.run("paper", {"simulation.duration_s": 0.1}).attrs["water_density_kg_m3"] == 0
 
 
-def test_a_run_that_ended_early_is_told_of(tmp_path, capsys) -> None:
+def test_a_run_that_ended_early_is_reported(tmp_path, capsys) -> None:
     results = kingpost.run("barge", {"simulation.duration_s": 3.0})
     results.attrs["status"] = "interrupted"
     results.to_netcdf(tmp_path / "part.nc", engine="h5netcdf")
@@ -321,12 +321,12 @@ def _warned(values: list[float], **warnings: str) -> xarray.Dataset:
     return xarray.Dataset({"roll": ("time", values)}, {"time": np.arange(len(values))}, attrs)
 
 
-def test_what_the_engine_warned_of_in_a_run_is_printed() -> None:
+def test_warnings_of_a_run_are_printed() -> None:
     run = _warned([0.0, 1.0, 0.5], hull="it heeled to 21.00 deg, at 4 s")
     assert "\nwarning: hull: it heeled to 21.00 deg, at 4 s\n" in _text([run])
 
 
-def test_what_it_warned_of_in_several_runs_is_printed_once_with_their_number() -> None:
+def test_warnings_of_several_runs_are_printed_once_with_their_number() -> None:
     first = _warned([0.0, 1.0, 0.5], hull="it heeled to 21.00 deg, at 4 s", boom="it pushes")
     second = _warned([0.0, 1.0], hull="it heeled to -33.10 deg, at 17.5 s")
     third = _warned([0.0, 1.0, 0.3, 0.2])
