@@ -22,6 +22,7 @@ import shtab
 from . import __version__
 from .commands import (
     check,
+    forecast,
     gallery,
     hydro,
     modes,
@@ -44,6 +45,7 @@ COMMANDS = {
     "rao": rao,
     "statistics": statistics,
     "plot": plot,
+    "forecast": forecast,
     "list": gallery,
     "paper": paper,
     "hydro": hydro,
