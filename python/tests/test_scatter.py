@@ -78,7 +78,7 @@ def test_zero_up_crossing_periods_of_jonswap_are_those_of_the_recommended_practi
 
 
 def test_periods_of_pierson_and_moskowitz_have_closed_forms() -> None:
-    """Moments of w^-5 exp(-b w^-4): m_n = b^((n - 4) / 4) Gamma(1 - n / 4) / 4; the peak of b = 5/4 is at 1."""
+    """Moments of w^-5 exp(-b w^-4): m_n = b^((n - 4) / 4) Gamma(1 - n / 4) / 4; b = 5/4."""
     from math import gamma
 
     def moment(order: int) -> float:

@@ -65,7 +65,10 @@ def test_a_square_wave_has_a_window_in_each_calm() -> None:
 
 def test_windows_at_both_ends_count_with_what_is_seen_of_them() -> None:
     kept = windows(found_in([1, 1, 1, 3, 3, 1, 1, 1, 1]), 2.0)
-    assert [(window.duration_h, window.ended_by) for window in kept] == [(2, "heel"), (3, "end of the series")]
+    assert [(window.duration_h, window.ended_by) for window in kept] == [
+        (2, "heel"),
+        (3, "end of the series"),
+    ]
     assert windows(found_in([1, 1, 1, 3, 3, 1, 1, 1, 1]), 3.0)[0].duration_h == 3
     assert [window.duration_h for window in windows(found_in([1.0] * 25), 24.0)] == [24]
 
@@ -104,7 +107,9 @@ def test_a_gap_ends_a_window() -> None:
 
 
 def test_uneven_steps_count_by_their_time() -> None:
-    found = workable(series([1, 1, 1, 1, 3], [0, 1, 2.5, 3, 4]), limit, 1.0, direction_rad=np.pi, longest_step_h=2)
+    found = workable(
+        series([1, 1, 1, 1, 3], [0, 1, 2.5, 3, 4]), limit, 1.0, direction_rad=np.pi, longest_step_h=2
+    )
     assert [window.duration_h for window in windows(found, 0.0)] == [3]
 
 
@@ -213,7 +218,9 @@ def test_now_between_two_records_counts_from_the_next() -> None:
         (lambda: workable(series([1.0]), limit, 1.0, x_axis_deg=0.0), "direction: found none in the series"),
         (lambda: decide(series([1.0]), limit, 1.0, 80.0, direction_rad=0.0), "reference period: found 80 h"),
         (
-            lambda: decide(series([1.0]), limit, 1.0, 1.0, now=START + np.timedelta64(9, "h"), direction_rad=0.0),
+            lambda: decide(
+                series([1.0]), limit, 1.0, 1.0, now=START + np.timedelta64(9, "h"), direction_rad=0.0
+            ),
             "now: found 2026-01-01T09:00:00, allowed: up to 2026-01-01T00:00:00",
         ),
     ],
@@ -225,7 +232,7 @@ def test_numbers_that_do_not_do_are_refused(call, message: str) -> None:
 
 @pytest.fixture
 def study(tmp_path: Path) -> Path:
-    """A study's folder: a limit of 5 deg, roll of 1.5 deg a metre at every period, so that about 2.4 m are allowed."""
+    """A study's folder: a limit of 5 deg, 1.5 deg a metre at every period: about 2.4 m are allowed."""
     rng = np.random.default_rng(1)
     grid = np.meshgrid([1.0, 2.0, 4.0], [6.0, 10.0], np.arange(1, 21), indexing="ij")
     hs, tp, seed = (one.ravel() for one in grid)
@@ -242,7 +249,8 @@ def study(tmp_path: Path) -> Path:
         },
         {
             "title": "a made-up lift", "axes": '["hs", "tp"]', "after_s": 60.0, "duration_s": 660.0,
-            "sea": '{"significant_height": "hs", "peak_period": "tp"}', "operation_s": 1800.0, "acceptance": 0.1,
+            "sea": '{"significant_height": "hs", "peak_period": "tp"}', "operation_s": 1800.0,
+            "acceptance": 0.1,
         },
     ).to_zarr(tmp_path / "study" / "results.zarr", zarr_format=3, consolidated=False)  # fmt: skip
     return tmp_path / "study"
@@ -285,7 +293,7 @@ def test_what_was_not_studied_is_warned_of(
     assert main(arguments) == 0
     printed = capsys.readouterr()
     assert "no window of 12 h" in printed.out
-    assert printed.err == "warning: 20 of 30 records have no limiting height: not studied, or no data\n"
+    assert printed.err == "warning: 20 of 30 records have no limiting height: no data, or not studied\n"
 
 
 @pytest.mark.parametrize(
@@ -295,7 +303,10 @@ def test_what_was_not_studied_is_warned_of(
         (("--direction-deg", "180"), "error: SCENARIO, --study: found neither, allowed: one of them"),
         (("--direction-deg", "180", "--study", "nowhere"), "error: nowhere: found no results.zarr in it"),
         (("--heading-deg", "0", "--operation-hours", "80"), "error: operation_hours: found 80, allowed"),
-        (("--heading-deg", "0", "--columns", "height"), "error: --columns: found 'height', allowed: name=value"),
+        (
+            ("--heading-deg", "0", "--columns", "height"),
+            "error: --columns: found 'height', allowed: name=value",
+        ),
         (("--heading-deg", "0", "--columns", "height=x"), "error: .*forecast.csv:1: columns: found 'x'"),
     ],
 )

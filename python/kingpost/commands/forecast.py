@@ -18,41 +18,49 @@ HELP = "go or no-go and weather windows, from a forecast of the sea"
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """The command's options."""
-    command.add_argument("scenario", metavar="SCENARIO", nargs="?",
-                         help="a file or a gallery name with limits: the screen finds its limiting sea")  # fmt: skip
-    command.add_argument("--set", action="append", default=[], metavar="name=value",
-                         help="set a parameter or a field; may be repeated")  # fmt: skip
-    command.add_argument("--study", metavar="FOLDER", help="the limiting sea of a study's runs instead")
-    command.add_argument("--at", action="append", default=[], metavar="name=value",
-                         help="which value of a further axis of the study; may be repeated")  # fmt: skip
-    command.add_argument("--series", required=True, metavar="FILE",
-                         help="the forecast: .nc, as of ERA5, or CSV with time, hs, tp, mwd")  # fmt: skip
+    _add_limits(command)
+    _add_forecast(command)
     command.add_argument("--alpha", type=float, required=True, metavar="A",
-                         help="share of the limiting height that a forecast may show, from your standard's table")  # fmt: skip
+                         help="share of the limiting height that a forecast may show")  # fmt: skip
     command.add_argument("--operation-hours", type=float, default=6.0, metavar="H",
                          help="planned operation period (default: 6)")  # fmt: skip
     command.add_argument("--contingency-hours", type=float, metavar="H",
                          help="time for contingencies (default: as long as the planned period)")  # fmt: skip
-    command.add_argument("--heading-deg", type=float, metavar="H",
-                         help="of the scenario's x axis, clockwise from north: the ship's, if she lies at 0 in it")  # fmt: skip
-    command.add_argument("--direction-deg", type=float, metavar="D",
-                         help="that all waves go to, in the scenario: 180 is a head sea; instead of the forecast's")  # fmt: skip
     command.add_argument("--now", metavar="TIME", help="UTC (default: the forecast's first record)")
     command.add_argument("--ahead-hours", type=float, default=72.0, metavar="H",
                          help="how far to look (default: 72)")  # fmt: skip
+    add_output(command)
+
+
+def _add_limits(command: argparse.ArgumentParser) -> None:
+    command.add_argument("scenario", metavar="SCENARIO", nargs="?",
+                         help="a file or a gallery name: limiting heights by the screen")  # fmt: skip
+    command.add_argument("--set", action="append", default=[], metavar="name=value",
+                         help="set a parameter or a field; may be repeated")  # fmt: skip
+    command.add_argument("--study", metavar="FOLDER", help="limiting heights by the runs of a study instead")
+    command.add_argument("--at", action="append", default=[], metavar="name=value",
+                         help="which value of a further axis of the study; may be repeated")  # fmt: skip
+    command.add_argument("--acceptance", type=float, metavar="P",
+                         help="that a limit may be exceeded (default: the study's, or 0.1)")  # fmt: skip
+    command.add_argument("--exposure-s", type=float, metavar="T",
+                         help="time that P is of (default: the study's, or 1800)")  # fmt: skip
+
+
+def _add_forecast(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--series", required=True, metavar="FILE",
+                         help="the forecast: .nc, as of ERA5, or CSV with time, hs, tp, mwd")  # fmt: skip
+    command.add_argument("--heading-deg", type=float, metavar="H",
+                         help="of the scenario's x axis, clockwise from north")  # fmt: skip
+    command.add_argument("--direction-deg", type=float, metavar="D",
+                         help="instead, that all waves go to; 180 is a head sea")  # fmt: skip
     command.add_argument("--place", nargs=2, type=float, metavar=("LATITUDE", "LONGITUDE"),
-                         help="the point of a file with several, deg: the nearest one counts")  # fmt: skip
+                         help="deg: of a file with several points the nearest one counts")  # fmt: skip
     command.add_argument("--columns", action="append", default=[], metavar="what=NAME",
-                         help="a column that time, height, period or direction is in; may be repeated")  # fmt: skip
+                         help="column of time, height, period or direction; may be repeated")  # fmt: skip
     command.add_argument("--direction-is", choices=("from", "to"),
                          help="what a direction under an unknown name means")  # fmt: skip
     command.add_argument("--peak-enhancement", type=float, default=3.3, metavar="G",
                          help="gamma by which mean periods become peak periods (default: 3.3)")  # fmt: skip
-    command.add_argument("--acceptance", type=float, metavar="P",
-                         help="probability that a limit may be exceeded (default: the study's, or 0.1)")  # fmt: skip
-    command.add_argument("--exposure-s", type=float, metavar="T",
-                         help="how long a limit has to hold with it (default: the study's, or 1800)")  # fmt: skip
-    add_output(command)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -72,7 +80,8 @@ def run(options: argparse.Namespace) -> int:
         None if options.place is None else (options.place[0], options.place[1]),
     ).with_peak_periods(options.peak_enhancement)
     if options.heading_deg is None and options.direction_deg is None:
-        allowed = f"{flag('heading_deg')}, for the forecast's directions, or {flag('direction_deg')}, for one of all waves"
+        heading, one = flag("heading_deg"), flag("direction_deg")
+        allowed = f"{heading}, for the forecast's directions, or {one}, for one of all waves"
         raise KingpostError(f"direction: found neither, allowed: {allowed}")
     direction = None if options.direction_deg is None else math.radians(options.direction_deg)
     limiting, of = _limiting(options, found, direction)

@@ -36,9 +36,8 @@ def text(decision: Decision, of: Sequence[str]) -> str:
     lines += ["", *_sea(decision)]
     outside = int(np.isnan(decision.found.allowed_m).sum())
     if outside:
-        lines.append(
-            f"warning: {outside} of {len(series.time)} records have no limiting height: not studied, or no data"
-        )
+        of_all = f"{outside} of {len(series.time)} records"
+        lines.append(f"warning: {of_all} have no limiting height: no data, or not studied")
     return "\n".join(lines)
 
 
@@ -94,7 +93,7 @@ def _sea(decision: Decision) -> list[str]:
 
 
 def _time(moment: np.datetime64) -> str:
-    return str(np.datetime64(moment, "m")).replace("T", " ")
+    return str(moment.astype("datetime64[m]")).replace("T", " ")
 
 
 def _number(value: float, places: int) -> str:

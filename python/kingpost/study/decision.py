@@ -129,7 +129,7 @@ def decide(
         raise KingpostError(
             f"reference period: found {reference_h:g} h, allowed: more than 0, at most {ahead_h:g} h"
         )
-    now = series.time[0] if now is None else np.datetime64(now, "s")
+    now = series.time[0] if now is None else now.astype("datetime64[s]")
     kept = (series.time >= now) & (series.time <= now + np.timedelta64(round(ahead_h * 3600), "s"))
     if not kept.any():
         raise KingpostError(f"now: found {now}, allowed: up to {series.time[-1]}, the forecast's end")
@@ -164,7 +164,7 @@ def _part(series: Series, kept: np.ndarray) -> Series:
 
 
 def _governs(found: Workable, reference_h: float, is_go: bool) -> str:
-    """The first reason against the reference period from now on; without one, the limit that comes nearest."""
+    """The first reason against the reference period from now on; else the limit that comes nearest."""
     hours = found.series.hours
     inside = np.flatnonzero(hours <= reference_h * (1 + 1e-9))
     if is_go:

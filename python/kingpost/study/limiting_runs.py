@@ -129,7 +129,9 @@ def limiting_heights(
         "probability": ([*dims, height], -np.expm1(-np.exp(-reduced[0])), {"units": "1"}),
         "ended_early": (axes, ended),
     }
-    coordinates = {name: (name, np.asarray(values[name]), results[name].attrs) for name in others}
+    coordinates: dict[Any, Any] = {
+        name: (name, np.asarray(values[name]), results[name].attrs) for name in others
+    }
     coordinates[height] = (height, heights, results[height].attrs)
     coordinates |= {
         name: results[name].variable for name in results.coords if results[name].dims == ("limit",)
@@ -210,7 +212,7 @@ def _of_one(found: Extreme, confidence: float) -> tuple[float, float, float]:
             float(-np.log(-np.log1p(-p))) if 0 < p < 1 else (NEVER if p == 0 else CERTAIN)
             for p in (high, low)
         ]
-    return (-found.location / found.scale, *ends)
+    return -found.location / found.scale, ends[0], ends[1]
 
 
 def _passes(heights: Numbers, reduced: Numbers, wanted: float) -> Numbers:

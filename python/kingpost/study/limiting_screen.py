@@ -24,7 +24,7 @@ DIGITS = 3
 
 
 def sea_names(scenario: Scenario) -> dict[str, str]:
-    """The parameters of a scenario that write the significant height, the peak period and the direction of its waves.
+    """The parameters of a scenario that write height, peak period and direction of its waves.
 
     >>> from kingpost import load
     >>> sea_names(load("offshore_vessel"))["peak_period"]
@@ -79,7 +79,7 @@ def of_screen(
     for quantity in SEA:
         if quantity not in sea:
             allowed = f"a parameter that writes the {quantity.replace('_', ' ')} of the waves"
-            raise KingpostError(f"{scenario.source}: found no parameter of it, allowed: {allowed}")
+            raise KingpostError(f"{scenario.title}: found no parameter of it, allowed: {allowed}")
     asked = zip(periods_s.tolist(), np.degrees(directions_rad).tolist(), strict=True)
     seas = list(dict.fromkeys(_key(*one) for one in asked if np.isfinite(one).all()))
     if not seas:

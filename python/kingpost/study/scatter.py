@@ -297,7 +297,7 @@ def _edges(sheet: _Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDAr
     for (line, label), (low, high) in zip(labels, found, strict=True):
         if not low < high:
             raise sheet.error(field, repr(label), "classes from low to high", line)
-    for k in np.flatnonzero(found[1:, 0] < found[:-1, 1] - 1e-9):
+    for k in np.flatnonzero(found[1:, 0] < found[:-1, 1] - 1e-9).tolist():
         raise sheet.error(
             field, repr(labels[k + 1][1]), "classes that increase and do not overlap", labels[k + 1][0]
         )
@@ -309,7 +309,7 @@ def _from_numbers(sheet: _Sheet, field: str, labels: Sequence[tuple[int, str]]) 
     if sheet.classes is None:
         allowed = f"ranges, as 0.5-1.0, or a line '# classes: ...' with one of {', '.join(CLASSES)}"
         raise sheet.error(field, f"numbers, as {labels[0][1]}", allowed, labels[0][0])
-    for k in np.flatnonzero(np.diff(values) <= 0):
+    for k in np.flatnonzero(np.diff(values) <= 0).tolist():
         raise sheet.error(field, repr(labels[k + 1][1]), "classes that increase", labels[k + 1][0])
     if len(values) == 1:
         raise sheet.error(field, "one class", "two or more, or a range as 0.5-1.0", labels[0][0])

@@ -38,8 +38,9 @@ HEIGHTS = ("hs", "hm0", "swh", "vhm0", "significant_height_m", "hs_m")
 FROM, TO = ("mwd", "dp", "vmdr", "direction_from_deg"), ("direction_to_deg",)
 PLACES = {"latitude": ("latitude", "lat"), "longitude": ("longitude", "lon")}
 UNIT = re.compile(r"^(.*?)\s*[(\[]\s*([^)\]]*?)\s*[)\]]$")
-METRES, SECONDS, DEGREES = ("", "m", "metre", "meter", "metres", "meters"), ("", "s", "sec", "second", "seconds"), (
-    "", "deg", "degree", "degrees", "degree true", "degrees true", "degree_true", "\u00b0")  # fmt: skip
+METRES = ("", "m", "metre", "meter", "metres", "meters")
+SECONDS = ("", "s", "sec", "second", "seconds")
+DEGREES = ("", "deg", "degree", "degrees", "degree true", "degrees true", "degree_true", "\u00b0")
 NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
 QUANTITIES = ("time", "height", "period", "direction")
 
@@ -110,8 +111,8 @@ class Series:
         return replace(self, period_s=self.period_s / ratio(self.period, peak_enhancement), period=PEAK)
 
     def directions_rad(self, x_axis_deg: float) -> NDArray[np.float64]:
-        """That waves go to, in the axes of a scenario whose x axis points to `x_axis_deg` clockwise from north: from x
-        towards port. Waves from ahead go to pi, from starboard to pi / 2.
+        """That waves go to, from the x axis of a scenario towards port; it points to `x_axis_deg`, clockwise
+        from north. Waves from ahead go to pi, from starboard to pi / 2.
 
         Raises
         ------
@@ -212,8 +213,8 @@ class _Columns:
         time, height = given.get("time") or known("time", TIMES), given.get("height") or known("Hs", HEIGHTS)
         period = given.get("period") or (periods[0] if periods else None)
         where = given.get("direction") or known("direction", (*FROM, *TO))
-        for what, name, example in (("time", time, "time"), ("Hs", height, "hs"), ("period", period, "tp")):
-            if name is None:
+        for what, column, example in (("time", time, "time"), ("Hs", height, "hs"), ("period", period, "tp")):
+            if column is None:
                 raise SeriesError(
                     what, ", ".join(names), f"a column of it, as {example}, or its name given", file, line
                 )

@@ -195,8 +195,10 @@ def workable(
         if direction_rad is not None
         else series.directions_rad(x_axis_deg or 0.0)
     )
-    limits = [(np.nan, NO_DATA) if np.isnan(period) or np.isnan(direction) else limiting_height(period, direction)
-              for period, direction in zip(series.period_s.tolist(), directions.tolist(), strict=True)]  # fmt: skip
+    limits = [
+        limiting_height(*sea) if np.isfinite(sea).all() else (np.nan, NO_DATA)
+        for sea in zip(series.period_s.tolist(), directions.tolist(), strict=True)
+    ]
     return Workable(
         series,
         alpha * np.array([height for height, _ in limits]),
@@ -207,7 +209,7 @@ def workable(
 
 
 def windows(found: Workable, reference_h: float) -> list[Window]:
-    """The weather windows: periods that may be worked in and are as long as the reference period, or longer.
+    """The weather windows: periods that may be worked in, as long as the reference period or longer.
 
     Parameters
     ----------
@@ -250,7 +252,7 @@ def _ended_by(found: Workable, last: int) -> str:
 
 
 def waiting_h(found: Workable, reference_h: float) -> NDArray[np.float64]:
-    """From each record the time until an operation of the reference period may begin, h; NaN where none may any more.
+    """From each record the time until an operation may begin, h; NaN where none may any more.
 
     Parameters
     ----------
@@ -298,7 +300,8 @@ def by_month(found: Workable, reference_h: float) -> pandas.DataFrame:
     month = series.time.astype("datetime64[M]").astype(int) % 12 + 1
     waits = waiting_h(found, reference_h)
     begins = [
-        int(np.datetime64(window.start, "M").astype(int)) % 12 + 1 for window in windows(found, reference_h)
+        int(window.start.astype("datetime64[M]").astype(int)) % 12 + 1
+        for window in windows(found, reference_h)
     ]
     has_data = ~(np.isnan(series.height_m) | np.isnan(series.period_s))
     rows = []
