@@ -244,7 +244,8 @@ def study(tmp_path: Path) -> Path:
             "status": ("run", np.zeros(len(hs), "i1")),
         },
         {
-            "hs": ("run", hs), "tp": ("run", tp), "seed": ("run", seed), "limit": ["roll"],
+            "hs": ("run", hs), "tp": ("run", tp), "seed": ("run", seed),
+            "limit": np.array(["roll"], np.dtypes.StringDType()),
             "at_least": ("limit", [np.nan]), "at_most": ("limit", [5.0]),
         },
         {

@@ -124,6 +124,7 @@ def _limiting(
     return limiting, [
         str(scenario.resolved.get("title", options.scenario)),
         f"limiting heights by linear response: {_accepted(acceptance, exposure_s)}",
+        *([f"warning: {limiting.refused}"] if limiting.refused else []),
     ]
 
 

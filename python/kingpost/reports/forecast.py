@@ -89,7 +89,7 @@ def _sea(decision: Decision) -> list[str]:
             )
         )
     lines = table(rows, "<>>>><<")
-    return [*lines, f"every {every}th record; --json has all"] if every > 1 else lines
+    return [*lines, f"one record in {every}; --json has all"] if every > 1 else lines
 
 
 def _time(moment: np.datetime64) -> str:

@@ -55,9 +55,9 @@ def limiting_heights(
     At each height a Gumbel distribution is fitted over the seeds to how far the worst value of a run is
     beyond its bound, and moved to the operation's length: P is the probability that this is above 0
     (`extreme`). Between two heights the reduced variate -ln(-ln(1 - P)) goes along a straight line over 1 /
-    Hs: exact where the response is in proportion to the height, for then it is (L / Hs - mu) / beta. P does
-    not fall with the height: where sampling makes it, the largest P of lower heights counts. Nothing is
-    extrapolated.
+    Hs. That is exact where the response is in proportion to the height: there it is (L / Hs - mu) / beta. P
+    does not fall with the height: where sampling makes it, the largest P of lower heights counts. Nothing
+    is extrapolated.
 
     A run that ended early (a divergence, say) counts as one in which every limit without a value was
     exceeded: P of its case is 1.

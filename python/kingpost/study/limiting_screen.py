@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import KingpostError
+from ..errors import KingpostError, ScenarioError
 from ..scenario import Scenario
-from .limiting_sea import OUTSIDE, LimitingHeight
+from .limiting_sea import OUTSIDE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -39,6 +40,25 @@ def sea_names(scenario: Scenario) -> dict[str, str]:
     return found
 
 
+@dataclass(frozen=True)
+class ScreenedSea:
+    """Limiting heights at the seas that were asked for: by peak period (s) and direction (rad) height and limit.
+
+    Attributes
+    ----------
+    known
+        By period, s, and direction, deg.
+    refused
+        Why the scenario cannot have some of the seas; empty where it can have all.
+    """
+
+    known: dict[tuple[float, float], tuple[float, str]]
+    refused: str
+
+    def __call__(self, peak_period_s: float, direction_rad: float) -> tuple[float, str]:
+        return self.known.get(_key(peak_period_s, float(np.degrees(direction_rad))), (np.nan, OUTSIDE))
+
+
 def of_screen(
     scenario: Scenario,
     periods_s: NDArray[np.float64],
@@ -46,7 +66,7 @@ def of_screen(
     operation_s: float,
     acceptance: float,
     names: dict[str, str] | None = None,
-) -> LimitingHeight:
+) -> ScreenedSea:
     """Limiting heights by linear response at given peak periods and directions.
 
     Parameters
@@ -60,18 +80,20 @@ def of_screen(
     acceptance
         Probability that a limit may be exceeded in it.
     names
-        Parameters of the scenario, by ``significant_height``, ``peak_period``, ``direction``; as
-        `sea_names` finds them unless given.
+        Parameters of the scenario, by ``significant_height``, ``peak_period``, ``direction``; as `sea_names`
+        finds them unless given.
 
     Returns
     -------
-    callable
-        By peak period and direction the height and the limit; other seas than the given are not known.
+    ScreenedSea
+        Called with a period and a direction it gives the height and the limit. Seas that were not given are
+        not known, nor are those that the scenario cannot have: its hull's data may not cover their
+        frequencies.
 
     Raises
     ------
     KingpostError
-        When the scenario has no such parameters, or nothing of it is linear.
+        When the scenario has no such parameters, no limits, or can have none of the seas.
     """
     from .screen import screen
 
@@ -80,25 +102,40 @@ def of_screen(
         if quantity not in sea:
             allowed = f"a parameter that writes the {quantity.replace('_', ' ')} of the waves"
             raise KingpostError(f"{scenario.title}: found no parameter of it, allowed: {allowed}")
+    if not scenario.resolved.get("limits"):
+        raise KingpostError(f"{scenario.title}: limits: found none, allowed: one or more")
     asked = zip(periods_s.tolist(), np.degrees(directions_rad).tolist(), strict=True)
     seas = list(dict.fromkeys(_key(*one) for one in asked if np.isfinite(one).all()))
     if not seas:
         raise KingpostError("series: found no sea with a period and a direction, allowed: one or more")
-    drawn = f"{sea['peak_period']},{sea['direction']}"
-    axes = {sea["significant_height"]: [1.0], drawn: [list(one) for one in seas]}
-    found = screen(
-        scenario, axes, operation_s=operation_s, acceptance=acceptance, height=sea["significant_height"]
-    )
-    heights = found["limiting_height_of_all"].values.ravel()
-    governs = found["governs"].values.ravel()
-    known = {
-        one: (float(height), str(name)) for one, height, name in zip(seas, heights, governs, strict=True)
-    }
+    refused = _refused(scenario, sea["peak_period"], [period for period, _ in seas])
+    kept = [one for one in seas if one[0] not in refused]
+    if not kept:
+        raise next(iter(refused.values()))
+    height, drawn = sea["significant_height"], f"{sea['peak_period']},{sea['direction']}"
+    axes = {height: [1.0], drawn: [list(one) for one in kept]}
+    found = screen(scenario, axes, operation_s=operation_s, acceptance=acceptance, height=height)
+    heights = found["limiting_height_of_all"].values.ravel().tolist()
+    governs = found["governs"].values.ravel().tolist()
+    known = dict(zip(kept, zip(heights, governs, strict=True), strict=True))
+    return ScreenedSea(known, _in_words(refused))
 
-    def limiting_height(peak_period_s: float, direction_rad: float) -> tuple[float, str]:
-        return known.get(_key(peak_period_s, float(np.degrees(direction_rad))), (np.nan, OUTSIDE))
 
-    return limiting_height
+def _refused(scenario: Scenario, name: str, periods: list[float]) -> dict[float, ScenarioError]:
+    """Periods that the scenario cannot have, with what it says of them."""
+    found = {}
+    for period in dict.fromkeys(periods):
+        try:
+            scenario.with_overrides({name: period})
+        except ScenarioError as error:
+            found[period] = error
+    return found
+
+
+def _in_words(refused: dict[float, ScenarioError]) -> str:
+    if not refused:
+        return ""
+    return f"Tp from {min(refused):g} to {max(refused):g} s: {refused[min(refused)]}"
 
 
 def _key(period_s: float, direction_deg: float) -> tuple[float, float]:
