@@ -41,7 +41,11 @@ def open_study(folder: str | Path) -> xarray.Dataset:
     path = Path(folder) / RESULTS
     if not (path / "zarr.json").is_file():
         raise KingpostError(f"{folder}: found no {RESULTS} in it, allowed: the folder of a study")
-    return xarray.open_zarr(str(path), consolidated=False, chunks=None)
+    found = xarray.open_zarr(str(path), consolidated=False, chunks=None)
+    # Texts as other data sets have them.
+    texts = {name: (one.dims, np.array(one.values.tolist(), str), one.attrs)
+             for name, one in found.coords.items() if one.dtype.kind == "T"}  # fmt: skip
+    return found.assign_coords(texts)
 
 
 def limiting_heights(

@@ -9,7 +9,6 @@ import numpy as np
 
 from ..errors import KingpostError, ScenarioError
 from ..scenario import Scenario
-from .limiting_sea import OUTSIDE
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -20,6 +19,8 @@ SEA = {
     "direction": "direction_",
 }
 """How the last name of a field begins that has a quantity of the sea."""
+REFUSED = "not in the scenario"
+"""Where there is no height: the scenario cannot have the sea, or it was not asked for."""
 DIGITS = 3
 """Of periods, s, and directions, deg, by which seas are told apart."""
 
@@ -42,7 +43,7 @@ def sea_names(scenario: Scenario) -> dict[str, str]:
 
 @dataclass(frozen=True)
 class ScreenedSea:
-    """Limiting heights at the seas that were asked for: by peak period (s) and direction (rad) height and limit.
+    """Limiting heights at the seas that were asked for, called with peak period (s) and direction (rad).
 
     Attributes
     ----------
@@ -56,7 +57,7 @@ class ScreenedSea:
     refused: str
 
     def __call__(self, peak_period_s: float, direction_rad: float) -> tuple[float, str]:
-        return self.known.get(_key(peak_period_s, float(np.degrees(direction_rad))), (np.nan, OUTSIDE))
+        return self.known.get(_key(peak_period_s, float(np.degrees(direction_rad))), (np.nan, REFUSED))
 
 
 def of_screen(
