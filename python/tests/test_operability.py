@@ -96,6 +96,7 @@ def test_limiting_heights_are_those_of_the_distribution_that_the_runs_were_drawn
 
 
 def test_the_interval_of_a_limiting_height_covers_the_true_one() -> None:
+    """At least as often as it says: its ends lie between those of two heights with other seeds."""
     covered = []
     for seed in range(20):
         found = limiting_heights(results(10, seed + 100), confidence=0.9)
@@ -106,9 +107,9 @@ def test_the_interval_of_a_limiting_height_covers_the_true_one() -> None:
                     true = true_height(limit, period, direction)
                     if 1.2 < true < 2.6:
                         covered.append(one["limiting_height_low"] <= true <= one["limiting_height_high"])
-    # Two errors of 200 cases or so; heights beside each other have seeds of their own.
     assert len(covered) > 150
-    assert 0.85 <= np.mean(covered) <= 0.96
+    # Two errors of 200 cases or so below it.
+    assert np.mean(covered) > 0.86
 
 
 def test_a_longer_operation_and_a_smaller_probability_lower_the_height() -> None:

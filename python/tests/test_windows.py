@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
+import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -285,6 +288,39 @@ def test_the_command_prints_the_windows_with_what_governs_and_the_lead_time(
     assert len(found["records"]["time"]) == 20
 
 
+def test_the_screen_is_asked_for_the_seas_of_the_forecast_that_the_scenario_can_have(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The screen itself stands aside: 2 m where waves come from ahead. Its hull takes no waves of 5 s."""
+    asked = {}
+
+    def screen(scenario, axes, operation_s, acceptance, height):  # type: ignore[no-untyped-def]
+        asked.update(axes=axes, operation_s=operation_s, acceptance=acceptance)
+        seas = axes["peak_period_s,wave_direction_deg"]
+        heights = np.array([[2.0 if abs(direction) == 180 else 0.5 for _, direction in seas]])
+        return xarray.Dataset({"limiting_height_of_all": (("hs", "sea"), heights),
+                               "governs": (("hs", "sea"), np.full(heights.shape, "pitch"))})  # fmt: skip
+
+    monkeypatch.setitem(sys.modules, "kingpost.study.screen", SimpleNamespace(screen=screen))
+    arguments = forecast(tmp_path, "offshore_vessel", "--set", "waves=true", "--heading-deg", "20", "--set",
+                         "limits={pitch: {column: hull.pitch, within: 3, unit: deg}}")  # fmt: skip
+    file = tmp_path / "forecast.csv"
+    file.write_text(file.read_text().replace("3.0,8,20", "3.0,5,20").replace("1.0,8,20", "1.0,9.5,20"))
+    assert main(arguments) == 0
+    assert asked["axes"] == {
+        "significant_height_m": [1.0],
+        "peak_period_s,wave_direction_deg": [[9.5, -180.0]],
+    }
+    assert (asked["operation_s"], asked["acceptance"]) == (1800.0, 0.1)
+    printed = capsys.readouterr()
+    assert "limiting heights by linear response" in printed.out
+    assert "the next window begins in 10 h" in printed.out
+    assert printed.err.startswith("warning: Tp from 5 to 5 s: ")
+    assert printed.err.endswith(
+        "warning: 10 of 30 records have no limiting height: no data, or not studied\n"
+    )
+
+
 def test_what_was_not_studied_is_warned_of(
     study: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -314,7 +350,5 @@ def test_what_was_not_studied_is_warned_of(
 def test_the_command_says_what_is_wrong(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, ...], message: str
 ) -> None:
-    import re
-
     assert main(forecast(tmp_path, *options)) == 2
     assert re.match(message, capsys.readouterr().err)

@@ -83,11 +83,11 @@ def limiting_heights(
     -------
     xarray.Dataset
         Along ``limit`` and the axes but the height: ``limiting_height`` (m), ``limiting_height_low`` and
-        ``limiting_height_high``, its interval over seeds, and ``limiting_height_state``: ``found``;
-        ``above``, where the largest height of the study does not reach it, which the height then is;
-        ``below``, where the smallest one exceeds it: the height is then 0; ``not known``.
-        ``limiting_height_of_all`` is the smallest over the limits and ``governs`` which. ``probability`` is
-        P, along ``limit`` and all axes, ``ended_early`` counts runs.
+        ``limiting_height_high``, its interval over seeds, from those of P at each height, and
+        ``limiting_height_state``: ``found``; ``above``, where the largest height of the study does not
+        reach it, which the height then is; ``below``, where the smallest one exceeds it: the height is then
+        0; ``not known``. ``limiting_height_of_all`` is the smallest over the limits and ``governs`` which.
+        ``probability`` is P, along ``limit`` and all axes, ``ended_early`` counts runs.
 
     Raises
     ------
