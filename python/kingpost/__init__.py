@@ -10,7 +10,7 @@ import logging
 
 from . import results, verify
 from .accessor import Accessor
-from .analysis import lift_rules, statistics
+from .analysis import extremes, fatigue, lift_rules, statistics
 from .analysis.gradients import gradient
 from .analysis.response import rao
 from .analysis.stable_step import stable_step
@@ -46,6 +46,8 @@ __all__ = [
     "Study",
     "__version__",
     "equilibrium",
+    "extremes",
+    "fatigue",
     "gradient",
     "lift_rules",
     "load",

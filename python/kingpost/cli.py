@@ -22,6 +22,7 @@ import shtab
 from . import __version__
 from .commands import (
     check,
+    forecast,
     gallery,
     hydro,
     modes,
@@ -46,6 +47,7 @@ COMMANDS = {
     "statistics": statistics,
     "study": study,
     "plot": plot,
+    "forecast": forecast,
     "list": gallery,
     "paper": paper,
     "hydro": hydro,

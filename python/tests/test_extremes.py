@@ -184,7 +184,10 @@ def test_statistics_has_the_names_that_it_had() -> None:
         (lambda: extremes.over_threshold([[1.0]] * 5, -1.0), "record_s: found -1, allowed"),
         (lambda: extremes.over_threshold([[1.0]] * 5, 1.0, 1.0, "weibull"), "distribution: found 'weibull'"),
         (lambda: extremes.weibull(ranks(), 600.0, mean=70.0), "threshold: found 38, allowed: the mean 70"),
-        (lambda: extremes.weibull(ranks(), 600.0, 60.0).quantile(0.01), "probability: found 0.01, allowed: more"),
+        (
+            lambda: extremes.weibull(ranks(), 600.0, 60.0).quantile(0.01),
+            "probability: found 0.01, allowed: more",
+        ),
         (lambda: extremes.weibull(ranks(), 600.0).exceedance(1.0), "level: found 1, allowed: the threshold"),
     ],
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -33,7 +34,9 @@ def results(seeds: int, seed: int = 1) -> xarray.Dataset:
     flat = dict(zip([*axes, "seed"], (one.ravel() for one in grid), strict=True))
     worst = []
     for limit, (least, most) in BOUNDS.items():
-        per_metre = np.array([slope(limit, *case) for case in zip(flat["tp"], flat["direction_deg"], strict=True)])
+        per_metre = np.array(
+            [slope(limit, *case) for case in zip(flat["tp"], flat["direction_deg"], strict=True)]
+        )
         largest = flat["hs"] * per_metre * (1 + 0.15 * rng.gumbel(size=len(per_metre)))
         if np.isnan(most):  # A distance of 4 m at rest.
             worst.append(4.0 - largest)
@@ -53,7 +56,9 @@ def results(seeds: int, seed: int = 1) -> xarray.Dataset:
         {
             "title": "made up",
             "axes": json.dumps(list(axes)),
-            "sea": json.dumps({"significant_height": "hs", "peak_period": "tp", "direction": "direction_deg"}),
+            "sea": json.dumps(
+                {"significant_height": "hs", "peak_period": "tp", "direction": "direction_deg"}
+            ),
             "duration_s": RECORD_S + 60,
             "after_s": 60.0,
             "operation_s": 3 * RECORD_S,
@@ -91,6 +96,7 @@ def test_limiting_heights_are_those_of_the_distribution_that_the_runs_were_drawn
 
 
 def test_the_interval_of_a_limiting_height_covers_the_true_one() -> None:
+    """At least as often as it says: its ends lie between those of two heights with other seeds."""
     covered = []
     for seed in range(20):
         found = limiting_heights(results(10, seed + 100), confidence=0.9)
@@ -101,9 +107,9 @@ def test_the_interval_of_a_limiting_height_covers_the_true_one() -> None:
                     true = true_height(limit, period, direction)
                     if 1.2 < true < 2.6:
                         covered.append(one["limiting_height_low"] <= true <= one["limiting_height_high"])
-    # Two errors of 200 cases or so; heights beside each other have seeds of their own.
     assert len(covered) > 150
-    assert 0.85 <= np.mean(covered) <= 0.96
+    # Two errors of 200 cases or so below it.
+    assert np.mean(covered) > 0.86
 
 
 def test_a_longer_operation_and_a_smaller_probability_lower_the_height() -> None:
@@ -174,13 +180,17 @@ def curve(peak_period_s: float, direction_rad: float) -> tuple[float, str]:
     """A dip where the ship is tuned, nothing known beyond 14 s."""
     if not 4 <= peak_period_s <= 14:
         return np.nan, "outside the study"
-    return 2.5 - 1.2 * np.exp(-((peak_period_s - 9) ** 2) / 4), "roll" if 7 < peak_period_s < 11 else "tension"
+    return 2.5 - 1.2 * np.exp(
+        -((peak_period_s - 9) ** 2) / 4
+    ), "roll" if 7 < peak_period_s < 11 else "tension"
 
 
 def test_seas_one_by_one_give_what_counting_gives() -> None:
     """Direct counting: exact, as points have no classes."""
     heights, periods = seas(3000)
-    text = "hs,tp,month\n" + "\n".join(f"{h},{p},{k % 12 + 1}" for k, (h, p) in enumerate(zip(heights, periods, strict=True)))
+    text = "hs,tp,month\n" + "\n".join(
+        f"{h},{p},{k % 12 + 1}" for k, (h, p) in enumerate(zip(heights, periods, strict=True))
+    )
     found = operability(scatter.parse(text), curve, 0.0)
     allowed = np.array([curve(period, 0.0)[0] for period in periods])
     works = heights <= allowed
@@ -197,11 +207,13 @@ def test_classes_give_what_counting_gives_but_for_their_width() -> None:
     heights, periods = seas(100_000)
     at_h, at_p = np.arange(0, 12.1, 0.25), np.arange(2, 22.1, 0.5)
     counts, _, _ = np.histogram2d(heights, periods, [at_h, at_p])
-    text = "Hs\\Tp," + ",".join(f"{a}-{b}" for a, b in zip(at_p[:-1], at_p[1:], strict=True))
+    text = "Hs\\Tp," + ",".join(f"{a}-{b}" for a, b in pairwise(at_p))
     for k, row in enumerate(counts):
         text += f"\n{at_h[k]}-{at_h[k + 1]}," + ",".join(f"{n:g}" for n in row)
     found = operability(scatter.parse(text), curve, 0.0)
-    allowed = np.where((periods >= 4) & (periods <= 14), 2.5 - 1.2 * np.exp(-((periods - 9) ** 2) / 4), np.nan)
+    allowed = np.where(
+        (periods >= 4) & (periods <= 14), 2.5 - 1.2 * np.exp(-((periods - 9) ** 2) / 4), np.nan
+    )
     assert found.share == pytest.approx((heights <= allowed).mean(), abs=0.005)
     assert found.outside == pytest.approx(np.isnan(allowed).mean(), abs=0.005)
 

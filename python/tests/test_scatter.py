@@ -78,7 +78,7 @@ def test_zero_up_crossing_periods_of_jonswap_are_those_of_the_recommended_practi
 
 
 def test_periods_of_pierson_and_moskowitz_have_closed_forms() -> None:
-    """Moments of w^-5 exp(-b w^-4): m_n = b^((n - 4) / 4) Gamma(1 - n / 4) / 4; with b = 5/4 the peak is at 1."""
+    """Moments of w^-5 exp(-b w^-4): m_n = b^((n - 4) / 4) Gamma(1 - n / 4) / 4; b = 5/4."""
     from math import gamma
 
     def moment(order: int) -> float:
@@ -93,9 +93,18 @@ def test_periods_of_pierson_and_moskowitz_have_closed_forms() -> None:
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("Hs\\Tp,6,8\n0.5,1,2\n", "t.csv:1: period: found numbers, as 6, allowed: ranges, as 0.5-1.0, or a line"),
-        ("# classes: middles\nHs\\Tp,6,8\n", "t.csv:1: classes: found 'middles', allowed: centres, lower edges"),
-        ("# classes: centres\nTp\\Hs,6,8\n1,2,3\n2,2,2\n", "t.csv:2: first cell: found 'Tp.*rows Hs, columns"),
+        (
+            "Hs\\Tp,6,8\n0.5,1,2\n",
+            "t.csv:1: period: found numbers, as 6, allowed: ranges, as 0.5-1.0, or a line",
+        ),
+        (
+            "# classes: middles\nHs\\Tp,6,8\n",
+            "t.csv:1: classes: found 'middles', allowed: centres, lower edges",
+        ),
+        (
+            "# classes: centres\nTp\\Hs,6,8\n1,2,3\n2,2,2\n",
+            "t.csv:2: first cell: found 'Tp.*rows Hs, columns",
+        ),
         ("# classes: centres\nHs,6,8\n1,2,3\n", "t.csv:2: cells: found|t.csv:2: columns: found hs, 6, 8"),
         ("Hs\\Tp,0-2,2-4\n0-1,1,x\n", "t.csv:2: entry: found 'x', allowed: a number, 0 or more"),
         ("Hs\\Tp,0-2,2-4\n0-1,1,-1\n", "t.csv:2: entry: found '-1'"),

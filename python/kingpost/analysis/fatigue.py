@@ -1,9 +1,10 @@
 """Fatigue from records of tension or stress: rainflow counts, damage sums, equivalent ranges.
 
-A component fails when sum(n_i / N(S_i)) is 1, with n_i cycles of the range S_i and an S-N curve N(S) = a S^-m
-(Palmgren 1924; Miner, *J. Appl. Mech.* 12, 1945). What is computed here is the damage sum D = sum(n_i S_i^m), in
-the unit of the record to the power m: divided by a it is the share of the life that was used. The library
-`rainflow` counts cycles as ASTM E1049-85 (5.4.4) does; a cycle that does not close counts a half.
+A component fails when sum(n_i / N(S_i)) is 1, with n_i cycles of the range S_i and an S-N curve N(S) = a
+S^-m (Palmgren 1924; Miner, *J. Appl. Mech.* 12, 1945). What is computed here is the damage sum D = sum(n_i
+S_i^m), in the unit of the record to the power m: divided by a it is the share of the life that was used.
+The library `rainflow` counts cycles as ASTM E1049-85 (5.4.4) does; a cycle that does not close counts a
+half.
 """
 
 from __future__ import annotations
@@ -133,8 +134,8 @@ def damage(
     Returns
     -------
     xarray.DataArray
-        Along ``slope``; NaN of a run that has NaN. The coordinate ``cycles`` says how many there are in each run,
-        the attribute ``duration_s`` how long a record is.
+        Along ``slope``; NaN of a run that has NaN. The coordinate ``cycles`` says how many there are in
+        each run, the attribute ``duration_s`` how long a record is.
 
     Raises
     ------

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     Numbers = NDArray[np.float64]
 
 FEWEST_SEEDS = 5
+RESULTS = "results.zarr"
 NOT_RUN, FINISHED = -1, 0
 """Of the variable `status`."""
 EXCEEDED = 0
@@ -26,28 +28,50 @@ CERTAIN, NEVER = -3.4, 30.0
 FOUND, ABOVE, BELOW, NOT_KNOWN = "found", "above", "below", "not known"
 
 
+def open_study(folder: str | Path) -> xarray.Dataset:
+    """The results of a study by its folder, read as they are asked for.
+
+    Raises
+    ------
+    KingpostError
+        When there are none.
+    """
+    import xarray
+
+    path = Path(folder) / RESULTS
+    if not (path / "zarr.json").is_file():
+        raise KingpostError(f"{folder}: found no {RESULTS} in it, allowed: the folder of a study")
+    found = xarray.open_zarr(str(path), consolidated=False, chunks=None)
+    # Texts as other data sets have them.
+    texts = {name: (one.dims, np.array(one.values.tolist(), str), one.attrs)
+             for name, one in found.coords.items() if one.dtype.kind == "T"}  # fmt: skip
+    return found.assign_coords(texts)
+
+
 def limiting_heights(
     results: xarray.Dataset,
     acceptance: float | None = None,
     operation_s: float | None = None,
     confidence: float = 0.9,
 ) -> xarray.Dataset:
-    """The largest significant height at which each limit may be exceeded with the probability that is accepted.
+    """The largest significant height at which each limit is exceeded with the accepted probability.
 
-    At each height a Gumbel distribution is fitted over the seeds to how far the worst value of a run is beyond
-    its bound, and moved to the operation's length: P is the probability that this is above 0 (`extreme`). Between two
-    heights the reduced variate -ln(-ln(1 - P)) goes along a straight line over 1 / Hs: exact where the response is
-    in proportion to the height, for then it is (L / Hs - mu) / beta. P does not fall with the height: where
-    sampling makes it, the largest P of lower heights counts. Nothing is extrapolated.
+    At each height a Gumbel distribution is fitted over the seeds to how far the worst value of a run is
+    beyond its bound, and moved to the operation's length: P is the probability that this is above 0
+    (`extreme`). Between two heights the reduced variate -ln(-ln(1 - P)) goes along a straight line over 1 /
+    Hs. That is exact where the response is in proportion to the height: there it is (L / Hs - mu) / beta. P
+    does not fall with the height: where sampling makes it, the largest P of lower heights counts. Nothing
+    is extrapolated.
 
-    A run that ended early (a divergence, say) counts as one in which every limit without a value was exceeded:
-    P of its case is 1.
+    A run that ended early (a divergence, say) counts as one in which every limit without a value was
+    exceeded: P of its case is 1.
 
     Parameters
     ----------
     results
-        Of a study whose axes are a grid: `limit_worst`, `limit_held` and `status` along ``run``, the axes, ``at_least``
-        and ``at_most`` as coordinates, the attributes ``axes``, ``sea``, ``duration_s`` and ``after_s``.
+        Of a study whose axes are a grid: `limit_worst`, `limit_held` and `status` along ``run``, the axes,
+        ``at_least`` and ``at_most`` as coordinates, the attributes ``axes``, ``sea``, ``duration_s`` and
+        ``after_s``.
     acceptance
         The probability; that of the study unless given.
     operation_s
@@ -59,10 +83,11 @@ def limiting_heights(
     -------
     xarray.Dataset
         Along ``limit`` and the axes but the height: ``limiting_height`` (m), ``limiting_height_low`` and
-        ``limiting_height_high``, its interval over seeds, and ``limiting_height_state``: ``found``; ``above``, where
-        the largest height of the study does not reach it, which the height then is; ``below``, where the smallest one exceeds
-        it: the height is then 0; ``not known``. ``limiting_height_of_all`` is the smallest over the limits and ``governs``
-        which. ``probability`` is P, along ``limit`` and all axes, ``ended_early`` counts runs.
+        ``limiting_height_high``, its interval over seeds, from those of P at each height, and
+        ``limiting_height_state``: ``found``; ``above``, where the largest height of the study does not
+        reach it, which the height then is; ``below``, where the smallest one exceeds it: the height is then
+        0; ``not known``. ``limiting_height_of_all`` is the smallest over the limits and ``governs`` which.
+        ``probability`` is P, along ``limit`` and all axes, ``ended_early`` counts runs.
 
     Raises
     ------
@@ -78,7 +103,9 @@ def limiting_heights(
     record_s = float(results.attrs["duration_s"]) - float(results.attrs["after_s"])
     operation_s = float(results.attrs["operation_s"] if operation_s is None else operation_s)
     grid, values = _grid(results, axes)
-    beyond, held, status = (of[grid] for of in (_beyond(results), results["limit_held"].values, results["status"].values))
+    beyond, held, status = (
+        of[grid] for of in (_beyond(results), results["limit_held"].values, results["status"].values)
+    )
     missing = int((status == NOT_RUN).sum())
     if missing:
         raise KingpostError(f"runs: found {missing} that have not run, allowed: all, as with --resume")
@@ -106,9 +133,13 @@ def limiting_heights(
         "probability": ([*dims, height], -np.expm1(-np.exp(-reduced[0])), {"units": "1"}),
         "ended_early": (axes, ended),
     }
-    coordinates = {name: (name, np.asarray(values[name]), results[name].attrs) for name in others}
+    coordinates: dict[Any, Any] = {
+        name: (name, np.asarray(values[name]), results[name].attrs) for name in others
+    }
     coordinates[height] = (height, heights, results[height].attrs)
-    coordinates |= {name: results[name].variable for name in results.coords if results[name].dims == ("limit",)}
+    coordinates |= {
+        name: results[name].variable for name in results.coords if results[name].dims == ("limit",)
+    }
     about = {name: results.attrs[name] for name in ("title", "sea", "fingerprint") if name in results.attrs}
     about |= {"acceptance": acceptance, "operation_s": operation_s, "confidence": confidence}
     return xarray.Dataset(variables, coordinates, about)
@@ -150,7 +181,12 @@ def _beyond(results: xarray.Dataset) -> Numbers:
 
 
 def _reduced(
-    beyond: Numbers, held: NDArray[Any], status: NDArray[Any], record_s: float, operation_s: float, confidence: float
+    beyond: Numbers,
+    held: NDArray[Any],
+    status: NDArray[Any],
+    record_s: float,
+    operation_s: float,
+    confidence: float,
 ) -> Numbers:
     """Reduced variates of P, of its upper and of its lower end, along limits and axes.
 
@@ -176,8 +212,11 @@ def _reduced(
 def _of_one(found: Extreme, confidence: float) -> tuple[float, float, float]:
     low, high = found.exceedance_interval(0.0, confidence)
     with np.errstate(divide="ignore"):
-        ends = [float(-np.log(-np.log1p(-p))) if 0 < p < 1 else (NEVER if p == 0 else CERTAIN) for p in (high, low)]
-    return (-found.location / found.scale, *ends)
+        ends = [
+            float(-np.log(-np.log1p(-p))) if 0 < p < 1 else (NEVER if p == 0 else CERTAIN)
+            for p in (high, low)
+        ]
+    return -found.location / found.scale, ends[0], ends[1]
 
 
 def _passes(heights: Numbers, reduced: Numbers, wanted: float) -> Numbers:

@@ -20,15 +20,17 @@ NO_LIMIT = "no limit"
 
 LimitingHeight = Callable[[float, float], tuple[float, str]]
 """By peak period (s) and direction that waves go to in the scenario's axes (rad): the limiting significant
-height (m) and the limit that governs. The height is NaN where nothing is known, infinite where no limit is reached."""
+height (m) and the limit that governs. The height is NaN where nothing is known, infinite where no limit is
+reached."""
 
 
 @dataclass(frozen=True)
 class LimitingSea:
     """Limiting heights over peak period and direction, linear between what was studied.
 
-    Called with a peak period (s) and the direction that waves go to (rad, in the scenario's axes) it gives the
-    smallest of the limits' heights (m) and the limit that has it; outside of what was studied NaN and `OUTSIDE`.
+    Called with a peak period (s) and the direction that waves go to (rad, in the scenario's axes) it gives
+    the smallest of the limits' heights (m) and the limit that has it; outside of what was studied NaN and
+    `OUTSIDE`.
 
     Attributes
     ----------
@@ -41,7 +43,8 @@ class LimitingSea:
     limits
         Names.
 
-    >>> sea = LimitingSea(np.array([6.0, 8.0]), np.empty(0), np.array([[2.0, 1.0], [1.5, 1.5]]), ("heel", "tension"))
+    >>> heights_m = np.array([[2.0, 1.0], [1.5, 1.5]])
+    >>> sea = LimitingSea(np.array([6.0, 8.0]), np.empty(0), heights_m, ("heel", "tension"))
     >>> sea(6.5, 0.0), sea(8.0, 0.0)
     ((1.5, 'tension'), (1.0, 'heel'))
     >>> sea(9.0, 0.0)
@@ -54,7 +57,9 @@ class LimitingSea:
     limits: tuple[str, ...]
 
     @classmethod
-    def of(cls, found: xarray.Dataset, at: Mapping[str, Any] | None = None, sea: Mapping[str, str] | None = None) -> LimitingSea:
+    def of(
+        cls, found: xarray.Dataset, at: Mapping[str, Any] | None = None, sea: Mapping[str, str] | None = None
+    ) -> LimitingSea:
         """That of limiting heights by runs (`limiting_heights`) or by the screen.
 
         Parameters
@@ -93,7 +98,9 @@ class LimitingSea:
             order = np.argsort(radians)
             heights, radians = heights.isel({direction: order}), radians[order]
         limits = tuple(str(name) for name in found["limit"].values)
-        return cls(np.asarray(heights[period].values, float), radians, np.asarray(heights.values, float), limits)
+        return cls(
+            np.asarray(heights[period].values, float), radians, np.asarray(heights.values, float), limits
+        )
 
     def __call__(self, peak_period_s: float, direction_rad: float) -> tuple[float, str]:
         of_limits = self.of_limits(peak_period_s, direction_rad)
@@ -115,7 +122,9 @@ class LimitingSea:
         directions, heights = _round(self.directions_rad, heights)
         turns = (direction_rad - directions[0]) % (2 * np.pi)
         # Rounding may put the first direction one turn further.
-        turns = 0.0 if 2 * np.pi - turns < 1e-9 and directions[-1] - directions[0] < 2 * np.pi - 1e-6 else turns
+        turns = (
+            0.0 if 2 * np.pi - turns < 1e-9 and directions[-1] - directions[0] < 2 * np.pi - 1e-6 else turns
+        )
         place = _place(directions, directions[0] + turns)
         return np.full(len(self.limits), np.nan) if place is None else _between(heights, place, axis=1)
 

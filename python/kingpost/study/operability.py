@@ -63,7 +63,8 @@ def operability(
     table
         Of the place.
     limiting_height
-        By peak period (s) and direction (rad): the height and the limit that governs, such as a `LimitingSea`.
+        By peak period (s) and direction (rad): the height and the limit that governs, such as a
+        `LimitingSea`.
     direction_rad
         That all waves go to, in the scenario's axes, where the table has no directions.
     peak_enhancement
@@ -81,16 +82,21 @@ def operability(
 
     >>> from kingpost.study.scatter import parse
     >>> table = parse("Hs/Tp,4-6,6-8\\n0-1,30,20\\n1-2,10,40")
-    >>> found = operability(table, lambda period_s, _: (1.5, "heel") if period_s < 6 else (1.0, "tension"), 0.0)
+    >>> limits = lambda period_s, _: (1.5, "heel") if period_s < 6 else (1.0, "tension")
+    >>> found = operability(table, limits, direction_rad=0.0)
     >>> round(found.share, 9), found.by_limit
     (0.55, {'heel': 0.05, 'tension': 0.4})
     """
     if table.direction_rad is None and direction_rad is None:
         raise KingpostError(
-            "direction: found none in the scatter table, allowed: one, that all waves go to, or a column of them"
+            "direction: found none in the scatter table, allowed: a column of it, or one of all waves"
         )
     table = table.with_peak_periods(peak_enhancement)
-    directions = np.full(len(table.period_s), direction_rad or 0.0) if table.direction_rad is None else table.direction_rad
+    directions = (
+        np.full(len(table.period_s), direction_rad or 0.0)
+        if table.direction_rad is None
+        else table.direction_rad
+    )
     known: dict[tuple[float, float], tuple[float, str]] = {}
     for key in zip(table.period_s.tolist(), directions.tolist(), strict=True):
         if key not in known:

@@ -14,13 +14,16 @@ MOMENTS = {ZERO_UP_CROSSING: (0, 2), ENERGY: (-1, 0), MEAN: (0, 1)}
 NAMES = {
     "tp": PEAK,
     "pp1d": PEAK,
+    "vtpk": PEAK,
     "peak_period_s": PEAK,
     "tz": ZERO_UP_CROSSING,
     "tm02": ZERO_UP_CROSSING,
+    "vtm02": ZERO_UP_CROSSING,
     "mp2": ZERO_UP_CROSSING,
     "te": ENERGY,
     "tm10": ENERGY,
     "tm-10": ENERGY,
+    "vtm10": ENERGY,
     "mwp": ENERGY,
     "tm01": MEAN,
     "mp1": MEAN,
@@ -41,8 +44,8 @@ def kind_of(name: str) -> str | None:
 def ratio(kind: str, peak_enhancement: float = 3.3) -> float:
     """A mean period over the peak period, of a JONSWAP spectrum.
 
-    S(w) ~ w^-5 exp(-5/4 w^-4) gamma^exp(-(w - 1)^2 / (2 s^2)), s = 0.07 up to the peak and 0.09 above (Hasselmann
-    et al. 1973; DNV-RP-C205, 3.5.5), integrated to w = 100.
+    S(w) ~ w^-5 exp(-5/4 w^-4) gamma^exp(-(w - 1)^2 / (2 s^2)), s = 0.07 up to the peak and 0.09 above
+    (Hasselmann et al. 1973; DNV-RP-C205, 3.5.5), integrated to w = 100.
 
     Parameters
     ----------

@@ -2,20 +2,20 @@
 
 A file is CSV, with commas, semicolons or tabs, in one of two forms.
 
-A matrix has a row for each class of Hs and a column for each class of the period. The first cell of the header
-says which period it is: ``Hs\\Tp``, ``Hs/Tz``. The labels are ranges, ``0.5-1.0``, or numbers; then a line
-``# classes: centres`` above the table says what these are, or ``lower edges``, ``upper edges``. A line
-``# entries: per cent`` says that the entries add up to 100; else they are occurrences. A last row or column
-``total`` is left out::
+A matrix has a row for each class of Hs and a column for each class of the period. The first cell of the
+header says which period it is: ``Hs\\Tp``, ``Hs/Tz``. The labels are ranges, ``0.5-1.0``, or numbers; then
+a line ``# classes: centres`` above the table says what these are, or ``lower edges``, ``upper edges``. A
+line ``# entries: per cent`` says that the entries add up to 100; else they are occurrences. A last row or
+column ``total`` is left out::
 
     # classes: centres
     Hs\\Tp, 6, 8, 10
     0.5,   10, 20,  5
     1.5,    2, 15, 10
 
-The long form has a line for each class or sea, under names: ``hs``, ``tp`` (or ``tz``), ``occurrences``, and if
-wanted ``month`` (1 to 12) and ``direction_to_deg`` (that waves go to) or ``direction_from_deg``. Its Hs and
-periods are points: the whole of the entry has them.
+The long form has a line for each class or sea, under names: ``hs``, ``tp`` (or ``tz``), ``occurrences``,
+and if wanted ``month`` (1 to 12) and ``direction_to_deg`` (that waves go to) or ``direction_from_deg``. Its
+Hs and periods are points: the whole of the entry has them.
 """
 
 from __future__ import annotations
@@ -57,7 +57,9 @@ class ScatterError(KingpostError):
         What is wrong, what stands there and what may stand there.
     """
 
-    def __init__(self, field: str, found: object, allowed: str, file: str | None = None, line: int | None = None):
+    def __init__(
+        self, field: str, found: object, allowed: str, file: str | None = None, line: int | None = None
+    ):
         place = "".join(f"{part}:" for part in (file, line) if part is not None)
         super().__init__(f"{place} {field}: found {found}, allowed: {allowed}".strip())
         self.file, self.line, self.field, self.found, self.allowed = file, line, field, found, allowed
@@ -122,7 +124,8 @@ def read(path: str | Path, classes: str | None = None, entries: str | None = Non
     path
         The file.
     classes
-        What numbers beside a matrix are, if the file does not say: ``centres``, ``lower edges``, ``upper edges``.
+        What numbers beside a matrix are, if the file does not say: ``centres``, ``lower edges``, ``upper
+        edges``.
     entries
         ``occurrences`` or ``per cent``, if the file does not say.
 
@@ -175,10 +178,7 @@ def parse(
     """
     sheet = _Sheet.of(text, file, classes, entries)
     names = [cell.strip().lower() for cell in sheet.header]
-    if any(name in HEIGHTS for name in names):
-        found = _long(sheet, names)
-    else:
-        found = _matrix(sheet)
+    found = _long(sheet, names) if any(name in HEIGHTS for name in names) else _matrix(sheet)
     if not found.total > 0:
         raise sheet.error("entries", f"a sum of {found.total:g}", "a sum greater than 0")
     if sheet.entries == PER_CENT and found.total > 100 + SUM_OFF:
@@ -220,7 +220,13 @@ class _Sheet:
             for number, line in lines
         ]
         return cls(
-            file, rows[0][1], rows[0][0], rows[1:], sign != ",", said["classes"], said["entries"] or OCCURRENCES
+            file,
+            rows[0][1],
+            rows[0][0],
+            rows[1:],
+            sign != ",",
+            said["classes"],
+            said["entries"] or OCCURRENCES,
         )
 
     def error(self, field: str, found: object, allowed: str, line: int | None = None) -> ScatterError:
@@ -238,7 +244,11 @@ class _Sheet:
 
 
 def _check(
-    name: str, said: dict[str, str | None], allowed: dict[str, tuple[str, ...]], file: str | None, line: int | None
+    name: str,
+    said: dict[str, str | None],
+    allowed: dict[str, tuple[str, ...]],
+    file: str | None,
+    line: int | None,
 ) -> None:
     if said[name] is not None and said[name] not in allowed[name]:
         raise ScatterError(name, repr(said[name]), ", ".join(allowed[name]), file, line)
@@ -287,8 +297,10 @@ def _edges(sheet: _Sheet, field: str, labels: Sequence[tuple[int, str]]) -> NDAr
     for (line, label), (low, high) in zip(labels, found, strict=True):
         if not low < high:
             raise sheet.error(field, repr(label), "classes from low to high", line)
-    for k in np.flatnonzero(found[1:, 0] < found[:-1, 1] - 1e-9):
-        raise sheet.error(field, repr(labels[k + 1][1]), "classes that increase and do not overlap", labels[k + 1][0])
+    for k in np.flatnonzero(found[1:, 0] < found[:-1, 1] - 1e-9).tolist():
+        raise sheet.error(
+            field, repr(labels[k + 1][1]), "classes that increase and do not overlap", labels[k + 1][0]
+        )
     return found
 
 
@@ -297,7 +309,7 @@ def _from_numbers(sheet: _Sheet, field: str, labels: Sequence[tuple[int, str]]) 
     if sheet.classes is None:
         allowed = f"ranges, as 0.5-1.0, or a line '# classes: ...' with one of {', '.join(CLASSES)}"
         raise sheet.error(field, f"numbers, as {labels[0][1]}", allowed, labels[0][0])
-    for k in np.flatnonzero(np.diff(values) <= 0):
+    for k in np.flatnonzero(np.diff(values) <= 0).tolist():
         raise sheet.error(field, repr(labels[k + 1][1]), "classes that increase", labels[k + 1][0])
     if len(values) == 1:
         raise sheet.error(field, "one class", "two or more, or a range as 0.5-1.0", labels[0][0])
@@ -324,7 +336,9 @@ def _long(sheet: _Sheet, names: Sequence[str]) -> ScatterTable:
     height, period = place("Hs", HEIGHTS), place("period", None)
     count = place("occurrences", (OCCURRENCES, "count", PER_CENT, "percent", "probability"))
     if height is None or period is None:
-        raise sheet.error("columns", ", ".join(names), "hs, tp (or tz), occurrences[, month][, direction_to_deg]", line)
+        raise sheet.error(
+            "columns", ", ".join(names), "hs, tp (or tz), occurrences[, month][, direction_to_deg]", line
+        )
     month, of_from, of_to = place("month", MONTHS), place("direction", FROM), place("direction", TO)
     if of_from is not None and of_to is not None:
         raise sheet.error("direction", "direction_from_deg and direction_to_deg", "one of them", line)
@@ -356,7 +370,10 @@ def _numbers(sheet: _Sheet, columns: int) -> Iterator[tuple[int, list[float]]]:
         if len(cells) != columns:
             raise sheet.error("cells", len(cells), f"{columns}, as the header has", number)
         names = sheet.header
-        yield number, [
-            sheet.number(cell, names[k], number, -360.0 if "direction" in names[k].lower() else 0.0)
-            for k, cell in enumerate(cells)
-        ]
+        yield (
+            number,
+            [
+                sheet.number(cell, names[k], number, -360.0 if "direction" in names[k].lower() else 0.0)
+                for k, cell in enumerate(cells)
+            ],
+        )

@@ -48,16 +48,15 @@ class Extreme:
     scatter
         Covariance of (mu, beta) by the jackknife: from the maxima themselves.
 
-    Notes
-    -----
-    An interval is x + t s. Its s is the jackknife's standard error, from the fits that leave out one record. Its
-    t are the percentiles of (true - x) / s, found for this number of records by sampling a Gumbel
-    distribution, whatever its mu and beta: they fall out of the ratio (a studentised bootstrap: Hall, *Ann. Stat.*
-    16, 1988, p. 927). For Gumbel samples the confidence holds for any number of records. For maxima of a
-    Gaussian process, which scatter less, s adapts: 90 % are 89 to 90 % from 5 to 20 records, where Student's
-    t with the same s covers 80 to 86 %, and the covariance of Gumbel samples with normal percentiles 84 to 91 %.
-    What an interval leaves out is that the distribution is another: a Gaussian process moved from records to three
-    times their length has a quantile 0.9 that is 1 % too high, which 40 records begin to see (85 %).
+    Notes ----- An interval is x + t s. Its s is the jackknife's standard error, from the fits that leave
+    out one record. Its t are the percentiles of (true - x) / s, found for this number of records by
+    sampling a Gumbel distribution, whatever its mu and beta: they fall out of the ratio (a studentised
+    bootstrap: Hall, *Ann. Stat.* 16, 1988, p. 927). For Gumbel samples the confidence holds for any number
+    of records. For maxima of a Gaussian process, which scatter less, s adapts: 90 % are 89 to 90 % from 5
+    to 20 records, where Student's t with the same s covers 80 to 86 %, and the covariance of Gumbel samples
+    with normal percentiles 84 to 91 %. What an interval leaves out is that the distribution is another: a
+    Gaussian process moved from records to three times their length has a quantile 0.9 that is 1 % too high,
+    which 40 records begin to see (85 %).
     """
 
     location: float

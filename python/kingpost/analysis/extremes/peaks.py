@@ -31,9 +31,10 @@ SHAPES = (0.05, 60.0)
 class TailExtreme:
     """The largest value in a stated time from the peaks over a threshold.
 
-    With `rate` peaks over the threshold u in a second, each above x with the probability S(x), the largest of the
-    duration T is below x with the probability exp(-rate T S(x)): peaks that are far between are a Poisson process
-    (Coles, *An Introduction to Statistical Modeling of Extreme Values*, 2001, ch. 7). S(x) is
+    With `rate` peaks over the threshold u in a second, each above x with the probability S(x), the largest
+    of the duration T is below x with the probability exp(-rate T S(x)): peaks that are far between are a
+    Poisson process (Coles, *An Introduction to Statistical Modeling of Extreme Values*, 2001, ch. 7). S(x)
+    is
 
     - generalised Pareto: (1 + shape (x - u) / scale)^(-1 / shape);
     - exponential: exp(-(x - u) / scale);
@@ -169,16 +170,17 @@ def over_threshold(
     threshold: float | None = None,
     counts: ArrayLike | None = None,
 ) -> TailExtreme:
-    """Peaks over a threshold: a generalised Pareto or an exponential distribution of what they are above it by.
+    """Peaks over a threshold: a generalised Pareto or an exponential distribution of their excess.
 
     Pickands (*Ann. Stat.* 3, 1975) and Davison & Smith (*J. R. Stat. Soc. B* 52, 1990); fitted by L-moments
-    (Hosking & Wallis, *Technometrics* 29, 1987, p. 341: shape 2 - l1 / l2, scale l1 (1 - shape)), which err less
-    than maximum likelihood below 500 peaks. Unless given, the threshold leaves a tenth of the peaks over it (DuMouchel,
-    *Ann. Stat.* 11, 1983).
+    (Hosking & Wallis, *Technometrics* 29, 1987, p. 341: shape 2 - l1 / l2, scale l1 (1 - shape)), which err
+    less than maximum likelihood below 500 peaks. Unless given, the threshold leaves a tenth of the peaks
+    over it (DuMouchel, *Ann. Stat.* 11, 1983).
 
-    Measured on a Gaussian process, ten runs of ten minutes, quantile 0.9: intervals of 90 % cover it in 88 %
-    of 400 trials, also where the operation lasts three runs; of thirty runs in 90 %. An exponential tail is heavier
-    than that of a Gaussian process: its quantile is 6 % too high, and its intervals cover it in 70 %.
+    Measured on a Gaussian process, ten runs of ten minutes, quantile 0.9: intervals of 90 % cover it in 88
+    % of 400 trials, also where the operation lasts three runs; of thirty runs in 90 %. An exponential tail
+    is heavier than that of a Gaussian process: its quantile is 6 % too high, and its intervals cover it in
+    70 %.
 
     Parameters
     ----------
@@ -206,7 +208,8 @@ def over_threshold(
         When there are too few runs or peaks, or when peaks over the threshold were not kept.
 
     >>> rng = np.random.default_rng(1)
-    >>> found = over_threshold([rng.exponential(1.0, 75) for _ in range(10)], record_s=600.0, duration_s=600.0)
+    >>> runs = [rng.exponential(1.0, 75) for _ in range(10)]
+    >>> found = over_threshold(runs, record_s=600.0, duration_s=600.0)
     >>> low, high = found.interval(0.9)
     >>> bool(low < np.log(75) - np.log(-np.log(0.9)) < high)
     True
@@ -229,16 +232,17 @@ def weibull(
     threshold: float | None = None,
     counts: ArrayLike | None = None,
 ) -> TailExtreme:
-    """A Weibull distribution with two parameters of the peaks about the mean, fitted to those over a threshold.
+    """A Weibull distribution, with two parameters, of the peaks about the mean, by those over a threshold.
 
-    Peaks of a narrow-banded Gaussian process have a Rayleigh distribution: shape 2, scale the square root of 2 times
-    the deviation. Those of a broad band have it in their tail alone, so that small peaks are left out: maximum
-    likelihood of the distribution truncated at the threshold (Wingo, *Stat. Papers* 30, 1989, p. 39). Unless
-    given, the threshold leaves half of the peaks over it.
+    Peaks of a narrow-banded Gaussian process have a Rayleigh distribution: shape 2, scale the square root
+    of 2 times the deviation. Those of a broad band have it in their tail alone, so that small peaks are
+    left out: maximum likelihood of the distribution truncated at the threshold (Wingo, *Stat. Papers* 30,
+    1989, p. 39). Unless given, the threshold leaves half of the peaks over it.
 
-    Measured on a Gaussian process, ten runs of ten minutes, quantile 0.9: intervals of 90 % cover it in 89 %
-    of 400 trials, and in 90 % where the operation lasts three runs; they are half as wide as those of the largest
-    values alone (`extreme`). That holds where the response is nearly Gaussian; a rope that goes slack is not.
+    Measured on a Gaussian process, ten runs of ten minutes, quantile 0.9: intervals of 90 % cover it in 89
+    % of 400 trials, and in 90 % where the operation lasts three runs; they are half as wide as those of the
+    largest values alone (`extreme`). That holds where the response is nearly Gaussian; a rope that goes
+    slack is not.
 
     Parameters
     ----------
@@ -286,7 +290,7 @@ def weibull(
 
 @dataclass(frozen=True)
 class _Tail:
-    """Peaks over a threshold with the group of their run; `time_s` is that of all runs, then without each group."""
+    """Peaks over a threshold, the group of their run, and the time of all runs and without each group."""
 
     threshold: float
     above: NDArray[np.float64]
