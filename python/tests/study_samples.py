@@ -12,7 +12,10 @@ SLEWING: dict[str, Any] = {
     "title": "Slewing",
     "scenario": "paper",
     "set": {"simulation.duration_s": 0.2, "simulation.step_s": 0.002, "simulation.record_every_s": 0.01},
-    "axes": {"crane_x_m": {"range": {"from": -10, "to": 0, "count": 6}}, "motor_2": {"values": [True, False]}},
+    "axes": {
+        "crane_x_m": {"range": {"from": -10, "to": 0, "count": 6}},
+        "motor_2": {"values": [True, False]},
+    },
     "seeds": {"count": 2},
     "after_s": 0.05,
     "record": ["ship.roll", "ship.position.*"],

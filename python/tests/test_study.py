@@ -51,7 +51,12 @@ def test_a_run_has_the_numbers_that_it_has_alone(slewing) -> None:
 def test_results_open_without_kingpost_and_carry_units_and_names(slewing, tmp_path) -> None:
     """Source: Zarr v3 and CF: what xarray reads by itself."""
     _, found = slewing
-    assert found.column.values.tolist() == ["ship.position.x", "ship.position.y", "ship.position.z", "ship.roll"]
+    assert found.column.values.tolist() == [
+        "ship.position.x",
+        "ship.position.y",
+        "ship.position.z",
+        "ship.roll",
+    ]
     assert found.column_unit.values.tolist() == ["m", "m", "m", "rad"]
     assert (found.limit_unit.item(), found.at_most.item(), found.at_least.item()) == ("deg", 0.1, -0.1)
     assert found.status.attrs["flag_meanings"].split()[1:] == ["finished", "ended_early", "not_built"]
@@ -119,16 +124,18 @@ def test_runs_that_diverge_or_are_no_scenario_are_marked_and_the_others_go_on(tm
 
 def test_a_case_between_the_corners_that_is_no_scenario_is_recorded(tmp_path) -> None:
     """Source: the contract of `status`: single values and corners are tried before, what is between them runs.
-    The step is longer than the interval of records in one combination of inner values alone."""
+    The step is longer than the run in one combination of inner values alone."""
     axes = {
         "simulation.step_s": {"values": [0.002, 0.3, 0.004]},
         "simulation.duration_s": {"values": [0.5, 0.2, 0.4]},
     }
     study = kingpost.Study({**SLEWING, "set": {}, "axes": axes, "seeds": {"count": 1}})
     found = study.run(tmp_path, workers=1)
-    built = (found.status != reduce.NOT_BUILT).values
-    assert len(built) == 9
-    assert np.isnan(found.statistics.values[~built]).all()
+    expected = [reduce.NOT_BUILT if k == 4 else reduce.FINISHED for k in range(9)]
+    assert found.status.values.tolist() == expected
+    assert np.isnan(found.statistics.values[4]).all()
+    marker = json.loads((tmp_path / "units" / "000001.json").read_text())
+    assert marker["ends"]["4"].endswith("allowed: at most simulation.duration_s, 0.2")
 
 
 @pytest.mark.parametrize(
