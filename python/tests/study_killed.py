@@ -1,8 +1,8 @@
 """A study that is killed again and again: run as a script with a folder, the study and how often.
 
-Each try is a process of its own, forked before anything runs, so that it starts at once. The system ends it at
-a random moment of its processor time, wherever it is, with nothing that it could do about it, as SIGKILL does; so
-that a busy machine gives it as much as an idle one. Then the next goes on, and at last one to the end.
+Each try is a process of its own, forked before anything runs, so that it starts at once. The system ends it
+at a random moment of its processor time, wherever it is, with nothing that it could do about it, as SIGKILL
+does; a busy machine gives it as much as an idle one. Then the next goes on, and at last one to the end.
 
 Prints how many units were done after each kill.
 """
