@@ -174,7 +174,13 @@ def plan(file: StudyFile) -> Plan:
 
 def _cases(file: StudyFile) -> Cases:
     content = file.content
-    return cases(content["axes"], content.get("samples"))
+
+    def cells() -> list[tuple[float, float]]:
+        from .scatter import read
+
+        return read(file.beside(content["scatter"])).cells()
+
+    return cases(content["axes"], content.get("samples"), cells)
 
 
 def _kept(file: StudyFile, known: dict[str, str], limits: list[dict[str, Any]]) -> Kept:
