@@ -6,14 +6,13 @@ import hashlib
 import json
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .. import results
-from ..engine import engine
+from ..engine import source_digest
 from ..errors import KingpostError
 from .batch import FINISHED, MOST_MEMORY_GB, SEED, Batch
 from .simulate import Progress, Simulation
@@ -106,14 +105,8 @@ def fingerprint(scenario: Scenario, seed: int, patterns: Sequence[str] = ()) -> 
     """SHA-256 of everything that decides the content of a run's file: the resolved scenario with its seed,
     the files that it names, the engine, and the written columns."""
     of_seed = scenario.with_overrides({SEED: seed})
-    parts = [of_seed.json, of_seed.digests, _engine_digest(), list(patterns)]
+    parts = [of_seed.json, of_seed.digests, source_digest(), list(patterns)]
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
-
-
-@cache
-def _engine_digest() -> str:
-    with open(engine.__file__, "rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def _finished(path: Path, expected: str) -> dict[str, Any] | None:

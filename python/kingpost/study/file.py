@@ -15,6 +15,8 @@ from ..scenario import Scenario, load
 
 SET = "--set "
 """How the engine names the place of a value that is set over a scenario."""
+UNKNOWN = "an unknown name"
+"""What it finds where a scenario has no such parameter."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,19 @@ class StudyFile:
             return error
         if name == "limits" and error.field in self.places:
             return self.error(error.field, error.found, error.allowed)
-        return self.error(where[name], error.found, error.allowed) if name in where else error
+        if name not in where:
+            return error
+        path = where[name]
+        if error.found == UNKNOWN:
+            # The name is wrong, not its value.
+            path = path[: path.index(name) + len(name)]
+        return self.error(path, error.found, error.allowed)
+
+    def _not_there(self, error: ScenarioError) -> ScenarioError:
+        """The error of a scenario that cannot be read, with its place in the study."""
+        placed = self.error("scenario", "", "")
+        message = f"{str(placed).partition('found')[0]}{error}"
+        return ScenarioError(message, placed.file, placed.line, placed.column, placed.field)
 
     def beside(self, name: str) -> Path:
         """The path of a file that the study names."""
@@ -86,7 +100,7 @@ class StudyFile:
         try:
             base = load(path if path.is_file() else gallery.find(name))
         except ScenarioError as error:
-            raise self.error("scenario", f"{name!r}", str(error)) if error.found is None else error from None
+            raise self._not_there(error) if error.found is None else error from None
         try:
             base = base.with_overrides(given)
             limits = self._limits(base)

@@ -27,8 +27,9 @@ MOST_UNITS, MOST_RUNS_OF_UNIT, LANES = 64, 32, 4
 MOST_CHECKED = 100
 """Values of an axis, and corners of all axes, that are tried before the first run."""
 TAKEN = {
-    *("run", "case", "seed", "sample", "cell", "column", "column_unit", "statistic", "statistics", "status"),
-    *("limit", "limit_column", "limit_unit", "at_least", "at_most", "limit_held", "limit_worst", "limit_time"),
+    *("run", "case", "seed", "sample", "cell", "status", "statistic", "statistics"),
+    *("column", "column_unit", "limit", "limit_column", "limit_unit", "at_least", "at_most"),
+    *("limit_held", "limit_worst", "limit_time"),
     *("peak", "peaks", "peak_count", "slope", "damage", "cycles"),
 }
 """Names of the results, which no axis can have."""
@@ -173,7 +174,13 @@ def plan(file: StudyFile) -> Plan:
 
 def _cases(file: StudyFile) -> Cases:
     content = file.content
-    return cases(content["axes"], content.get("samples"))
+
+    def cells() -> list[tuple[float, float]]:
+        from .scatter import read
+
+        return read(file.beside(content["scatter"])).cells()
+
+    return cases(content["axes"], content.get("samples"), cells)
 
 
 def _kept(file: StudyFile, known: dict[str, str], limits: list[dict[str, Any]]) -> Kept:

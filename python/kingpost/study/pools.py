@@ -7,8 +7,15 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, CancelledError, Executor, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    CancelledError,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    wait,
+)
 from multiprocessing.connection import wait as wait_for
 
 from ..errors import KingpostError, RunError
@@ -36,73 +43,99 @@ def processes(jobs: Iterable[Job], workers: int) -> Iterator[Result]:
     """Compute in worker processes. Where one dies, others take its place and its unit runs again."""
     pool = _pool(workers)
 
-    def replaced(_: Executor) -> Executor:
+    def another() -> Executor:
         nonlocal pool
         _stop(pool)
         pool = _pool(workers)
         return pool
 
     try:
-        yield from _spread(jobs, pool, AHEAD * workers, replaced)
+        yield from _Spread(jobs, pool, AHEAD * workers, another).results()
     finally:
         _stop(pool)
 
 
 def executor(jobs: Iterable[Job], given: Executor, at_once: int) -> Iterator[Result]:
     """Compute by an executor, of which so many units are asked at a time."""
-    return _spread(jobs, given, at_once, None)
+    return _Spread(jobs, given, at_once, None).results()
 
 
-def _spread(
-    jobs: Iterable[Job], pool: Executor, at_once: int, replaced: Callable[[Executor], Executor] | None
-) -> Iterator[Result]:
-    """Results as they come. A unit whose worker dies is asked for again."""
-    left, again, tries = iter(jobs), list[Job](), dict[int, int]()
-    waiting: dict[Future[Result], Job] = {}
+class _Spread:
+    """Units over an executor; one whose worker dies is asked for again, of another executor where this one is
+    broken by it and there is `another`."""
 
-    def ask() -> None:
-        while len(waiting) < at_once and (job := again.pop() if again else next(left, None)):
-            tries[job.unit] = tries.get(job.unit, 0) + 1
-            waiting[pool.submit(compute, job)] = job
+    def __init__(
+        self, jobs: Iterable[Job], pool: Executor, at_once: int, another: Callable[[], Executor] | None
+    ) -> None:
+        self.left, self.again = iter(jobs), list[Job]()
+        self.pool, self.at_once, self.another = pool, at_once, another
+        self.waiting: dict[Future[Result], Job] = {}
+        self.tries: dict[int, int] = {}
 
-    try:
-        ask()
-        while waiting:
-            done, _ = wait(waiting, LOOK_EVERY_S, FIRST_COMPLETED)
-            broken = False
-            for future in done:
-                job = waiting.pop(future)
-                try:
-                    yield future.result()
-                    tries.pop(job.unit, None)
-                except (BrokenProcessPool, CancelledError) as error:
-                    broken = True
-                    _try_again(job, tries, again, error)
-                except Exception as error:
-                    if isinstance(error, KingpostError | MemoryError) or replaced is not None:
-                        raise
-                    # A cluster says in its own way that a worker is gone.
-                    _try_again(job, tries, again, error)
-            if broken:
-                if replaced is None:
-                    raise RunError("executor: found workers that ended, allowed: an executor that works")
-                again.extend(waiting.values())
-                waiting.clear()
-                pool = replaced(pool)
-            ask()
-    finally:
-        for future in waiting:
-            future.cancel()
+    def results(self) -> Iterator[Result]:
+        """Results as they come."""
+        try:
+            self._ask()
+            while self.waiting:
+                done, _ = wait(self.waiting, LOOK_EVERY_S, FIRST_COMPLETED)
+                for future in done:
+                    if (result := self._result(future)) is not None:
+                        yield result
+                self._ask()
+        finally:
+            for future in self.waiting:
+                future.cancel()
 
+    def _ask(self) -> None:
+        while len(self.waiting) < self.at_once and (job := self._next()):
+            self.tries[job.unit] = self.tries.get(job.unit, 0) + 1
+            try:
+                self.waiting[self.pool.submit(compute, job)] = job
+            except BrokenExecutor as error:
+                self._begin_again([job], error)
 
-def _try_again(job: Job, tries: dict[int, int], again: list[Job], error: BaseException) -> None:
-    if tries[job.unit] >= TRIES:
-        hint = "" if str(error) == "" else f": {error}"
-        raise RunError(
-            f"unit {job.unit}: its worker ended {TRIES} times{hint}; allowed: workers that go on. "
-            'A script that starts a study needs the line `if __name__ == "__main__":` above it'
-        ) from error
-    again.append(job)
+    def _next(self) -> Job | None:
+        return self.again.pop() if self.again else next(self.left, None)
+
+    def _result(self, future: Future[Result]) -> Result | None:
+        """What came of a unit; None where it is asked for again."""
+        job = self.waiting.pop(future, None)
+        if job is None:
+            # It was asked for again with all others.
+            return None
+        try:
+            result = future.result()
+        except BrokenExecutor as error:
+            self._begin_again([job], error)
+        except (KingpostError, MemoryError):
+            raise
+        except (Exception, CancelledError) as error:
+            if self.another is not None:
+                raise
+            # A cluster says in its own way that a worker is gone.
+            self._try_again(job, error)
+        else:
+            self.tries.pop(job.unit, None)
+            return result
+        return None
+
+    def _begin_again(self, jobs: list[Job], error: BaseException) -> None:
+        """Take another executor, since all that was asked of this one is lost."""
+        if self.another is None:
+            raise RunError(f"executor: found {error}, allowed: an executor that goes on") from error
+        for job in [*jobs, *self.waiting.values()]:
+            self._try_again(job, error)
+        self.waiting.clear()
+        self.pool = self.another()
+
+    def _try_again(self, job: Job, error: BaseException) -> None:
+        if self.tries[job.unit] >= TRIES:
+            hint = f": {error}" if str(error) else ""
+            raise RunError(
+                f"unit {job.unit}: its worker ended {TRIES} times{hint}; allowed: workers that go on. "
+                'A script that starts a study needs the line `if __name__ == "__main__":` above it'
+            ) from error
+        self.again.append(job)
 
 
 def _pool(workers: int) -> ProcessPoolExecutor:

@@ -88,7 +88,8 @@ def plan_lines(about: dict[str, Any]) -> Iterator[str]:
     yield f"runs            {about['runs']} of {of}"
     for name, values in about["axes"].items():
         yield f"axis            {name}: {_listed(values)}"
-    yield f"kept            {about['columns']} columns, {len(about['limits'])} limits of each run"
+    limits = f"; limits: {', '.join(about['limits'])}" if about["limits"] else ""
+    yield f"columns         {about['columns']}{limits}"
 
 
 def result_lines(found: dict[str, Any], runs: int) -> Iterator[str]:

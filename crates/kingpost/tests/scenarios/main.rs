@@ -17,3 +17,4 @@ mod scenario_errors;
 mod scenario_parameters;
 mod scenario_properties;
 mod scenario_schema;
+mod studies;
