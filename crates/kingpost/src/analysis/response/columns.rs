@@ -101,7 +101,7 @@ impl Scenario {
             shown.add(&loads, omega, &waves.directions_rad, &chosen, &mut h);
             for direction in 0..waves.directions_rad.len() {
                 let first = (direction * frequencies_rad_s.len() + k) * chosen.len();
-                for (row, column) in chosen.iter().enumerate().filter(|(_, column)| column.not_linear.is_none()) {
+                for (row, _) in chosen.iter().enumerate().filter(|(_, column)| column.not_linear.is_none()) {
                     let Complex { re, im } = h[(row, direction)];
                     amplitudes[first + row] = [re, im];
                 }
